@@ -1,0 +1,42 @@
+#include <taut/geometry/grid_maze.h>
+
+namespace taut {
+
+GridMaze::GridMaze(int width, int height, bool walled)
+    : width_(width),
+      height_(height),
+      horizontal_(static_cast<std::size_t>(width) * (height + 1), walled),
+      vertical_(static_cast<std::size_t>(width + 1) * height, walled) {
+  for (int x = 0; x < width; ++x) {
+    set_wall({x, 0}, Side::south, true);
+    set_wall({x, height - 1}, Side::north, true);
+  }
+  for (int y = 0; y < height; ++y) {
+    set_wall({0, y}, Side::west, true);
+    set_wall({width - 1, y}, Side::east, true);
+  }
+}
+
+Cell GridMaze::neighbour(Cell c, Side side) {
+  switch (side) {
+    case Side::north: return {c.x, c.y + 1};
+    case Side::east: return {c.x + 1, c.y};
+    case Side::south: return {c.x, c.y - 1};
+    case Side::west: return {c.x - 1, c.y};
+  }
+  return c;
+}
+
+const std::uint8_t& GridMaze::slot(Cell c, Side side) const {
+  const auto x = static_cast<std::size_t>(c.x), y = static_cast<std::size_t>(c.y);
+  const auto w = static_cast<std::size_t>(width_);
+  switch (side) {
+    case Side::north: return horizontal_[(y + 1) * w + x];
+    case Side::south: return horizontal_[y * w + x];
+    case Side::east: return vertical_[y * (w + 1) + x + 1];
+    case Side::west: return vertical_[y * (w + 1) + x];
+  }
+  return horizontal_[0];
+}
+
+}  // namespace taut

@@ -1,0 +1,58 @@
+// The common index: a constrained Delaunay triangulation in flat arrays.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include <taut/geometry/point.h>
+
+namespace taut {
+
+inline constexpr std::uint32_t kNone = 0xffffffff;
+
+/// A constrained Delaunay triangulation of the convex hull of its vertices, immutable once built.
+///
+///  1. Triangle t has the vertices triangles()[t][0..2], counter-clockwise; neighbours()[t][i] lies across the side opposite
+///     to corner i, kNone outside the hull.
+///  2. A side is constrained when an obstacle's boundary or a zero-thickness wall runs along it; no path crosses it.
+///  3. A triangle is free when a path may be in it. A constrained side has at most a free triangle on each side (a wall),
+///     or a free and a solid one (a boundary). Between a free and a solid triangle there is always a constrained side.
+///  4. A sector is a maximal fan of free triangles around a vertex, joined across unconstrained sides: what a path that
+///     touches the vertex can turn in. sector_of()[3 * t + i] is the sector of corner i of the free triangle t, else kNone.
+struct Triangulation {
+  using Triple = std::array<std::uint32_t, 3>;
+
+  struct Sector {
+    std::uint32_t vertex = kNone;
+    std::uint32_t triangle = kNone;  ///< the clockwise-most triangle of the fan (any, when the fan is the full circle)
+    bool reflex = false;             ///< its angle exceeds 180 degrees and a constraint ends here: a path can bend here
+    bool full = false;               ///< no constraint meets the vertex: the fan is the full circle
+  };
+
+  std::vector<Point> points;
+  std::vector<Triple> triangles;
+  std::vector<Triple> neighbours;
+  std::vector<std::uint8_t> constrained;  ///< bit i of constrained[t]: the side opposite to corner i
+  std::vector<std::uint8_t> free;         ///< 1 when triangle t is free
+  std::vector<std::uint32_t> sector_of;   ///< 3 * t + i -> sector, kNone in solid triangles
+  std::vector<Sector> sectors;            ///< ordered by vertex
+
+  /// The points times 2^scale as integers below 2^29, when all of them are; else empty. Predicates on them fit an int64.
+  std::vector<std::array<std::int32_t, 2>> lattice;
+  int lattice_scale = 0;
+
+  bool is_constrained(std::uint32_t t, int i) const { return (constrained[t] >> i) & 1; }
+
+  /// The corner of t's neighbour across side i that is not shared with t. Precondition: there is a neighbour.
+  int mirror(std::uint32_t t, int i) const {
+    const auto& back = neighbours[neighbours[t][i]];
+    return back[0] == t ? 0 : back[1] == t ? 1 : 2;
+  }
+  static int ccw(int i) { return i == 2 ? 0 : i + 1; }
+  static int cw(int i) { return i == 0 ? 2 : i - 1; }
+};
+
+}  // namespace taut

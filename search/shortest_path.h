@@ -1,0 +1,39 @@
+// The Euclidean shortest path in a free space.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <taut/geometry/free_space.h>
+#include <taut/roadmaps/visibility_graph.h>
+#include <taut/search/graph_search.h>
+#include <taut/search/path.h>
+
+namespace taut {
+
+/// The shortest path from `from` to the goal; nothing when there is none. One-off: builds the reduced visibility graph.
+/// Throws InputError when `from` or the goal lies outside the world or inside an obstacle (with the point and, when it is known, the wall).
+std::optional<Path> shortest_path(const FreeSpace& space, Point from, const Goal& to);
+std::optional<Path> shortest_path(const FreeSpace& space, Point from, Point to);
+
+/// The same on a finished visibility graph, with counts and limits.
+GraphSearchResult shortest_path(const VisibilityGraph& graph, Point from, const Goal& to,
+                                GraphAlgorithm algorithm = GraphAlgorithm::astar, const SearchLimits& limits = {});
+
+/// All shortest paths from one point, for many goals: Dijkstra once, then each goal costs one visibility expansion.
+class ShortestPathTree {
+ public:
+  ShortestPathTree(std::shared_ptr<const VisibilityGraph> graph, Point from);
+
+  /// Throws InputError when `to` is outside.
+  std::optional<Path> path_to(Point to) const;
+  Point from() const { return from_; }
+
+ private:
+  std::shared_ptr<const VisibilityGraph> graph_;
+  Point from_;
+  GraphShortestPaths paths_;
+};
+
+}  // namespace taut
