@@ -1,6 +1,7 @@
 // The common index: a constrained Delaunay triangulation in flat arrays.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -28,7 +29,9 @@ struct Triangulation {
   struct Sector {
     std::uint32_t vertex = kNone;
     std::uint32_t triangle = kNone;  ///< the clockwise-most triangle of the fan (any, when the fan is the full circle)
-    bool reflex = false;             ///< its angle exceeds 180 degrees and a constraint ends here: a path can bend here
+    std::uint32_t right = kNone;     ///< the far end of the constraint that bounds the fan clockwise; kNone when full
+    std::uint32_t left = kNone;      ///< likewise counter-clockwise; at the free end of a wall right == left
+    bool reflex = false;             ///< its angle exceeds 180 degrees: a path can bend here
     bool full = false;               ///< no constraint meets the vertex: the fan is the full circle
   };
 
@@ -46,11 +49,26 @@ struct Triangulation {
 
   bool is_constrained(std::uint32_t t, int i) const { return (constrained[t] >> i) & 1; }
 
+  /// The sectors at vertex v, in order; the index of the first is `sectors_at(v).data() - sectors.data()`. O(log n).
+  std::span<const Sector> sectors_at(std::uint32_t v) const {
+    const auto [first, last] =
+        std::equal_range(sectors.begin(), sectors.end(), Sector{v, kNone, kNone, kNone, false, false}, [](const Sector& a, const Sector& b) { return a.vertex < b.vertex; });
+    return {first, last};
+  }
+
   /// The corner of t's neighbour across side i that is not shared with t. Precondition: there is a neighbour.
   int mirror(std::uint32_t t, int i) const {
     const auto& back = neighbours[neighbours[t][i]];
     return back[0] == t ? 0 : back[1] == t ? 1 : 2;
   }
+  /// The corner of t at vertex v. Precondition: there is one.
+  int corner(std::uint32_t t, std::uint32_t v) const {
+    return triangles[t][0] == v ? 0 : triangles[t][1] == v ? 1 : 2;
+  }
+  /// The next triangle counter-clockwise around corner i of t, across the side that bounds t there; kNone outside the hull.
+  std::uint32_t ccw_triangle(std::uint32_t t, int i) const { return neighbours[t][ccw(i)]; }
+  std::uint32_t cw_triangle(std::uint32_t t, int i) const { return neighbours[t][cw(i)]; }
+
   static int ccw(int i) { return i == 2 ? 0 : i + 1; }
   static int cw(int i) { return i == 0 ? 2 : i - 1; }
 };

@@ -91,19 +91,23 @@ class World {
 
   std::size_t dropped_walls() const { return dropped_walls_; }
 
-  /// A copy with another start, goal (point) or wall thickness.
+  /// A copy with another start, goal (point) or wall thickness. An absent end stays as it is.
   World with_ends(std::optional<Point> start, std::optional<Point> goal) const;
   World with_wall_thickness(double thickness) const;
 
  private:
+  void fit_area();  // of an implied Boundary::open, after a change
+
   WorldParts parts_;
   Box box_;
   std::vector<Segment> openings_;
   std::size_t dropped_walls_ = 0;
+  bool implied_area_ = false;
 };
 
 /// The world of a grid maze: cell (x, y) is the box [x, x+1] x [y, y+1], scaled by `cell_size`; walls of one line are merged
-/// into maximal runs; start is the middle of the start cell; goal is the room.
+/// into maximal runs; start is the middle of the start cell; goal is the room. A maze without goal and with exactly two
+/// openings goes from the one to the other (guarantee 5).
 World world_of(std::shared_ptr<const GridMaze> grid, double cell_size = 1, std::string source = {});
 
 }  // namespace taut

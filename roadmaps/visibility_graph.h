@@ -49,6 +49,7 @@ class VisibilityGraph {
   Roadmap roadmap_;
   std::vector<std::uint32_t> sectors_;
   std::vector<Roadmap::Vertex> vertex_of_sector_;
+  std::vector<bool> bends_;  // by triangulation vertex: does it have a reflex sector?
 };
 
 /// The reference: every pair of vertices against every constraint, without the triangulation's visibility. O(n^3): up to a few hundred

@@ -1,0 +1,42 @@
+// Exact constructions and their rounding, for the few places that need a point that is no input.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <span>
+
+#include <taut/geometry/point.h>
+
+namespace taut::detail {
+
+/// A point with rational coordinates.
+struct ExactPoint {
+  mpq_class x;
+  mpq_class y;
+
+  explicit ExactPoint(Point p) : x(p.x), y(p.y) {}
+  ExactPoint(mpq_class x_, mpq_class y_) : x(std::move(x_)), y(std::move(y_)) {}
+
+  friend bool operator==(const ExactPoint& a, const ExactPoint& b) { return a.x == b.x && a.y == b.y; }
+  friend bool operator<(const ExactPoint& a, const ExactPoint& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+};
+
+/// Where the lines through s and t meet. Precondition: they are not parallel.
+ExactPoint line_crossing(const Segment& s, const Segment& t);
+
+/// The double nearest to q; of two equally near ones the one nearer to zero.
+double nearest_double(const mpq_class& q);
+
+/// Both coordinates rounded to the nearest doubles.
+Point nearest_point(const ExactPoint& p);
+
+/// An upper bound of the distance between an exact point and its rounding.
+double displacement(const ExactPoint& exact, Point rounded);
+
+/// A point with double coordinates near `exact`, not to the left of any of `edges` (directed, solid on the left; `exact` lies on
+/// all of them): what is solid stays so. The nearest of the 25 doubles around it that does; failing that, the first found going
+/// out along the middle of the free wedge. Precondition: the edges leave a free wedge at `exact`. Throws InputError when no
+/// double lies in it within a thousandth of the shortest edge.
+Point round_outward(const ExactPoint& exact, std::span<const Segment> edges);
+
+}  // namespace taut::detail

@@ -1,0 +1,199 @@
+#include <taut/geometry/detail/noding.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <tuple>
+#include <utility>
+
+#include <taut/geometry/detail/box_tree.h>
+#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/predicates.h>
+
+namespace taut::detail {
+
+namespace {
+
+constexpr int kRounds = 32;
+
+Segment segment(const Constraint& c) { return {c.a, c.b}; }
+
+/// Turned so that a < b.
+Constraint ordered(Constraint c) {
+  if (c.b < c.a) {
+    std::swap(c.a, c.b);
+    std::swap(c.solid_left, c.solid_right);
+  }
+  return c;
+}
+
+bool axis_parallel(const Constraint& c) { return c.a.x == c.b.x || c.a.y == c.b.y; }
+
+/// Walls on one axis-parallel line that overlap or touch become one. Precondition: ordered.
+std::vector<Constraint> merge_runs(std::vector<Constraint> pieces) {
+  const auto is_straight_wall = [](const Constraint& c) { return c.is_wall() && axis_parallel(c); };
+  const auto straight = std::partition(pieces.begin(), pieces.end(), is_straight_wall);
+  const auto key = [](const Constraint& c) {
+    const bool vertical = c.a.x == c.b.x;
+    return vertical ? std::tuple(true, c.a.x, c.a.y, c.wall) : std::tuple(false, c.a.y, c.a.x, c.wall);
+  };
+  std::sort(pieces.begin(), straight, [&](const auto& c, const auto& d) { return key(c) < key(d); });
+  std::vector<Constraint> merged;
+  merged.reserve(pieces.size());
+  for (auto c = pieces.begin(); c != straight; ++c) {
+    const bool vertical = c->a.x == c->b.x;
+    if (!merged.empty()) {
+      Constraint& run = merged.back();
+      const bool same_line = vertical ? run.a.x == c->a.x && run.b.x == c->a.x : run.a.y == c->a.y && run.b.y == c->a.y;
+      if (same_line && (vertical ? c->a.y <= run.b.y : c->a.x <= run.b.x)) {
+        run.b = std::max(run.b, c->b);
+        continue;
+      }
+    }
+    merged.push_back(*c);
+  }
+  merged.insert(merged.end(), straight, pieces.end());
+  return merged;
+}
+
+/// Equal pieces become one.
+std::vector<Constraint> unite_equal(std::vector<Constraint> pieces) {
+  std::sort(pieces.begin(), pieces.end(), [](const Constraint& c, const Constraint& d) {
+    return std::tie(c.a, c.b, c.wall) < std::tie(d.a, d.b, d.wall);
+  });
+  std::vector<Constraint> united;
+  united.reserve(pieces.size());
+  for (const Constraint& c : pieces) {
+    if (!united.empty() && united.back().a == c.a && united.back().b == c.b) {
+      united.back().solid_left |= c.solid_left;
+      united.back().solid_right |= c.solid_right;
+    } else {
+      united.push_back(c);
+    }
+  }
+  std::erase_if(united, [](const Constraint& c) { return c.solid_left && c.solid_right; });
+  return united;
+}
+
+/// One round of splitting.
+class Splitting {
+ public:
+  Splitting(const std::vector<Constraint>& pieces, Noded& log) : pieces_(pieces), cuts_(), log_(log) {}
+
+  /// Finds all contacts; false when there is none.
+  bool find() {
+    std::vector<Box> boxes(pieces_.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = box_of(pieces_[i].a, pieces_[i].b);
+    const BoxTree tree(boxes);
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+      tree.query(boxes[i], [&](std::uint32_t j) {
+        if (j > i) meet(i, j);
+      });
+    return !cuts_.empty();
+  }
+
+  std::vector<Constraint> split() {
+    std::sort(cuts_.begin(), cuts_.end(), [&](const Cut& c, const Cut& d) {
+      return c.first != d.first ? c.first < d.first : along(c) < along(d);
+    });
+    cuts_.erase(std::unique(cuts_.begin(), cuts_.end()), cuts_.end());
+    std::vector<Constraint> result;
+    result.reserve(pieces_.size() + cuts_.size());
+    auto cut = cuts_.begin();
+    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+      Constraint rest = pieces_[i];
+      for (; cut != cuts_.end() && cut->first == i; ++cut) emit(result, rest, cut->second);
+      emit(result, rest, pieces_[i].b);
+    }
+    return result;
+  }
+
+ private:
+  using Cut = std::pair<std::uint32_t, Point>;  // which piece, where
+
+  static void emit(std::vector<Constraint>& result, Constraint& rest, Point end) {
+    Constraint c = rest;
+    c.b = end;
+    if (c.a != c.b) result.push_back(ordered(c));
+    rest.a = end;
+  }
+
+  /// A key that grows along the piece; rounding to nearest keeps its order.
+  std::pair<double, double> along(const Cut& cut) const {
+    const Constraint& c = pieces_[cut.first];
+    const double dx = c.b.x - c.a.x, dy = c.b.y - c.a.y;
+    if (std::abs(dx) >= std::abs(dy)) return {cut.second.x, cut.second.y};
+    return dy > 0 ? std::pair(cut.second.y, cut.second.x) : std::pair(-cut.second.y, cut.second.x);
+  }
+
+  void cut(std::uint32_t i, Point p) {
+    if (p != pieces_[i].a && p != pieces_[i].b) cuts_.emplace_back(i, p);
+  }
+
+  void meet(std::uint32_t i, std::uint32_t j) {
+    const Constraint &s = pieces_[i], &t = pieces_[j];
+    const int o1 = orientation(s.a, s.b, t.a), o2 = orientation(s.a, s.b, t.b);
+    if (o1 * o2 > 0) return;
+    const int o3 = orientation(t.a, t.b, s.a), o4 = orientation(t.a, t.b, s.b);
+    if (o3 * o4 > 0) return;
+    if (o1 * o2 < 0 && o3 * o4 < 0) return cross(i, j);
+    touch(i, t.a, o1);
+    touch(i, t.b, o2);
+    touch(j, s.a, o3);
+    touch(j, s.b, o4);
+  }
+
+  void touch(std::uint32_t i, Point p, int side) {
+    if (side == 0 && on_segment(p, pieces_[i].a, pieces_[i].b)) cut(i, p);
+  }
+
+  void cross(std::uint32_t i, std::uint32_t j) {
+    const Point p = crossing(pieces_[i], pieces_[j]);
+    // A rounded crossing can coincide with an end of one piece; the other must be cut there all the same.
+    cut(i, p);
+    cut(j, p);
+  }
+
+  Point crossing(const Constraint& s, const Constraint& t) {
+    ++log_.crossings;
+    if (s.a.x == s.b.x && t.a.y == t.b.y) return {s.a.x, t.a.y};
+    if (t.a.x == t.b.x && s.a.y == s.b.y) return {t.a.x, s.a.y};
+    const ExactPoint exact = line_crossing(segment(s), segment(t));
+    const Point p = rounded(exact, s, t);
+    log_.displacement = std::max(log_.displacement, detail::displacement(exact, p));
+    return p;
+  }
+
+  static Point rounded(const ExactPoint& exact, const Constraint& s, const Constraint& t) {
+    std::vector<Segment> outlines;
+    for (const Constraint* c : {&s, &t}) {
+      if (c->solid_left) outlines.push_back({c->a, c->b});
+      if (c->solid_right) outlines.push_back({c->b, c->a});
+    }
+    return outlines.empty() ? nearest_point(exact) : round_outward(exact, outlines);
+  }
+
+  const std::vector<Constraint>& pieces_;
+  std::vector<Cut> cuts_;
+  Noded& log_;
+};
+
+}  // namespace
+
+Noded node(std::vector<Constraint> segments) {
+  Noded result;
+  std::erase_if(segments, [](const Constraint& c) { return c.a == c.b; });
+  for (Constraint& c : segments) c = ordered(c);
+  std::vector<Constraint> pieces = unite_equal(merge_runs(std::move(segments)));
+  for (int round = 0; round < kRounds; ++round) {
+    Splitting splitting(pieces, result);
+    if (!splitting.find()) {
+      result.pieces = std::move(pieces);
+      return result;
+    }
+    pieces = unite_equal(splitting.split());
+  }
+  throw InputError({}, 0, "walls meet at angles too sharp for double coordinates");
+}
+
+}  // namespace taut::detail

@@ -1,0 +1,281 @@
+#include <taut/geometry/detail/obstacle_union.h>
+
+#include <CGAL/Interval_nt.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+
+#include <taut/geometry/detail/box_tree.h>
+#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/predicates.h>
+
+namespace taut::detail {
+
+namespace {
+
+bool axis_parallel(const Segment& s) { return s.a.x == s.b.x || s.a.y == s.b.y; }
+
+/// A position on a directed line: a point with double coordinates, or where another line crosses.
+struct Cut {
+  Point point;                     // the exact place unless `line` is set
+  std::optional<Segment> line;
+  double lo = 0, hi = 0;           // encloses the coordinate along the line
+};
+
+/// The side of a piece, as an axis for cuts.
+class Axis {
+ public:
+  explicit Axis(const Segment& side)
+      : side_(side), by_x_(std::abs(side.b.x - side.a.x) >= std::abs(side.b.y - side.a.y)),
+        forward_(by_x_ ? side.a.x < side.b.x : side.a.y < side.b.y) {}
+
+  Cut at(Point p) const {
+    const double c = signed_coordinate(by_x_ ? p.x : p.y);
+    return {p, std::nullopt, c, c};
+  }
+
+  Cut crossing(const Segment& line) const {
+    if (axis_parallel(side_) && axis_parallel(line))
+      return at(side_.a.x == side_.b.x ? Point{side_.a.x, line.a.y} : Point{line.a.x, side_.a.y});
+    using Interval = CGAL::Interval_nt<true>;
+    const Interval sx = Interval(side_.b.x) - side_.a.x, sy = Interval(side_.b.y) - side_.a.y;
+    const Interval tx = Interval(line.b.x) - line.a.x, ty = Interval(line.b.y) - line.a.y;
+    const Interval along = ((Interval(line.a.x) - side_.a.x) * ty - (Interval(line.a.y) - side_.a.y) * tx) / (sx * ty - sy * tx);
+    const Interval c = by_x_ ? Interval(side_.a.x) + along * sx : Interval(side_.a.y) + along * sy;
+    return {{}, line, forward_ ? c.inf() : -c.sup(), forward_ ? c.sup() : -c.inf()};
+  }
+
+  int compare(const Cut& c, const Cut& d) const {
+    if (c.hi < d.lo) return -1;
+    if (c.lo > d.hi) return 1;
+    if (!c.line && !d.line) return 0;  // both are doubles and neither is less
+    const mpq_class difference = exact_coordinate(c) - exact_coordinate(d);
+    return forward_ ? sgn(difference) : -sgn(difference);
+  }
+
+  ExactPoint exact(const Cut& c) const { return c.line ? line_crossing(side_, *c.line) : ExactPoint(c.point); }
+
+ private:
+  double signed_coordinate(double c) const { return forward_ ? c : -c; }
+  mpq_class exact_coordinate(const Cut& c) const {
+    const ExactPoint p = exact(c);
+    return by_x_ ? p.x : p.y;
+  }
+
+  Segment side_;
+  bool by_x_;
+  bool forward_;
+};
+
+struct Span {
+  Cut from;
+  Cut to;
+};
+
+/// The part of a side that another convex piece hides from the free space, if any.
+class Cover {
+ public:
+  Cover(const Segment& side, const Axis& axis) : side_(side), axis_(axis) {}
+
+  /// `first`: the other piece goes first where both have the same stretch of outline.
+  std::optional<Span> by(const Ring& ring, bool first) {
+    signs_.resize(ring.size());
+    int least = 1, greatest = -1;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      signs_[i] = orientation(side_.a, side_.b, ring[i]);
+      least = std::min(least, signs_[i]);
+      greatest = std::max(greatest, signs_[i]);
+    }
+    if (least < 0 && greatest > 0) return across(ring);
+    if (greatest <= 0 || first) return along(ring);
+    return std::nullopt;
+  }
+
+ private:
+  /// The ring has a side on the line.
+  std::optional<Span> along(const Ring& ring) const {
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+      if (signs_[i] == 0 && signs_[j] == 0) return ordered(axis_.at(ring[i]), axis_.at(ring[j]));
+    return std::nullopt;
+  }
+
+  /// The line passes through the ring's inside.
+  std::optional<Span> across(const Ring& ring) const {
+    std::array<Cut, 2> cuts;
+    std::size_t count = 0;
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size() && count < 2; j = i++) {
+      if (signs_[i] == 0) cuts[count++] = axis_.at(ring[i]);
+      else if (signs_[i] * signs_[j] < 0) cuts[count++] = axis_.crossing({ring[j], ring[i]});
+    }
+    return ordered(cuts[0], cuts[1]);
+  }
+
+  Span ordered(const Cut& c, const Cut& d) const { return axis_.compare(c, d) <= 0 ? Span{c, d} : Span{d, c}; }
+
+  Segment side_;
+  const Axis& axis_;
+  std::vector<int> signs_;
+};
+
+/// A stretch of outline; ends that are no doubles wait for their rounding.
+struct Stretch {
+  Segment side;
+  std::uint32_t wall;
+  Point from, to;
+};
+
+struct Incidence {
+  std::size_t stretch;
+  bool leaves;
+};
+
+class Union {
+ public:
+  Union(const std::vector<ConvexPiece>& pieces, const Box& within) : pieces_(pieces), within_(within), tree_(boxes(pieces)) {}
+
+  Outline run() {
+    for (std::uint32_t p = 0; p < pieces_.size(); ++p)
+      for (std::size_t i = 0, j = pieces_[p].ring.size() - 1; i < pieces_[p].ring.size(); j = i++)
+        expose(p, {pieces_[p].ring[j], pieces_[p].ring[i]});
+    for (const auto& [place, incidences] : crossings_) settle(place, incidences);
+    outline_.crossings = crossings_.size();
+    for (const Stretch& s : stretches_)
+      if (s.from != s.to && within_.contains(s.from) && within_.contains(s.to))
+        outline_.edges.push_back({s.from, s.to, true, false, s.wall});
+    return std::move(outline_);
+  }
+
+ private:
+  static std::vector<Box> boxes(const std::vector<ConvexPiece>& pieces) {
+    std::vector<Box> result;
+    result.reserve(pieces.size());
+    for (const ConvexPiece& piece : pieces) {
+      Box box{piece.ring[0], piece.ring[0]};
+      for (const Point p : piece.ring) {
+        box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
+        box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
+      }
+      result.push_back(box);
+    }
+    return result;
+  }
+
+  /// Finds what remains of a side of piece p.
+  void expose(std::uint32_t p, const Segment& side) {
+    const Axis axis(side);
+    Cover cover(side, axis);
+    covered_.clear();
+    tree_.query(box_of(side.a, side.b), [&](std::uint32_t q) {
+      if (q == p) return;
+      if (const auto span = cover.by(pieces_[q].ring, q < p)) covered_.push_back(*span);
+    });
+    std::sort(covered_.begin(), covered_.end(),
+              [&](const Span& c, const Span& d) { return axis.compare(c.from, d.from) < 0; });
+    Cut reached = axis.at(side.a);
+    const Cut end = axis.at(side.b);
+    for (const Span& c : covered_) {
+      if (axis.compare(c.from, end) >= 0) break;
+      if (axis.compare(reached, c.from) < 0) add(p, side, axis, reached, c.from);
+      if (axis.compare(reached, c.to) < 0) reached = c.to;
+    }
+    if (axis.compare(reached, end) < 0) add(p, side, axis, reached, end);
+  }
+
+  void add(std::uint32_t p, const Segment& side, const Axis& axis, const Cut& from, const Cut& to) {
+    stretches_.push_back({side, pieces_[p].wall, from.point, to.point});
+    if (from.line) await(axis.exact(from), true);
+    if (to.line) await(axis.exact(to), false);
+  }
+
+  void await(ExactPoint place, bool leaves) { crossings_[std::move(place)].push_back({stretches_.size() - 1, leaves}); }
+
+  /// Rounds a crossing, once for each free wedge at it.
+  void settle(const ExactPoint& place, const std::vector<Incidence>& incidences) {
+    for (const Incidence& out : incidences) {
+      if (!out.leaves) continue;
+      const Incidence* in = partner(out, incidences);
+      const Segment edges[] = {stretches_[in ? in->stretch : out.stretch].side, stretches_[out.stretch].side};
+      const std::optional<Point> same = exactly(place);
+      const Point p = same ? *same : round_outward(place, edges);
+      outline_.displacement = std::max(outline_.displacement, displacement(place, p));
+      stretches_[out.stretch].from = p;
+      if (in) stretches_[in->stretch].to = p;
+    }
+  }
+
+  static std::optional<Point> exactly(const ExactPoint& place) {
+    const Point p = nearest_point(place);
+    if (ExactPoint(p) == place) return p;
+    return std::nullopt;
+  }
+
+  /// The stretch that arrives on the other side of the free wedge to the right of `out`.
+  const Incidence* partner(const Incidence& out, const std::vector<Incidence>& incidences) const {
+    const Incidence* best = nullptr;
+    for (const Incidence& in : incidences)
+      if (!in.leaves && (!best || nearer_clockwise(out, in, *best))) best = &in;
+    return best;
+  }
+
+  /// Is the ray back along c met before that along d, turning clockwise from the ray along `out`?
+  bool nearer_clockwise(const Incidence& out, const Incidence& c, const Incidence& d) const {
+    const ExactPoint o = direction(out, 1), u = direction(c, -1), v = direction(d, -1);
+    const int hu = half(o, u), hv = half(o, v);
+    return hu != hv ? hu < hv : cross(u, v) < 0;
+  }
+  ExactPoint direction(const Incidence& i, int factor) const {
+    const ExactPoint a(stretches_[i.stretch].side.a), b(stretches_[i.stretch].side.b);
+    return {factor * (b.x - a.x), factor * (b.y - a.y)};
+  }
+  static int cross(const ExactPoint& u, const ExactPoint& v) { return sgn(mpq_class(u.x * v.y - u.y * v.x)); }
+  /// 0: clockwise of o by less than half a turn; 1: by half a turn or more.
+  static int half(const ExactPoint& o, const ExactPoint& u) { return cross(o, u) < 0 ? 0 : 1; }
+
+  const std::vector<ConvexPiece>& pieces_;
+  Box within_;
+  BoxTree tree_;
+  std::vector<Span> covered_;
+  std::vector<Stretch> stretches_;
+  std::map<ExactPoint, std::vector<Incidence>> crossings_;
+  Outline outline_;
+};
+
+/// Joins collinear neighbours where nothing else meets.
+std::vector<Constraint> join_collinear(const std::vector<Constraint>& edges) {
+  std::vector<std::uint32_t> by_start(edges.size()), by_end(edges.size());
+  for (std::uint32_t i = 0; i < edges.size(); ++i) by_start[i] = by_end[i] = i;
+  std::sort(by_start.begin(), by_start.end(), [&](auto i, auto j) { return edges[i].a < edges[j].a; });
+  std::sort(by_end.begin(), by_end.end(), [&](auto i, auto j) { return edges[i].b < edges[j].b; });
+  // following[i]: the edge that continues edge i straight, if it is the only one there.
+  std::vector<std::uint32_t> following(edges.size(), kNone);
+  std::vector<bool> continues(edges.size(), false);
+  for (std::size_t s = 0, e = 0; s < edges.size(); ++s) {
+    const Point p = edges[by_start[s]].a;
+    while (e < edges.size() && edges[by_end[e]].b < p) ++e;
+    const bool alone = e < edges.size() && edges[by_end[e]].b == p && (e + 1 == edges.size() || edges[by_end[e + 1]].b != p) &&
+                       (s == 0 || edges[by_start[s - 1]].a != p) && (s + 1 == edges.size() || edges[by_start[s + 1]].a != p);
+    if (!alone || orientation(edges[by_end[e]].a, p, edges[by_start[s]].b) != 0) continue;
+    following[by_end[e]] = by_start[s];
+    continues[by_start[s]] = true;
+  }
+  std::vector<Constraint> joined;
+  for (std::uint32_t i = 0; i < edges.size(); ++i) {
+    if (continues[i]) continue;
+    Constraint c = edges[i];
+    for (std::uint32_t next = following[i]; next != kNone; next = following[next]) c.b = edges[next].b;
+    joined.push_back(c);
+  }
+  return joined;
+}
+
+}  // namespace
+
+Outline outline_of_union(const std::vector<ConvexPiece>& pieces, const Box& within) {
+  Outline outline = Union(pieces, within).run();
+  outline.edges = join_collinear(outline.edges);
+  return outline;
+}
+
+}  // namespace taut::detail

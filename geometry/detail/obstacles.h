@@ -1,0 +1,27 @@
+// What a robot's reference point must keep out of, as convex pieces.
+#pragma once
+
+#include <vector>
+
+#include <taut/geometry/detail/obstacle_union.h>
+#include <taut/geometry/footprint.h>
+#include <taut/geometry/world.h>
+
+namespace taut::detail {
+
+/// Convex pieces that together cover exactly the obstacles of `world` for `footprint`, or a little more.
+struct Obstacles {
+  std::vector<ConvexPiece> pieces;
+  double excess = 0;  ///< how far a piece reaches at most beyond the exact one; 0 when every corner is a pair of doubles
+};
+
+/// Solids are cut into triangles unless convex; what lies outside the areas is cut into triangles out to a frame around `box()`; walls with a
+/// thickness are rectangles; each is Minkowski-summed with the reflected footprint. With a point, zero-thickness walls
+/// are left to the noding; with any other footprint they become pieces. Corners that are no pair of doubles are moved outwards:
+/// the piece is widened by `excess` before rounding. O(n log n).
+Obstacles obstacles_of(const World& world, const Footprint& footprint);
+
+/// The convex hull, strictly convex and counter-clockwise. Exact. O(n log n).
+Ring convex_hull(std::vector<Point> points);
+
+}  // namespace taut::detail

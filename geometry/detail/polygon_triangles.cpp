@@ -1,0 +1,98 @@
+#include <taut/geometry/detail/polygon_triangles.h>
+
+#include <algorithm>
+
+#include <taut/geometry/detail/noding.h>
+#include <taut/geometry/detail/triangulate.h>
+#include <taut/geometry/predicates.h>
+
+namespace taut::detail {
+
+namespace {
+
+void add_ring(const Ring& ring, bool solid_right, std::vector<Constraint>& edges) {
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) edges.push_back({ring[j], ring[i], false, solid_right, kNone});
+}
+
+bool contains(const Polygon& polygon, Point p) {
+  return side_of_ring(p, polygon.outer) > 0 &&
+         std::none_of(polygon.holes.begin(), polygon.holes.end(), [p](const Ring& hole) { return side_of_ring(p, hole) >= 0; });
+}
+
+/// The parts of a triangulation that no piece divides, told apart by one point each.
+class Regions {
+ public:
+  Regions(const Mesh& mesh, std::span<const Polygon* const> polygons)
+      : mesh_(mesh), tri_(mesh.triangulation), polygons_(polygons), covered_(tri_.triangles.size(), false) {
+    std::vector<bool> seen(tri_.triangles.size(), false);
+    for (std::uint32_t t = 0; t < tri_.triangles.size(); ++t)
+      if (!seen[t]) decide(region_of(t, seen));
+  }
+
+  PolygonTriangles select(bool covered) const {
+    PolygonTriangles result;
+    for (std::uint32_t t = 0; t < tri_.triangles.size(); ++t)
+      if (covered_[t] == covered) result.triangles.push_back(corners(t));
+    return result;
+  }
+
+ private:
+  std::array<Point, 3> corners(std::uint32_t t) const {
+    const auto& v = tri_.triangles[t];
+    return {tri_.points[v[0]], tri_.points[v[1]], tri_.points[v[2]]};
+  }
+
+  std::vector<std::uint32_t> region_of(std::uint32_t first, std::vector<bool>& seen) const {
+    std::vector<std::uint32_t> region{first};
+    seen[first] = true;
+    for (std::size_t k = 0; k < region.size(); ++k)
+      for (int i = 0; i < 3; ++i) {
+        const std::uint32_t n = tri_.neighbours[region[k]][i];
+        if (n == kNone || seen[n] || tri_.is_constrained(region[k], i)) continue;
+        seen[n] = true;
+        region.push_back(n);
+      }
+    return region;
+  }
+
+  void decide(const std::vector<std::uint32_t>& region) {
+    for (const std::uint32_t t : region) {
+      const auto [a, b, c] = corners(t);
+      const Point m{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
+      if (orientation(a, b, m) <= 0 || orientation(b, c, m) <= 0 || orientation(c, a, m) <= 0) continue;
+      const bool covered = std::any_of(polygons_.begin(), polygons_.end(), [m](const Polygon* p) { return contains(*p, m); });
+      for (const std::uint32_t u : region) covered_[u] = covered;
+      return;
+    }
+    // No triangle has a point with double coordinates in it: nobody can be there, and it counts as not covered.
+  }
+
+  const Mesh& mesh_;
+  const Triangulation& tri_;
+  std::span<const Polygon* const> polygons_;
+  std::vector<bool> covered_;
+};
+
+PolygonTriangles triangles_of(std::span<const Polygon* const> polygons, const Box* frame) {
+  std::vector<Constraint> edges;
+  for (const Polygon* polygon : polygons) {
+    add_ring(polygon->outer, true, edges);
+    for (const Ring& hole : polygon->holes) add_ring(hole, true, edges);
+  }
+  if (frame) add_ring({frame->min, {frame->max.x, frame->min.y}, frame->max, {frame->min.x, frame->max.y}}, false, edges);
+  const Noded noded = node(std::move(edges));
+  const Mesh mesh = triangulate(noded.pieces);
+  PolygonTriangles result = Regions(mesh, polygons).select(frame == nullptr);
+  result.displacement = noded.displacement;
+  return result;
+}
+
+}  // namespace
+
+PolygonTriangles inside_triangles(std::span<const Polygon* const> polygons) { return triangles_of(polygons, nullptr); }
+
+PolygonTriangles outside_triangles(std::span<const Polygon* const> polygons, const Box& frame) {
+  return triangles_of(polygons, &frame);
+}
+
+}  // namespace taut::detail

@@ -1,0 +1,24 @@
+// Polygons cut into triangles.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include <taut/geometry/point.h>
+
+namespace taut::detail {
+
+struct PolygonTriangles {
+  std::vector<std::array<Point, 3>> triangles;  ///< counter-clockwise
+  double displacement = 0;                      ///< what rounding crossings of overlapping polygons moved at most
+};
+
+/// Triangles that tile the union of `polygons` (rings oriented as World does), which may touch and overlap.
+PolygonTriangles inside_triangles(std::span<const Polygon* const> polygons);
+
+/// Triangles that tile the rest of the box `frame`, which contains the polygons in its interior. Crossings of overlapping polygons are
+/// rounded into the polygons: what is outside stays so.
+PolygonTriangles outside_triangles(std::span<const Polygon* const> polygons, const Box& frame);
+
+}  // namespace taut::detail

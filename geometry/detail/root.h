@@ -1,0 +1,115 @@
+// One leg's length in plain doubles: a value, what is missing from it, and a proven bound on what is still missing then.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+#include <taut/geometry/point.h>
+
+namespace taut::detail {
+
+/// The unevaluated sum high + low, with high = the double nearest to it.
+struct Pair {
+  double high = 0;
+  double low = 0;
+
+  friend bool operator==(const Pair&, const Pair&) = default;
+};
+
+/// a + b, exactly (Knuth).
+inline Pair two_sum(double a, double b) {
+  const double sum = a + b, part = sum - a;
+  return {sum, (a - (sum - part)) + (b - part)};
+}
+
+/// a * b, exactly while nothing underflows and |a|, |b| < 2^995 (Dekker, Veltkamp; or one fused operation).
+inline Pair two_product(double a, double b) {
+  const double product = a * b;
+#if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
+  return {product, std::fma(a, b, -product)};
+#else
+  const auto upper = [](double x) {
+    const double c = 134217729.0 * x;
+    return c - (c - x);
+  };
+  const double ah = upper(a), al = a - ah, bh = upper(b), bl = b - bh;
+  return {product, ((ah * bh - product) + ah * bl + al * bh) + al * bl};
+#endif
+}
+
+/// The next double below or above v when `step`, else v; without a branch, which would be taken at random.
+/// Precondition: v > 0 and finite, or v = 0 and not step.
+inline double step_down(double v, bool step) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(v) - step); }
+inline double step_up(double v, bool step) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(v) + step); }
+
+/// a + b rounded down or up, exactly as directed rounding would. Precondition: a, b >= 0, finite.
+inline double add_down(double a, double b) {
+  const Pair s = two_sum(a, b);
+  return step_down(s.high, s.low < 0);
+}
+inline double add_up(double a, double b) {
+  const Pair s = two_sum(a, b);
+  return step_up(s.high, s.low > 0);
+}
+
+/// The squared length of a leg. `sum` is the double nearest to dx^2 + dy^2 (within 2^-51 of it), `low` the double-double tail;
+/// `exact` says that `sum` is the square itself. Meaningful for regular legs only.
+struct Square {
+  Pair dx, dy;  ///< |x1 - x2|, |y1 - y2|, exactly
+  double sum = 0;
+  double low = 0;
+  bool exact = false;
+};
+
+/// Neither squares nor their rounding errors overflow or underflow.
+inline bool is_regular(double d) { return d == 0 || (d > 1e-130 && d < 1e140); }
+inline bool is_regular(const Square& s) { return is_regular(s.dx.high) && is_regular(s.dy.high); }
+
+inline Pair absolute_difference(double a, double b) {
+  const Pair d = two_sum(a, -b);
+  return d.high < 0 ? Pair{-d.high, -d.low} : d;
+}
+
+inline Square square_of(Pair dx, Pair dy) {
+  Square s{.dx = dx, .dy = dy};
+  const Pair xx = two_product(s.dx.high, s.dx.high), yy = two_product(s.dy.high, s.dy.high);
+  const Pair sum = two_sum(xx.high, yy.high);
+  s.sum = sum.high;
+  s.low = sum.low + (xx.low + yy.low) + 2 * (s.dx.high * s.dx.low + s.dy.high * s.dy.low);
+  s.exact = sum.low == 0 && xx.low == 0 && yy.low == 0 && s.dx.low == 0 && s.dy.low == 0;
+  return s;
+}
+
+/// Is the length itself |x1 - x2| or |y1 - y2|?
+inline bool is_axis_parallel(const Square& s) { return s.dx.high == 0 || s.dy.high == 0; }
+
+/// A length: high + low, off by at most kRootError * high; `exact` says that it is this sum itself.
+struct Root {
+  double high = 0;
+  double low = 0;
+  bool exact = false;
+};
+
+/// 2^-98. With u = 2^-53: the tail of the square is below 6u of it and known to 31u^2; one Newton step leaves
+/// 4.5u^2 and its rounding 3u^2; together 23u^2 < 2^-101.
+inline constexpr double kRootError = 0x1p-98;
+
+inline Root root_of(double sum, double low, bool exact) {
+  const double r = std::sqrt(sum);
+  if (r == 0) return {0, 0, true};
+  const Pair back = two_product(r, r);
+  const double rest = (sum - back.high) - back.low;  // exact for a correctly rounded root
+  if (exact && rest == 0) return {r, 0, true};
+  const double step = (rest + low) / (2 * r);
+  const double high = r + step;
+  return {high, (r - high) + step, false};
+}
+
+inline Root root_of(const Square& s) {
+  if (!is_axis_parallel(s)) return root_of(s.sum, s.low, s.exact);
+  const Pair& d = s.dx.high == 0 ? s.dy : s.dx;
+  return {d.high, d.low, true};
+}
+
+}  // namespace taut::detail

@@ -1,0 +1,202 @@
+#include <taut/geometry/detail/root_sum.h>
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <tuple>
+
+namespace taut::detail {
+
+namespace {
+
+__extension__ typedef __int128 Wide;
+
+auto key(const RootTerm& t) {
+  const Square& s = t.square;
+  return std::tuple(s.sum, s.exact, s.dx.high, s.dx.low, s.dy.high, s.dy.low);
+}
+
+bool same_square(const Square& s, const Square& t) {
+  if (s.sum != t.sum || s.exact != t.exact) return false;
+  return s.exact || (s.dx == t.dx && s.dy == t.dy);
+}
+
+Square canonical_square(Pair dx, Pair dy) {
+  Square s = square_of(dx, dy);
+  s.exact = s.exact && is_regular(s);
+  if (s.exact)
+    s.dx = s.dy = Pair{};
+  else if (std::tie(s.dx.high, s.dx.low) < std::tie(s.dy.high, s.dy.low))
+    std::swap(s.dx, s.dy);
+  return s;
+}
+
+/// A sum of pairs that remembers whether it ever lost a bit.
+class PairSum {
+ public:
+  void add(const Root& root, std::int64_t count) {
+    const double times = static_cast<double>(count);
+    const Pair high = two_product(root.high, times), low = two_product(root.low, times);
+    const Pair sum = two_sum(high_, high.high);
+    high_ = sum.high;
+    magnitude_ += std::abs(high.high);
+    exact_ = exact_ && root.exact && low.low == 0;
+    add_low(sum.low);
+    add_low(high.low);
+    add_low(low.high);
+  }
+
+  /// Each of n terms is off by 2^-98 of itself; each of 3n small additions by u * 2n * u of the magnitude.
+  std::optional<int> sign(double n) const {
+    const double sum = high_ + low_;
+    if (exact_) return (sum > 0) - (sum < 0);
+    const double bound = magnitude_ * (0x1p-96 + n * n * 0x1p-102);
+    if (sum > bound) return 1;
+    if (-sum > bound) return -1;
+    return std::nullopt;
+  }
+
+ private:
+  void add_low(double v) {
+    const Pair sum = two_sum(low_, v);
+    low_ = sum.high;
+    exact_ = exact_ && sum.low == 0;
+  }
+
+  double high_ = 0, low_ = 0, magnitude_ = 0;
+  bool exact_ = true;
+};
+
+/// odd * 2^exponent, odd below 2^53: an exact square.
+struct SmallSquare {
+  std::uint64_t odd = 0;
+  int exponent = 0;
+  std::int64_t count = 0;
+};
+
+SmallSquare small_square(const RootTerm& t) {
+  int exponent = 0;
+  const auto mantissa = static_cast<std::uint64_t>(std::ldexp(std::frexp(t.square.sum, &exponent), 53));
+  const int zeros = std::countr_zero(mantissa);
+  return {mantissa >> zeros, exponent - 53 + zeros, t.count};
+}
+
+std::uint64_t small_root(std::uint64_t v) { return static_cast<std::uint64_t>(std::sqrt(static_cast<double>(v))); }
+bool is_square(std::uint64_t v) { return small_root(v) * small_root(v) == v; }
+
+bool same_class(const SmallSquare& a, const SmallSquare& b) {
+  if ((a.exponent - b.exponent) % 2 != 0) return false;
+  const std::uint64_t common = std::gcd(a.odd, b.odd);
+  return is_square(a.odd / common) && is_square(b.odd / common);
+}
+
+/// The sign of the sum of one class, taken out of `squares`; nothing when it would not fit.
+std::optional<int> take_class(std::vector<SmallSquare>& squares) {
+  const auto rest = std::partition(squares.begin(), squares.end(),
+                                   [first = squares.front()](const SmallSquare& s) { return !same_class(first, s); });
+  std::uint64_t common = 0;
+  int least = INT32_MAX;
+  for (auto s = rest; s != squares.end(); ++s) {
+    common = std::gcd(common, s->odd);
+    least = std::min(least, s->exponent);
+  }
+  // Squares of one class over their common divisor are squares: the class is sqrt(common) * sum of integers.
+  Wide sum = 0;
+  for (auto s = rest; s != squares.end(); ++s) {
+    const int shift = (s->exponent - least) / 2;
+    if (shift > 40 || std::abs(s->count) > INT32_MAX) return std::nullopt;
+    sum += static_cast<Wide>(s->count) * small_root(s->odd / common) * (Wide{1} << shift);
+  }
+  squares.erase(rest, squares.end());
+  return (sum > 0) - (sum < 0);
+}
+
+}  // namespace
+
+RootSum::RootSum(std::span<const Segment> plus, std::span<const Segment> minus) {
+  for (const Segment& leg : plus) add(leg, 1);
+  for (const Segment& leg : minus) add(leg, -1);
+  merge();
+}
+
+void RootSum::add(const Segment& leg, int sign) {
+  if (leg.a == leg.b) return;
+  const Pair dx = absolute_difference(leg.a.x, leg.b.x), dy = absolute_difference(leg.a.y, leg.b.y);
+  // Chains on a lattice run on in one direction.
+  if (size_ == 0 || dx != last_dx_ || dy != last_dy_) last_ = find_or_append(canonical_square(dx, dy));
+  last_dx_ = dx;
+  last_dy_ = dy;
+  data()[last_].count += sign;
+}
+
+std::size_t RootSum::find_or_append(const Square& square) {
+  const RootTerm* const terms = data();
+  for (std::size_t i = 0; i < std::min(size_, kScanned); ++i)
+    if (same_square(terms[i].square, square)) return i;
+  append({square, 0});
+  return size_ - 1;
+}
+
+void RootSum::append(const RootTerm& term) {
+  if (size_ < kInline) {
+    std::construct_at(&inline_[size_++], term);
+    return;
+  }
+  if (spilled_.empty()) spilled_.assign(&inline_[0], &inline_[0] + size_);
+  spilled_.push_back(term);
+  ++size_;
+}
+
+void RootSum::merge() {
+  RootTerm* const terms = data();
+  if (size_ > kScanned) {
+    std::sort(terms, terms + size_, [](const RootTerm& a, const RootTerm& b) { return key(a) < key(b); });
+    std::size_t kept = 0;
+    for (std::size_t i = 1; i < size_; ++i) {
+      if (same_square(terms[kept].square, terms[i].square))
+        terms[kept].count += terms[i].count;
+      else
+        terms[++kept] = terms[i];
+    }
+    size_ = kept + 1;
+  }
+  size_ = static_cast<std::size_t>(std::remove_if(terms, terms + size_, [](const RootTerm& t) { return t.count == 0; }) - terms);
+}
+
+int RootSum::sign() const {
+  if (size_ == 0) return 0;
+  if (const auto sign = sign_by_pairs(terms())) return *sign;
+  if (const auto sign = sign_by_small_classes(terms())) return *sign;
+  return sign_by_big_numbers(terms());
+}
+
+double RootSum::nearest() const { return nearest_by_big_numbers(terms()); }
+
+std::string RootSum::decimals(int places) const { return decimals_by_big_numbers(terms(), places); }
+
+std::optional<int> sign_by_pairs(std::span<const RootTerm> terms) {
+  PairSum sum;
+  for (const RootTerm& t : terms) {
+    if (!is_regular(t.square)) return std::nullopt;
+    sum.add(t.square.exact ? root_of(t.square.sum, 0, true) : root_of(t.square), t.count);
+  }
+  return sum.sign(static_cast<double>(terms.size()));
+}
+
+std::optional<int> sign_by_small_classes(std::span<const RootTerm> terms) {
+  std::vector<SmallSquare> squares;
+  squares.reserve(terms.size());
+  for (const RootTerm& t : terms) {
+    if (!t.square.exact) return std::nullopt;
+    squares.push_back(small_square(t));
+  }
+  int agreed = 0;
+  while (!squares.empty()) {
+    const auto sign = take_class(squares);
+    if (!sign || *sign * agreed < 0) return std::nullopt;
+    if (*sign != 0) agreed = *sign;
+  }
+  return agreed;
+}
+
+}  // namespace taut::detail

@@ -1,0 +1,122 @@
+#include <taut/geometry/free_space.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include <taut/geometry/detail/free_space_impl.h>
+#include <taut/geometry/detail/noding.h>
+#include <taut/geometry/detail/obstacles.h>
+#include <taut/geometry/detail/outline_rings.h>
+#include <taut/geometry/detail/ray_walk.h>
+#include <taut/geometry/detail/triangulate.h>
+
+namespace taut {
+
+namespace {
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The outlines of the obstacles and the zero-thickness walls, split where they meet.
+detail::Noded noded_constraints(const World& world, const Footprint& footprint) {
+  const detail::Obstacles obstacles = detail::obstacles_of(world, footprint);
+  detail::Outline outline = detail::outline_of_union(obstacles.pieces, world.box());
+  std::vector<Constraint> segments = std::move(outline.edges);
+  if (footprint.kind() == Footprint::Kind::point)
+    for (std::uint32_t i = 0; i < world.walls().size(); ++i)
+      if (const Wall& wall = world.walls()[i]; wall.thickness == 0) segments.push_back({wall.a, wall.b, false, false, i});
+  detail::Noded noded = detail::node(std::move(segments));
+  noded.crossings += outline.crossings;
+  noded.displacement = std::max({noded.displacement, outline.displacement, obstacles.excess});
+  return noded;
+}
+
+/// Drops the walls that lie inside obstacles; false when there are none.
+bool drop_buried(std::vector<Constraint>& pieces, const detail::Mesh& mesh) {
+  std::vector<bool> reached(pieces.size(), false);
+  for (std::uint32_t t = 0; t < mesh.triangulation.triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i)
+      if (const std::uint32_t piece = mesh.piece_of[3 * t + i]; piece != kNone && mesh.triangulation.free[t]) reached[piece] = true;
+  const std::size_t before = pieces.size();
+  std::size_t k = 0;
+  std::erase_if(pieces, [&](const Constraint&) { return !reached[k++]; });
+  return pieces.size() != before;
+}
+
+/// Numbers the connected parts of the free triangles.
+std::uint32_t number_components(const Triangulation& tri, std::vector<std::uint32_t>& component) {
+  component.assign(tri.triangles.size(), kNone);
+  std::uint32_t count = 0;
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t first = 0; first < tri.triangles.size(); ++first) {
+    if (!tri.free[first] || component[first] != kNone) continue;
+    component[first] = count;
+    open.push_back(first);
+    while (!open.empty()) {
+      const std::uint32_t t = open.back();
+      open.pop_back();
+      for (int i = 0; i < 3; ++i) {
+        const std::uint32_t n = tri.neighbours[t][i];
+        if (n == kNone || tri.is_constrained(t, i) || component[n] != kNone) continue;
+        component[n] = count;
+        open.push_back(n);
+      }
+    }
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+FreeSpace::FreeSpace(World world, Footprint footprint) {
+  FreeSpaceReport report;
+  auto start = std::chrono::steady_clock::now();
+  detail::Noded noded = noded_constraints(world, footprint);
+  report.crossings = noded.crossings;
+  report.displacement = noded.displacement;
+  report.seconds_union = seconds_since(start);
+
+  start = std::chrono::steady_clock::now();
+  detail::Mesh mesh = detail::triangulate(noded.pieces);
+  detail::classify(mesh, noded.pieces);
+  if (drop_buried(noded.pieces, mesh)) {
+    mesh = detail::triangulate(noded.pieces);
+    detail::classify(mesh, noded.pieces);
+  }
+  std::vector<std::uint32_t> components;
+  const std::uint32_t count = number_components(mesh.triangulation, components);
+  detail::Locator locator(mesh.triangulation);
+  report.seconds_triangulation = seconds_since(start);
+
+  impl_.reset(new Impl{std::move(world), std::move(footprint), report, std::move(noded.pieces), std::move(mesh.triangulation),
+                       std::move(mesh.piece_of), std::move(components), count, std::move(locator), {}, {}});
+}
+
+const World& FreeSpace::world() const { return impl_->world; }
+const Footprint& FreeSpace::footprint() const { return impl_->footprint; }
+const FreeSpaceReport& FreeSpace::report() const { return impl_->report; }
+const std::vector<Constraint>& FreeSpace::constraints() const { return impl_->constraints; }
+const Triangulation& FreeSpace::triangulation() const { return impl_->tri; }
+std::uint32_t FreeSpace::component(std::uint32_t triangle) const { return impl_->components[triangle]; }
+std::uint32_t FreeSpace::component_count() const { return impl_->component_count; }
+
+const std::vector<Polygon>& FreeSpace::polygons() const {
+  std::call_once(impl_->polygons_made, [this] { impl_->polygons = detail::outline_rings(impl_->tri); });
+  return impl_->polygons;
+}
+
+Location FreeSpace::locate(Point p) const { return impl_->locator.locate(impl_->tri, p); }
+
+bool FreeSpace::sees(Point p, Point q) const {
+  const Location from = locate(p);
+  if (from.kind == Location::Kind::outside || locate(q).kind == Location::Kind::outside) return false;
+  if (p == q) return true;
+  detail::RayWalk walk(impl_->tri, p, q, true);
+  auto end = walk.start(from);
+  while (end == detail::RayWalk::End::vertex) end = walk.next();
+  return end == detail::RayWalk::End::reached;
+}
+
+}  // namespace taut

@@ -1,0 +1,75 @@
+#include <taut/geometry/length.h>
+
+#include <mpfr.h>
+
+#include <taut/geometry/detail/root.h>
+#include <taut/geometry/detail/root_sum.h>
+
+namespace taut {
+
+namespace {
+
+/// For differences so small or large that squares leave the range of doubles.
+double extreme_distance(Point p, Point q, mpfr_rnd_t rounding) {
+  // Any difference of two finite doubles is exact with 2100 bits.
+  mpfr_t dx, dy;
+  mpfr_inits2(2200, dx, dy, static_cast<mpfr_ptr>(nullptr));
+  mpfr_set_d(dx, p.x, MPFR_RNDN);
+  mpfr_sub_d(dx, dx, q.x, MPFR_RNDN);
+  mpfr_set_d(dy, p.y, MPFR_RNDN);
+  mpfr_sub_d(dy, dy, q.y, MPFR_RNDN);
+  mpfr_hypot(dx, dx, dy, rounding);
+  const double result = mpfr_get_d(dx, rounding);
+  mpfr_clears(dx, dy, static_cast<mpfr_ptr>(nullptr));
+  return result;
+}
+
+std::strong_ordering ordering(int sign) { return sign <=> 0; }
+
+}  // namespace
+
+Interval distance_interval(Point p, Point q) {
+  const detail::Square square =
+      detail::square_of(detail::absolute_difference(p.x, q.x), detail::absolute_difference(p.y, q.y));
+  if (!detail::is_regular(square)) return {extreme_distance(p, q, MPFR_RNDD), extreme_distance(p, q, MPFR_RNDU)};
+  const detail::Root root = detail::root_of(square);
+  const double unsure = root.exact ? 0 : root.high * detail::kRootError;
+  return {detail::step_down(root.high, root.low < unsure), detail::step_up(root.high, root.low > -unsure)};
+}
+
+Length::Length(std::span<const Point> chain) {
+  if (!chain.empty()) legs_.reserve(chain.size() - 1);
+  for (std::size_t i = 1; i < chain.size(); ++i) add(chain[i - 1], chain[i]);
+}
+
+void Length::add(Point p, Point q) {
+  const Interval leg = distance_interval(p, q);
+  legs_.push_back({p, q});
+  interval_ = {detail::add_down(interval_.lo, leg.lo), detail::add_up(interval_.hi, leg.hi)};
+}
+
+Length& Length::operator+=(const Length& other) {
+  const Interval more = other.interval_;
+  // By index: other may be *this.
+  for (std::size_t i = 0, n = other.legs_.size(); i < n; ++i) legs_.push_back(other.legs_[i]);
+  interval_ = {detail::add_down(interval_.lo, more.lo), detail::add_up(interval_.hi, more.hi)};
+  return *this;
+}
+
+double Length::value() const {
+  return interval_.lo == interval_.hi ? interval_.lo : detail::RootSum(legs_).nearest();
+}
+
+std::string Length::decimals(int places) const { return detail::RootSum(legs_).decimals(places); }
+
+std::strong_ordering operator<=>(const Length& a, const Length& b) {
+  if (a.interval_.hi < b.interval_.lo) return std::strong_ordering::less;
+  if (a.interval_.lo > b.interval_.hi) return std::strong_ordering::greater;
+  return compare_lengths(a.legs_, b.legs_);
+}
+
+std::strong_ordering compare_lengths(std::span<const Segment> a, std::span<const Segment> b) {
+  return ordering(detail::RootSum(a, b).sign());
+}
+
+}  // namespace taut

@@ -1,0 +1,30 @@
+// JSON with line numbers.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace taut::detail {
+
+/// A JSON value and the line it begins in (of a number: the line it ends in, or the next).
+struct Json {
+  enum class Kind { null, boolean, number, string, array, object };
+
+  Kind kind = Kind::null;
+  int line = 0;
+  double number = 0;  ///< also 0 and 1 of a boolean
+  std::string string;
+  std::vector<Json> items;                               ///< of an array
+  std::vector<std::pair<std::string, Json>> members;     ///< of an object, in order
+
+  /// The last member of that name, nullptr when there is none or this is no object.
+  const Json* find(std::string_view key) const;
+};
+
+/// Parses with nlohmann-json's SAX interface. Throws InputError with the line on anything that is not JSON, on values nested deeper than
+/// 64, and on numbers beyond the range of double.
+Json parse_json(std::string_view bytes, const std::string& source);
+
+}  // namespace taut::detail

@@ -1,0 +1,65 @@
+// Lines, fields and numbers of text formats.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace taut::detail {
+
+/// Where something was read, for messages.
+struct Place {
+  const std::string& source;
+  int line = 0;
+
+  [[noreturn]] void fail(const std::string& message) const;
+};
+
+/// In single quotes, control and non-ASCII characters as `?`, long text shortened.
+std::string quoted(std::string_view text);
+
+/// A file name, control characters as `?`.
+std::string printable_name(std::string name);
+
+/// Without byte order mark and DOS end-of-file mark.
+std::string_view stripped(std::string_view bytes);
+
+/// Without blanks at its end, or at both.
+std::string_view trimmed_right(std::string_view line);
+std::string_view trimmed(std::string_view line);
+
+/// Walks over lines, numbered from 1, CR and blanks at their ends cut off.
+class Lines {
+ public:
+  explicit Lines(std::string_view bytes) : rest_(stripped(bytes)) {}
+
+  bool next();
+  std::string_view line() const { return line_; }
+  int number() const { return number_; }
+
+ private:
+  std::string_view rest_;
+  std::string_view line_;
+  int number_ = 0;
+};
+
+/// Walks over the fields of a line, separated by blanks, by a comma, or by both.
+class Fields {
+ public:
+  Fields(std::string_view line, const Place& place);
+
+  /// False at the end. Fails on empty fields between commas.
+  bool next(std::string_view& field);
+
+ private:
+  std::string_view rest_;
+  const Place& place_;
+  bool after_comma_ = false;
+};
+
+/// A coordinate: decimal, finite, of magnitude <= World::kLargest; -0 is read as 0.
+double coordinate(std::string_view field, const Place& place);
+
+/// A whole number in lo .. hi; `what` names it in the message.
+int whole(std::string_view field, int lo, int hi, const char* what, const Place& place);
+
+}  // namespace taut::detail

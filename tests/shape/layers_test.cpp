@@ -1,0 +1,110 @@
+// The shape of the source tree: who may include whom, and what no part of the library does.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using testing::IsEmpty;
+
+// geometry <- roadmaps <- search <- robots <- cli; io stands beside them.
+const std::map<std::string, std::set<std::string>> kMayInclude{
+    {"geometry", {"geometry"}},
+    {"roadmaps", {"geometry", "roadmaps"}},
+    {"search", {"geometry", "roadmaps", "search"}},
+    {"robots", {"geometry", "roadmaps", "search", "robots"}},
+    {"io", {"geometry", "roadmaps", "search", "io"}},
+    {"cli", {"geometry", "roadmaps", "search", "robots", "io", "cli"}},
+};
+
+struct Line {
+  std::string place;  // geometry/world.h:12
+  std::string layer;
+  std::string text;  // without // comments
+};
+
+std::vector<Line> lines_of(const fs::path& file, const std::string& layer) {
+  std::vector<Line> lines;
+  std::ifstream in(file);
+  const std::string name = fs::relative(file, TAUT_SOURCE_DIR).generic_string();
+  int number = 0;
+  for (std::string text; std::getline(in, text);) {
+    const std::string place = name + ":" + std::to_string(++number);
+    lines.push_back({place, layer, text.substr(0, text.find("//"))});
+  }
+  return lines;
+}
+
+std::vector<Line> sources() {
+  std::vector<Line> all;
+  for (const auto& [layer, allowed] : kMayInclude) {
+    const fs::path folder = fs::path(TAUT_SOURCE_DIR) / layer;
+    if (!fs::exists(folder)) continue;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+      if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
+      const auto lines = lines_of(entry.path(), layer);
+      all.insert(all.end(), lines.begin(), lines.end());
+    }
+  }
+  return all;
+}
+
+// Places, as `file:line: text`, that match the pattern in one of the layers.
+std::vector<std::string> matches(const std::string& pattern, const std::set<std::string>& layers) {
+  const std::regex regex(pattern);
+  std::vector<std::string> found;
+  for (const Line& line : sources()) {
+    if (layers.contains(line.layer) && std::regex_search(line.text, regex))
+      found.push_back(line.place + ":" + line.text);
+  }
+  return found;
+}
+
+const std::set<std::string> kLibrary{"geometry", "roadmaps", "search", "robots", "io"};
+const std::set<std::string> kAll{"geometry", "roadmaps", "search", "robots", "io", "cli"};
+
+TEST(Layers, IncludeOnlyDownwards) {
+  const std::regex include(R"re(^\s*#\s*include\s*[<"]taut/([a-z]+)/)re");
+  std::vector<std::string> upward;
+  for (const Line& line : sources()) {
+    std::smatch match;
+    if (!std::regex_search(line.text, match, include)) continue;
+    if (!kMayInclude.at(line.layer).contains(match[1])) upward.push_back(line.place + ": " + match[1].str());
+  }
+  EXPECT_THAT(upward, IsEmpty());
+}
+
+TEST(Layers, AreIncludedByTheirFullNameOnly) {
+  EXPECT_THAT(matches(R"(^\s*#\s*include\s*")", kAll), IsEmpty()) << "write #include <taut/geometry/point.h>";
+}
+
+TEST(Layers, KeepEachLibraryInItsPlace) {
+  EXPECT_THAT(matches(R"(#\s*include\s*<CLI/)", kLibrary), IsEmpty()) << "the command line is the program's";
+  EXPECT_THAT(matches(R"(#\s*include\s*<nlohmann/)", {"geometry", "roadmaps", "search"}), IsEmpty());
+  EXPECT_THAT(matches(R"(#\s*include\s*<CGAL/)", {"io", "cli"}), IsEmpty()) << "CGAL stands behind geometry's gate";
+  EXPECT_THAT(matches(R"(#\s*include\s*<boost/graph/)", {"geometry"}), IsEmpty()) << "geometry knows no graph";
+}
+
+TEST(Layers, NeverPrintOrExitBelowTheProgram) {
+  EXPECT_THAT(
+      matches(R"(\bstd::(cout|cerr|clog)\b|\b(printf|fprintf|puts|fputs|perror)\s*\(|\bfmt::print\b)", kLibrary),
+      IsEmpty());
+  EXPECT_THAT(matches(R"(\b(exit|_Exit|quick_exit|abort|terminate)\s*\()", kLibrary), IsEmpty());
+}
+
+// These give other values under another standard library, or in another run.
+TEST(Layers, DrawNoRandomNumbersThatDifferBetweenMachines) {
+  EXPECT_THAT(
+      matches(R"(\bstd::[a-z_]+_distribution\b|\brandom_device\b|\bstd::(shuffle|sample)\s*\(|\bs?rand\s*\()", kAll),
+      IsEmpty());
+}
+
+}  // namespace

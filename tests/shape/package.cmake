@@ -1,0 +1,31 @@
+# Installs the build tree to a scratch prefix, then configures, builds and runs a project that knows nothing but that prefix.
+cmake_minimum_required(VERSION 3.25)
+function(run what)
+  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE output ERROR_VARIABLE output RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "${what} failed:\n${output}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${SCRATCH})
+run("install" ${CMAKE_COMMAND} --install ${BUILD_TREE} --prefix ${SCRATCH}/prefix)
+
+file(GLOB_RECURSE private ${SCRATCH}/prefix/include/*.h)
+list(FILTER private INCLUDE REGEX "/detail/")
+if(private)
+  message(FATAL_ERROR "private headers were installed: ${private}")
+endif()
+file(GLOB_RECURSE exported ${SCRATCH}/prefix/*.cmake)
+foreach(file IN LISTS exported)
+  file(READ ${file} text)
+  string(FIND "${text}" "${BUILD_TREE}" leak)
+  if(NOT leak EQUAL -1)
+    message(FATAL_ERROR "${file} names the build tree")
+  endif()
+endforeach()
+
+run("configuring the consumer" ${CMAKE_COMMAND} -S ${CONSUMER} -B ${SCRATCH}/build -G ${GENERATOR}
+  -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}"
+  -DCMAKE_BUILD_TYPE=${BUILD_TYPE} -DTAUT_EXPECTED_VERSION=${VERSION})
+run("building the consumer" ${CMAKE_COMMAND} --build ${SCRATCH}/build)
+run("running the consumer" ${SCRATCH}/build/consumer)
