@@ -19,29 +19,46 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 /// The outlines of the obstacles and the zero-thickness walls, split where they meet.
-detail::Noded noded_constraints(const World& world, const Footprint& footprint) {
+detail::Noded noded_edges(const World& world, const Footprint& footprint) {
   const detail::Obstacles obstacles = detail::obstacles_of(world, footprint);
   detail::Outline outline = detail::outline_of_union(obstacles.pieces, world.box());
-  std::vector<Constraint> segments = std::move(outline.edges);
+  std::vector<detail::Edge> edges = std::move(outline.edges);
   if (footprint.kind() == Footprint::Kind::point)
     for (std::uint32_t i = 0; i < world.walls().size(); ++i)
-      if (const Wall& wall = world.walls()[i]; wall.thickness == 0) segments.push_back({wall.a, wall.b, false, false, i});
-  detail::Noded noded = detail::node(std::move(segments));
+      if (const Wall& wall = world.walls()[i]; wall.thickness == 0) edges.push_back({wall.a, wall.b, 0, i});
+  detail::Noded noded = detail::node(std::move(edges));
   noded.crossings += outline.crossings;
   noded.displacement = std::max({noded.displacement, outline.displacement, obstacles.excess});
   return noded;
 }
 
-/// Drops the walls that lie inside obstacles; false when there are none.
-bool drop_buried(std::vector<Constraint>& pieces, const detail::Mesh& mesh) {
-  std::vector<bool> reached(pieces.size(), false);
-  for (std::uint32_t t = 0; t < mesh.triangulation.triangles.size(); ++t)
-    for (int i = 0; i < 3; ++i)
-      if (const std::uint32_t piece = mesh.piece_of[3 * t + i]; piece != kNone && mesh.triangulation.free[t]) reached[piece] = true;
-  const std::size_t before = pieces.size();
-  std::size_t k = 0;
-  std::erase_if(pieces, [&](const Constraint&) { return !reached[k++]; });
-  return pieces.size() != before;
+/// What stops a path: the edges that border free triangles, and whether there were others.
+struct Classified {
+  std::vector<Constraint> constraints;
+  bool buried = false;
+};
+
+Classified constraints_of(const detail::Mesh& mesh, const std::vector<detail::Edge>& edges) {
+  const Triangulation& tri = mesh.triangulation;
+  Classified result;
+  for (const detail::Edge& e : edges) result.constraints.push_back({e.a, e.b, true, true, e.wall});
+  for (std::uint32_t t = 0; t < tri.triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t edge = mesh.edge_of[3 * t + i];
+      if (edge == kNone || !tri.free[t]) continue;
+      Constraint& c = result.constraints[edge];
+      (tri.points[tri.triangles[t][Triangulation::ccw(i)]] == c.a ? c.solid_left : c.solid_right) = false;
+    }
+  const auto is_buried = [](const Constraint& c) { return c.solid_left && c.solid_right; };
+  result.buried = std::erase_if(result.constraints, is_buried) > 0;
+  return result;
+}
+
+std::vector<detail::Edge> edges_of(const std::vector<Constraint>& constraints) {
+  std::vector<detail::Edge> edges;
+  edges.reserve(constraints.size());
+  for (const Constraint& c : constraints) edges.push_back({c.a, c.b, int{c.solid_left} - int{c.solid_right}, c.wall});
+  return edges;
 }
 
 /// Numbers the connected parts of the free triangles.
@@ -73,25 +90,27 @@ std::uint32_t number_components(const Triangulation& tri, std::vector<std::uint3
 FreeSpace::FreeSpace(World world, Footprint footprint) {
   FreeSpaceReport report;
   auto start = std::chrono::steady_clock::now();
-  detail::Noded noded = noded_constraints(world, footprint);
+  detail::Noded noded = noded_edges(world, footprint);
   report.crossings = noded.crossings;
   report.displacement = noded.displacement;
   report.seconds_union = seconds_since(start);
 
   start = std::chrono::steady_clock::now();
-  detail::Mesh mesh = detail::triangulate(noded.pieces);
-  detail::classify(mesh, noded.pieces);
-  if (drop_buried(noded.pieces, mesh)) {
-    mesh = detail::triangulate(noded.pieces);
-    detail::classify(mesh, noded.pieces);
+  detail::Mesh mesh = detail::triangulate(noded.edges);
+  detail::classify(mesh, noded.edges);
+  Classified classified = constraints_of(mesh, noded.edges);
+  if (classified.buried) {
+    const std::vector<detail::Edge> edges = edges_of(classified.constraints);
+    mesh = detail::triangulate(edges);
+    detail::classify(mesh, edges);
   }
   std::vector<std::uint32_t> components;
   const std::uint32_t count = number_components(mesh.triangulation, components);
   detail::Locator locator(mesh.triangulation);
   report.seconds_triangulation = seconds_since(start);
 
-  impl_.reset(new Impl{std::move(world), std::move(footprint), report, std::move(noded.pieces), std::move(mesh.triangulation),
-                       std::move(mesh.piece_of), std::move(components), count, std::move(locator), {}, {}});
+  impl_.reset(new Impl{std::move(world), std::move(footprint), report, std::move(classified.constraints), std::move(mesh.triangulation),
+                       std::move(mesh.edge_of), std::move(components), count, std::move(locator), {}, {}});
 }
 
 const World& FreeSpace::world() const { return impl_->world; }
@@ -109,12 +128,12 @@ const std::vector<Polygon>& FreeSpace::polygons() const {
 
 Location FreeSpace::locate(Point p) const { return impl_->locator.locate(impl_->tri, p); }
 
-bool FreeSpace::sees(Point p, Point q) const {
+bool FreeSpace::sees(Point p, Point q, std::optional<Point> towards) const {
   const Location from = locate(p);
   if (from.kind == Location::Kind::outside || locate(q).kind == Location::Kind::outside) return false;
   if (p == q) return true;
   detail::RayWalk walk(impl_->tri, p, q, true);
-  auto end = walk.start(from);
+  auto end = walk.start(from, towards);
   while (end == detail::RayWalk::End::vertex) end = walk.next();
   return end == detail::RayWalk::End::reached;
 }

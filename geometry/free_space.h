@@ -40,7 +40,7 @@ struct Location {
 
 /// Distance to the nearest obstacle.
 struct Clearance {
-  double distance = 0;               ///< to the nearest double
+  double distance = 0;               ///< to within one ulp
   std::uint32_t constraint = kNone;  ///< the nearest piece; the lowest index among equals. kNone: there is none at all
 };
 
@@ -88,7 +88,9 @@ class FreeSpace {
 
   /// Can a path go straight from p to q? Exact: it may touch and run along obstacles, it may not pass a
   /// point where obstacles touch from both sides. False when p or q is outside. O(triangles crossed).
-  bool sees(Point p, Point q) const;
+  /// With `towards`, only through the part of the surroundings of p that a straight leg from p to `towards` starts in: of a p on a
+  /// wall that is the side of the wall where `towards` lies.
+  bool sees(Point p, Point q, std::optional<Point> towards = std::nullopt) const;
 
   /// Precondition: p is not outside. Exact choice of the nearest piece; expands triangles outward from p.
   Clearance clearance(Point p) const;

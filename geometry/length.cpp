@@ -32,6 +32,7 @@ Interval distance_interval(Point p, Point q) {
   const detail::Square square =
       detail::square_of(detail::absolute_difference(p.x, q.x), detail::absolute_difference(p.y, q.y));
   if (!detail::is_regular(square)) return {extreme_distance(p, q, MPFR_RNDD), extreme_distance(p, q, MPFR_RNDU)};
+  if (square.exact && square.sum > 0) return detail::enclose_root(square.sum);
   const detail::Root root = detail::root_of(square);
   const double unsure = root.exact ? 0 : root.high * detail::kRootError;
   return {detail::step_down(root.high, root.low < unsure), detail::step_up(root.high, root.low > -unsure)};

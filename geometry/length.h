@@ -30,7 +30,10 @@ Interval distance_interval(Point p, Point q);
 ///     each other are gathered (sqrt(a) / sqrt(b) is rational iff a * b is a square), and since square roots of different classes are linearly
 ///     independent over the rationals, the sums are equal iff every class cancels; otherwise more digits (MPFR, doubled
 ///     until it is decided) always separate them.
-///  3. value() is within one ulp of the exact value (MPFR, on demand); decimals(n) is correctly rounded to n places.
+///  3. value() is the double nearest to the exact value, decimals(n) the nearest number with n >= 0 places; both round ties to even
+///     (0.5 to no places is 0, 1.5 is 2, as printf does). Double-double first, MPFR on demand.
+///
+/// Precondition: coordinates are finite; the bounds hold from the least subnormal up to sums of 1e140.
 class Length {
  public:
   Length() = default;

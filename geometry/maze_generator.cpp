@@ -20,8 +20,9 @@ constexpr int kLargestSide = 20000;
 
 void admit_size(int width, int height) {
   if (std::min(width, height) >= 1 && std::max(width, height) <= kLargestSide) return;
-  throw InputError("", 0, "maze of " + std::to_string(height) + " rows and " + std::to_string(width) +
-                              " columns: both must be between 1 and " + std::to_string(kLargestSide));
+  throw InputError("", 0,
+                   "maze of " + std::to_string(height) + " rows and " + std::to_string(width) +
+                       " columns: both must be between 1 and " + std::to_string(kLargestSide));
 }
 
 // Disjoint regions of cells, named by their smallest id, where membership of region 0 is one look.
@@ -69,8 +70,12 @@ class Regions {
 class BiasedMaze {
  public:
   BiasedMaze(int rows, int cols, std::uint64_t seed)
-      : rows_(rows), cols_(cols), cells_(static_cast<std::uint32_t>(rows) * static_cast<std::uint32_t>(cols)), draws_(seed),
-        regions_(cells_), maze_(cols, rows, true) {
+      : rows_(rows),
+        cols_(cols),
+        cells_(static_cast<std::uint32_t>(rows) * static_cast<std::uint32_t>(cols)),
+        draws_(seed),
+        regions_(cells_),
+        maze_(cols, rows, true) {
     const int shorter = std::min(rows, cols);
     int blocks = 3;
     while (shorter > kLargestBlock * blocks) blocks += 2;
@@ -197,7 +202,8 @@ void for_each_interior_wall(const GridMaze& maze, Visit visit) {
 }  // namespace
 
 void open_walls(GridMaze& maze, double share, std::uint64_t seed) {
-  if (!(share >= 0 && share <= 1)) throw InputError("", 0, "share of walls to open is " + detail::text(share) + ", not between 0 and 1");
+  if (!(share >= 0 && share <= 1))
+    throw InputError("", 0, "share of walls to open is " + detail::text(share) + ", not between 0 and 1");
   std::uint32_t left = 0;
   for_each_interior_wall(maze, [&](Cell, Side) { ++left; });
   auto wanted = static_cast<std::uint32_t>(std::llround(share * left));

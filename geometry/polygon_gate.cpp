@@ -56,6 +56,8 @@ class Gate {
     check_size(polygon_.outer);
     for (Ring& hole : polygon_.holes) check_size(hole);
     collect_sides();
+    check_spikes(polygon_.outer);
+    for (const Ring& hole : polygon_.holes) check_spikes(hole);
     for (std::uint32_t i = 0; i < sides_.size(); ++i) check_side(i);
     turn(polygon_.outer, 1);
     for (Ring& hole : polygon_.holes) turn(hole, -1);
@@ -103,29 +105,32 @@ class Gate {
     });
   }
 
-  // Sides of one ring, s before t.
+  // Sides of one ring, s before t. Neighbours meet only at their common vertex, unless there is a spike.
   void check_pair(const Side& s, const Side& t) const {
-    const auto n = ring(s.ring).size();
-    const bool follows = t.index == s.index + 1;
-    const bool wraps = s.index == 0 && t.index == n - 1;
-    if (follows) check_spike(s.a, s.b, t.b);
-    if (wraps) check_spike(t.a, s.a, s.b);
-    if (!follows && !wraps && segments_meet(s.segment(), t.segment())) fail_pair(s, t);
+    const bool neighbours = t.index == s.index + 1 || (s.index == 0 && t.index == ring(s.ring).size() - 1);
+    if (!neighbours && segments_meet(s.segment(), t.segment())) fail_pair(s, t);
   }
 
-  void check_spike(Point a, Point b, Point c) const {
-    if (orientation(a, b, c) == 0 && !on_segment(b, a, c))
-      fail("ring has a spike at " + text(b) + ": side " + text(Segment{b, c}) + " folds back over side " + text(Segment{a, b}));
+  void check_spikes(const Ring& r) const {
+    const std::size_t n = r.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Point a = r[i], b = r[(i + 1) % n], c = r[(i + 2) % n];
+      if (orientation(a, b, c) == 0 && !on_segment(b, a, c))
+        fail("ring has a spike at " + text(b) + ": side " + text(Segment{b, c}) + " folds back over side " +
+             text(Segment{a, b}));
+    }
   }
 
   [[noreturn]] void fail_pair(const Side& s, const Side& t) const {
     const std::string sides = "side " + text(s.segment()) + " and side " + text(t.segment());
     if (cross_properly(s.segment(), t.segment())) fail("ring crosses itself: " + sides);
-    if (orientation(s.a, s.b, t.a) == 0 && orientation(s.a, s.b, t.b) == 0 && s.b != t.a && t.b != s.a)
-      fail("ring overlaps itself: " + sides);
-    const bool start = on_segment(t.a, s.a, s.b), end = on_segment(t.b, s.a, s.b);
-    const Point at = start ? t.a : end ? t.b : on_segment(s.a, t.a, t.b) ? s.a : s.b;
-    fail("ring touches itself at " + text(at) + ": " + sides);
+    std::vector<Point> shared;
+    for (Point p : {t.a, t.b})
+      if (on_segment(p, s.a, s.b)) shared.push_back(p);
+    for (Point p : {s.a, s.b})
+      if (on_segment(p, t.a, t.b)) shared.push_back(p);
+    if (shared.front() != shared.back()) fail("ring overlaps itself: " + sides);
+    fail("ring touches itself at " + text(shared.front()) + ": " + sides);
   }
 
   void check_contacts(std::uint32_t i) const {
@@ -161,8 +166,8 @@ class Gate {
   }
 
   [[noreturn]] void fail_rings(const Side& s, const Side& t, const char* verb) const {
-    fail("hole " + std::to_string(t.ring) + " " + verb + " " + name(s.ring) + ": side " + text(t.segment()) + " and side " +
-         text(s.segment()));
+    fail("hole " + std::to_string(t.ring) + " " + verb + " " + name(s.ring) + ": side " + text(t.segment()) +
+         " and side " + text(s.segment()));
   }
 
   [[noreturn]] void fail_place(const Side& hole, const Side& other) const { fail_place(hole.ring, other.ring, hole.a); }

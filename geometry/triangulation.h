@@ -56,6 +56,9 @@ struct Triangulation {
     return {first, last};
   }
 
+  /// Does the closed sector contain the direction from its vertex to q? Exact.
+  bool looks_to(const Sector& sector, Point q) const;
+
   /// The corner of t's neighbour across side i that is not shared with t. Precondition: there is a neighbour.
   int mirror(std::uint32_t t, int i) const {
     const auto& back = neighbours[neighbours[t][i]];

@@ -42,7 +42,8 @@ class Gate {
  private:
   [[noreturn]] void refuse(double value) const {
     const char* why = std::isfinite(value) ? " is beyond " : " is not a finite number";
-    throw InputError(source_, line_, "coordinate " + text(value) + why + (std::isfinite(value) ? text(World::kLargest) : ""));
+    throw InputError(source_, line_,
+                     "coordinate " + text(value) + why + (std::isfinite(value) ? text(World::kLargest) : ""));
   }
 
   const std::string& source_;
@@ -145,7 +146,8 @@ Box roomy_box(const WorldParts& parts) {
                  {widened(b.max.x, margin, step, 1), widened(b.max.y, margin, step, 1)}};
   for (double v : {wide.min.x, wide.min.y, wide.max.x, wide.max.y})
     if (std::abs(v) > World::kLargest)
-      throw InputError(parts.source, 0, "no boundary is given, and one around everything would reach beyond " + text(World::kLargest));
+      throw InputError(parts.source, 0,
+                       "no boundary is given, and one around everything would reach beyond " + text(World::kLargest));
   return wide;
 }
 
@@ -190,7 +192,9 @@ World::World(WorldParts parts) : parts_(std::move(parts)) {
   admit_ends(parts_);
   dropped_walls_ = drop_points(parts_.walls);
   if (parts_.walls.empty() && parts_.areas.empty() && parts_.solids.empty())
-    throw InputError(parts_.source, 0, dropped_walls_ > 0 ? "all walls have length zero, and there are no areas" : "no walls and no areas");
+    throw InputError(
+        parts_.source, 0,
+        dropped_walls_ > 0 ? "all walls have length zero, and there are no areas" : "no walls and no areas");
   implied_area_ = parts_.areas.empty();
   if (implied_area_) imply_area(parts_);
   box_ = box_of(parts_.areas);

@@ -35,7 +35,8 @@ void read_column(int x, Lines& lines, CellWalls& cells, const std::string& sourc
     const int open = whole(field, 0, 15, ("value of cell " + text(Cell{x, y})).c_str(), place);
     cells.set({x, y}, static_cast<std::uint8_t>(15 - open), lines.number());
   }
-  if (y < n) place.fail("column " + std::to_string(x) + " has " + std::to_string(y) + " values instead of " + std::to_string(n));
+  if (y < n)
+    place.fail("column " + std::to_string(x) + " has " + std::to_string(y) + " values instead of " + std::to_string(n));
 }
 
 }  // namespace
@@ -46,7 +47,8 @@ GridMaze read_cell_values(std::string_view bytes, const std::string& source) {
   CellWalls cells(n, n);
   for (int x = 0; x < n; ++x) {
     if (!next_content(lines))
-      throw InputError(source, lines.number(), "file ends after " + std::to_string(x) + " of " + std::to_string(n) + " columns");
+      throw InputError(source, lines.number(),
+                       "file ends after " + std::to_string(x) + " of " + std::to_string(n) + " columns");
     read_column(x, lines, cells, source);
   }
   if (next_content(lines)) Place{source, lines.number()}.fail("more than " + std::to_string(n) + " columns");

@@ -22,8 +22,8 @@ std::string direction(Side side) {
 [[noreturn]] void fail_pair(const CellWalls& cells, Cell c, Cell next, Side side, const std::string& source) {
   const bool wall = cells.wall(c, side);
   throw InputError(source, std::max(cells.line(c), cells.line(next)),
-                   "cell " + text(c) + " says " + (wall ? "wall " : "open ") + direction(side) + ", cell " + text(next) + " says " +
-                       (wall ? "open" : "wall"));
+                   "cell " + text(c) + " says " + (wall ? "wall " : "open ") + direction(side) + ", cell " +
+                       text(next) + " says " + (wall ? "open" : "wall"));
 }
 
 Side opposite(Side side) { return kSides[(static_cast<std::size_t>(side) + 2) % 4]; }
@@ -38,8 +38,10 @@ GridMaze agreed(const CellWalls& cells, bool closed, const std::string& source) 
         const Cell c{x, y}, next = GridMaze::neighbour(c, side);
         const bool wall = cells.wall(c, side);
         if (!maze.contains(next) && closed && !wall)
-          throw InputError(source, cells.line(c), "cell " + text(c) + " is open " + direction(side) + ", but the border is closed");
-        if (maze.contains(next) && (side == Side::north || side == Side::east) && cells.wall(next, opposite(side)) != wall)
+          throw InputError(source, cells.line(c),
+                           "cell " + text(c) + " is open " + direction(side) + ", but the border is closed");
+        if (maze.contains(next) && (side == Side::north || side == Side::east) &&
+            cells.wall(next, opposite(side)) != wall)
           fail_pair(cells, c, next, side, source);
         maze.set_wall(c, side, wall);
       }

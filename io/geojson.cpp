@@ -87,7 +87,8 @@ class GeoJson {
   }
 
   void read_boundary(const Json& value) {
-    if (value.string != "walled" && value.string != "limit") fail(value, "boundary " + quoted(value.string) + " is not walled or limit");
+    if (value.string != "walled" && value.string != "limit")
+      fail(value, "boundary " + quoted(value.string) + " is not walled or limit");
     shapes_.set_boundary(value.string == "limit" ? Boundary::limit : Boundary::walled);
   }
 
@@ -98,8 +99,8 @@ class GeoJson {
       for (const Json& member : array(geometry, "geometries")) read_geometry(member, p);
       return;
     }
-    const bool known = type == "Point" || type == "MultiPoint" || type == "LineString" || type == "MultiLineString" || type == "Polygon" ||
-                       type == "MultiPolygon";
+    const bool known = type == "Point" || type == "MultiPoint" || type == "LineString" || type == "MultiLineString" ||
+                       type == "Polygon" || type == "MultiPolygon";
     if (!known) fail(geometry, "GeoJSON type " + quoted(type) + " is not supported");
     const Json* coordinates = geometry.find("coordinates");
     if (!coordinates || coordinates->kind != Json::Kind::array) fail(geometry, type + " without \"coordinates\"");
@@ -149,13 +150,16 @@ class GeoJson {
   }
 
   Polygon rings(const Json& value) const {
-    if (value.kind != Json::Kind::array || value.items.empty()) fail(value, "the coordinates of a polygon are an array of rings");
+    if (value.kind != Json::Kind::array || value.items.empty())
+      fail(value, "the coordinates of a polygon are an array of rings");
     Polygon result;
     for (const Json& item : value.items) {
       Ring ring = chain(item);
       open_up(ring, {source_, item.line});
-      if (&item == &value.items.front()) result.outer = std::move(ring);
-      else result.holes.push_back(std::move(ring));
+      if (&item == &value.items.front())
+        result.outer = std::move(ring);
+      else
+        result.holes.push_back(std::move(ring));
     }
     return result;
   }

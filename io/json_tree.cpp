@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <utility>
 
 #include <taut/geometry/errors.h>
 #include <taut/io/detail/text_input.h>
@@ -46,7 +47,7 @@ class CountingIterator {
 // What of nlohmann's message tells something: `syntax error while parsing value - ...`.
 std::string readable(const std::string& what) {
   const std::size_t at = what.find("syntax error");
-  std::string message = at == std::string::npos ? what : what.substr(at);
+  std::string message = what.substr(at != std::string::npos ? at : what.find(']') + 2);
   for (char& c : message)
     if (c < ' ' || c > '~') c = '?';
   return message.substr(0, 160);
@@ -54,7 +55,8 @@ std::string readable(const std::string& what) {
 
 class Builder : public nlohmann::json_sax<nlohmann::json> {
  public:
-  Builder(const std::string& source, std::string_view bytes, const int& line) : source_(source), bytes_(bytes), line_(line) {}
+  Builder(const std::string& source, std::string_view bytes, const int& line)
+      : source_(source), bytes_(bytes), line_(line) {}
 
   Json take() { return std::move(root_); }
 
@@ -74,7 +76,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) override {
-    const auto end = bytes_.begin() + static_cast<std::ptrdiff_t>(std::min(position > 0 ? position - 1 : 0, bytes_.size()));
+    const auto end =
+        bytes_.begin() + static_cast<std::ptrdiff_t>(std::min(position > 0 ? position - 1 : 0, bytes_.size()));
     const int line = 1 + static_cast<int>(std::count(bytes_.begin(), end, '\n'));
     throw InputError(source_, line, "not valid JSON: " + readable(error.what()));
   }
@@ -86,7 +89,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   }
 
   bool open(Json::Kind kind) {
-    if (open_.size() == kDeepest) Place{source_, line_}.fail("JSON is nested more than " + std::to_string(kDeepest) + " deep");
+    if (open_.size() == kDeepest)
+      Place{source_, line_}.fail("JSON is nested more than " + std::to_string(kDeepest) + " deep");
     open_.push_back(&add(kind));
     return true;
   }
@@ -98,8 +102,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
     value.line = line_;
     if (open_.empty()) return root_ = std::move(value);
     Json& parent = *open_.back();
-    if (parent.kind == Json::Kind::array) return parent.items.emplace_back(std::move(value));
-    return parent.members.emplace_back(std::move(key_), std::move(value)).second;
+    if (parent.kind == Json::Kind::object) parent.keys.push_back(std::move(key_));
+    return parent.items.emplace_back(std::move(value));
   }
 
   const std::string& source_;
@@ -113,8 +117,8 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 }  // namespace
 
 const Json* Json::find(std::string_view key) const {
-  const auto at = std::find_if(members.rbegin(), members.rend(), [&](const auto& member) { return member.first == key; });
-  return at == members.rend() ? nullptr : &at->second;
+  const auto at = std::find(keys.rbegin(), keys.rend(), key);
+  return at == keys.rend() ? nullptr : &items[static_cast<std::size_t>(keys.rend() - at - 1)];
 }
 
 Json parse_json(std::string_view bytes, const std::string& source) {

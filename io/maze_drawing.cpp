@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -47,6 +48,7 @@ class Drawing {
     GridMaze maze(width_, height_, true);
     for (int y = 0; y <= height_; ++y) read_posts(y, maze);
     for (int y = height_ - 1; y >= 0; --y) read_cells(y, maze);
+    std::sort(maze.goal.begin(), maze.goal.end());
     if (start_) maze.start = *start_;
     const bool from_opening_to_opening = !start_ && maze.goal.empty() && count_openings(maze) == 2;
     if (maze.goal.empty() && !from_opening_to_opening) maze.goal = centre_room(width_, height_);
@@ -64,7 +66,8 @@ class Drawing {
     std::size_t first = 0;
     while (first < all.size() && width_of(all[first].text) == 0) {
       const std::string_view line = trimmed(all[first].text);
-      if (!line.empty() && line[0] != '*' && !begins_comment(line[0])) place(all[first]).fail("not a row of posts: " + quoted(line));
+      if (!line.empty() && line[0] != '*' && !begins_comment(line[0]))
+        place(all[first]).fail("not a row of posts: " + quoted(line));
       ++first;
     }
     if (first == all.size()) throw InputError(source_, 0, "no row of posts ('o' or '+')");
@@ -75,7 +78,8 @@ class Drawing {
     for (std::size_t i = end; i < all.size(); ++i) {
       if (at(all[i].text, 0) == '|' && i == end && i + 1 < all.size())
         place(all[i + 1]).fail("a row of posts is expected, not " + quoted(all[i + 1].text));
-      if (at(all[i].text, 0) == '|' || width_of(all[i].text) > 0) place(all[i]).fail("this row does not belong to the drawing above");
+      if (at(all[i].text, 0) == '|' || width_of(all[i].text) > 0)
+        place(all[i]).fail("this row does not belong to the drawing above");
     }
   }
 
@@ -86,7 +90,7 @@ class Drawing {
       place(rows_[0]).fail("the drawing is more than " + std::to_string(kLargestSize) + " cells wide or high");
     const std::size_t full = 4 * static_cast<std::size_t>(width_) + 1;
     for (const NumberedLine& row : rows_)
-      if (row.text.size() > full && !begins_comment(row.text[full]))
+      if (width_of(row.text) > width_ || (row.text.size() > full && !begins_comment(row.text[full])))
         place(row).fail("the row is longer than the " + std::to_string(width_) + " cells of the first row");
   }
 
@@ -98,8 +102,10 @@ class Drawing {
       if (!is_post(at(row.text, column))) fail_at(row, column, "is no post ('o' or '+')");
       if (x == width_) break;
       const bool stands = horizontal(row, column + 1, y == 0 || y == height_);
-      if (y < height_) maze.set_wall({x, y}, Side::south, stands);
-      else maze.set_wall({x, y - 1}, Side::north, stands);
+      if (y < height_)
+        maze.set_wall({x, y}, Side::south, stands);
+      else
+        maze.set_wall({x, y - 1}, Side::north, stands);
     }
   }
 
@@ -121,8 +127,10 @@ class Drawing {
     for (int x = 0; x <= width_; ++x) {
       const std::size_t column = 4 * static_cast<std::size_t>(x);
       const bool stands = vertical(row, column, x == 0 || x == width_);
-      if (x == width_) maze.set_wall({x - 1, y}, Side::east, stands);
-      else maze.set_wall({x, y}, Side::west, stands);
+      if (x == width_)
+        maze.set_wall({x - 1, y}, Side::east, stands);
+      else
+        maze.set_wall({x, y}, Side::west, stands);
       for (std::size_t i = 1; i <= 3 && x < width_; ++i) mark({x, y}, row, column + i, maze);
     }
   }
@@ -149,7 +157,8 @@ class Drawing {
   }
 
   [[noreturn]] void fail_at(const NumberedLine& row, std::size_t column, const std::string& message) const {
-    place(row).fail("column " + std::to_string(column + 1) + ": " + quoted(std::string(1, at(row.text, column))) + " " + message);
+    place(row).fail("column " + std::to_string(column + 1) + ": " + quoted(std::string(1, at(row.text, column))) + " " +
+                    message);
   }
 
   const std::string& source_;

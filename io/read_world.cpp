@@ -48,8 +48,8 @@ std::string first_word(std::string_view line) {
 }
 
 bool begins_wkt(const std::string& word) {
-  static constexpr std::array<std::string_view, 8> kinds{"POINT", "LINESTRING", "POLYGON", "MULTIPOINT", "MULTILINESTRING", "MULTIPOLYGON",
-                                                        "GEOMETRYCOLLECTION", "SRID"};
+  static constexpr std::array<std::string_view, 8> kinds{
+      "POINT", "LINESTRING", "POLYGON", "MULTIPOINT", "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION", "SRID"};
   return std::any_of(kinds.begin(), kinds.end(), [&](std::string_view kind) {
     if (!word.starts_with(kind)) return false;
     const std::string_view rest = std::string_view(word).substr(kind.size());
@@ -75,7 +75,8 @@ std::optional<Format> format_of_line(std::string_view line) {
   const std::string word = first_word(line);
   if (begins_wkt(word)) return Format::wkt;
   if (word == "START" || word == "GOAL" || word == "BOUNDARY") return Format::segments;
-  const bool number = std::isdigit(static_cast<unsigned char>(line[0])) || line[0] == '-' || line[0] == '+' || line[0] == '.';
+  const bool number =
+      std::isdigit(static_cast<unsigned char>(line[0])) || line[0] == '-' || line[0] == '+' || line[0] == '.';
   if (!number && word != "NAN" && word != "INF") return std::nullopt;
   switch (count_fields(line.substr(0, line.find('#')))) {
     case 1: return Format::cell_values;
@@ -88,7 +89,8 @@ std::optional<Format> format_of_line(std::string_view line) {
 bool is_comment(std::string_view line) { return line[0] == '#' || line[0] == '/' || line[0] == '*' || line[0] == ';'; }
 
 void check_not_utf16(std::string_view bytes, const std::string& source) {
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) throw InputError(source, 0, "text in UTF-16; save it as UTF-8");
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
+    throw InputError(source, 0, "text in UTF-16; save it as UTF-8");
 }
 
 World read_grid(GridMaze maze, const ReadOptions& options) {
@@ -98,7 +100,8 @@ World read_grid(GridMaze maze, const ReadOptions& options) {
 std::string drain(std::istream& in) {
   std::string bytes;
   std::array<char, 1 << 16> block;
-  while (in.read(block.data(), block.size()) || in.gcount() > 0) bytes.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  while (in.read(block.data(), block.size()) || in.gcount() > 0)
+    bytes.append(block.data(), static_cast<std::size_t>(in.gcount()));
   return bytes;
 }
 
@@ -119,7 +122,9 @@ Format detect_format(std::string_view bytes, const std::string& source) {
   check_not_utf16(bytes, source);
   if (!is_text(detail::stripped(bytes))) {
     if (detail::is_maz_size(bytes.size())) return Format::maz;
-    throw InputError(source, 0, "binary data of " + std::to_string(bytes.size()) + " bytes; the only binary format, .maz, has 256 or 1024");
+    throw InputError(
+        source, 0,
+        "binary data of " + std::to_string(bytes.size()) + " bytes; the only binary format, .maz, has 256 or 1024");
   }
   bool comment = false;
   for (detail::Lines lines(bytes); lines.next();) {
@@ -152,7 +157,9 @@ World read_world(std::string_view bytes, const ReadOptions& options, ReadNotes* 
   throw InputError(options.source, 0, "unknown format");
 }
 
-World read_world(std::istream& in, const ReadOptions& options, ReadNotes* notes) { return read_world(drain(in), options, notes); }
+World read_world(std::istream& in, const ReadOptions& options, ReadNotes* notes) {
+  return read_world(drain(in), options, notes);
+}
 
 World read_world_file(const std::string& path, ReadOptions options, ReadNotes* notes) {
   options.source = path == "-" ? "<stdin>" : detail::printable_name(path);

@@ -48,10 +48,10 @@ struct ReadOptions {
     free,       ///< floor plans: the world is their union (Boundary::walled)
     obstacles,  ///< solids
   };
-  std::optional<Format> format;        ///< absent: by content
+  std::optional<Format> format{};      ///< absent: by content
   Polygons polygons = Polygons::free;  ///< what wkt and geojson polygons without a role are
   double cell_size = 1;                ///< of grid mazes, > 0
-  std::string source;                  ///< file name for messages
+  std::string source{};                ///< file name for messages
 };
 
 /// What reading met that a World does not keep.

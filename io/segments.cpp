@@ -55,7 +55,9 @@ class Segments {
       if (n == 5) place.fail("more than five numbers; a wall is x1 y1 x2 y2 [thickness]");
       v[n++] = coordinate(field, place);
     } while (fields.next(field));
-    if (n < 4) place.fail("only " + std::to_string(n) + (n == 1 ? " number" : " numbers") + "; a wall is x1 y1 x2 y2 [thickness]");
+    if (n < 4)
+      place.fail("only " + std::to_string(n) + (n == 1 ? " number" : " numbers") +
+                 "; a wall is x1 y1 x2 y2 [thickness]");
     if (v[4] < 0) place.fail("wall thickness " + text(v[4]) + " is negative");
     parts_.walls.push_back({{v[0], v[1]}, {v[2], v[3]}, v[4], place.line});
   }
@@ -82,8 +84,10 @@ class Segments {
       parts_.goal.point = Point{v[0], v[1]};
       return;
     }
-    if (v.empty() || v.size() % 4 != 0) place.fail("goal needs two numbers, goal X Y, or four for each box: goal XMIN YMIN XMAX YMAX ...");
-    for (std::size_t i = 0; i < v.size(); i += 4) parts_.goal.room.push_back(box({v[i], v[i + 1]}, {v[i + 2], v[i + 3]}, "goal", place));
+    if (v.empty() || v.size() % 4 != 0)
+      place.fail("goal needs two numbers, goal X Y, or four for each box: goal XMIN YMIN XMAX YMAX ...");
+    for (std::size_t i = 0; i < v.size(); i += 4)
+      parts_.goal.room.push_back(box({v[i], v[i + 1]}, {v[i + 2], v[i + 3]}, "goal", place));
   }
 
   void read_boundary(const Numbers& v, const Place& place) {
@@ -102,7 +106,8 @@ class Segments {
 
   static Box box(Point min, Point max, const char* what, const Place& place) {
     if (min.x >= max.x || min.y >= max.y)
-      place.fail(std::string(what) + " box from " + text(min) + " to " + text(max) + " has no area: the lower left corner comes first");
+      place.fail(std::string(what) + " box from " + text(min) + " to " + text(max) +
+                 " has no area: the lower left corner comes first");
     return {min, max};
   }
 

@@ -26,7 +26,8 @@ void Shapes::add_walls(const Ring& chain, double thickness, int line) {
 
 void Shapes::add_point(Point p, int line) {
   if (!parts_.start) return set_start(p, line);
-  if (parts_.goal.point || !parts_.goal.room.empty()) at(line).fail("a third point, " + text(p) + "; the first two are start and goal");
+  if (parts_.goal.point || !parts_.goal.room.empty())
+    at(line).fail("a third point, " + text(p) + "; the first two are start and goal");
   set_goal(p, line);
 }
 
@@ -43,7 +44,8 @@ void Shapes::set_goal(Point p, int line) {
 void Shapes::add_goal_box(const Polygon& polygon, int line) {
   const Ring& r = polygon.outer;
   const bool upright = r.size() == 4 && (r[0].x == r[1].x ? r[1].y == r[2].y && r[2].x == r[3].x && r[3].y == r[0].y
-                                                         : r[0].y == r[1].y && r[1].x == r[2].x && r[2].y == r[3].y && r[3].x == r[0].x);
+                                                          : r[0].y == r[1].y && r[1].x == r[2].x && r[2].y == r[3].y &&
+                                                                r[3].x == r[0].x);
   if (!polygon.holes.empty() || !upright) at(line).fail("a goal polygon must be an axis-parallel rectangle");
   if (parts_.goal.point) at(line).fail("a second goal");
   const auto [x0, x1] = std::minmax({r[0].x, r[2].x});
@@ -58,8 +60,11 @@ WorldParts Shapes::take() {
 
 void open_up(Ring& ring, const Place& place) {
   if (ring.empty()) place.fail("ring without points");
-  if (ring.front() != ring.back()) place.fail("ring is not closed: first " + text(ring.front()) + ", last " + text(ring.back()));
-  if (ring.size() < 4) place.fail("ring near " + text(ring.front()) + " has only " + std::to_string(ring.size()) + " positions; a closed ring has at least 4");
+  if (ring.front() != ring.back())
+    place.fail("ring is not closed: first " + text(ring.front()) + ", last " + text(ring.back()));
+  if (ring.size() < 4)
+    place.fail("ring near " + text(ring.front()) + " has only " + std::to_string(ring.size()) +
+               " positions; a closed ring has at least 4");
   ring.pop_back();
 }
 

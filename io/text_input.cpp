@@ -54,7 +54,8 @@ std::string_view trimmed(std::string_view line) {
 bool Lines::next() {
   if (rest_.empty()) return false;
   const void* end = std::memchr(rest_.data(), '\n', rest_.size());
-  const std::size_t length = end ? static_cast<std::size_t>(static_cast<const char*>(end) - rest_.data()) : rest_.size();
+  const std::size_t length =
+      end ? static_cast<std::size_t>(static_cast<const char*>(end) - rest_.data()) : rest_.size();
   line_ = trimmed_right(rest_.substr(0, length));
   rest_.remove_prefix(end ? length + 1 : length);
   ++number_;
@@ -88,7 +89,8 @@ double coordinate(std::string_view field, const Place& place) {
   if (error == std::errc::result_out_of_range) place.fail(quoted(field) + " is out of the range of numbers");
   if (error != std::errc() || end != digits.data() + digits.size()) place.fail(quoted(field) + " is not a number");
   if (!std::isfinite(value)) place.fail(quoted(field) + " is not a finite number");
-  if (std::abs(value) > World::kLargest) place.fail(quoted(field) + " is beyond the largest coordinate, " + text(World::kLargest));
+  if (std::abs(value) > World::kLargest)
+    place.fail(quoted(field) + " is beyond the largest coordinate, " + text(World::kLargest));
   return value + 0.0;
 }
 
@@ -97,7 +99,8 @@ int whole(std::string_view field, int lo, int hi, const char* what, const Place&
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   const bool parsed = error != std::errc::invalid_argument && end == field.data() + field.size();
   if (!parsed || error != std::errc() || value < lo || value > hi)
-    place.fail(std::string(what) + " " + quoted(field) + " is not a whole number between " + std::to_string(lo) + " and " + std::to_string(hi));
+    place.fail(std::string(what) + " " + quoted(field) + " is not a whole number between " + std::to_string(lo) +
+               " and " + std::to_string(hi));
   return static_cast<int>(value);
 }
 

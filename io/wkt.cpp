@@ -17,7 +17,8 @@ bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0
 
 class Wkt {
  public:
-  Wkt(std::string_view bytes, const ReadOptions& options) : rest_(stripped(bytes)), source_(options.source), shapes_(options) {}
+  Wkt(std::string_view bytes, const ReadOptions& options)
+      : rest_(stripped(bytes)), source_(options.source), shapes_(options) {}
 
   WorldParts read() {
     for (;;) {
@@ -42,8 +43,10 @@ class Wkt {
   // Between geometries: blanks, semicolons, comment lines.
   void skip_separators() {
     for (skip_space(); !rest_.empty() && (rest_.front() == ';' || rest_.front() == '#'); skip_space()) {
-      if (rest_.front() == ';') advance();
-      else while (!rest_.empty() && rest_.front() != '\n') advance();
+      if (rest_.front() == ';')
+        advance();
+      else
+        while (!rest_.empty() && rest_.front() != '\n') advance();
     }
   }
 
@@ -63,7 +66,8 @@ class Wkt {
   std::string found() const {
     if (rest_.empty()) return "the end of the file";
     std::size_t end = 1;
-    while (end < rest_.size() && !is_space(rest_[end]) && rest_[end] != ',' && rest_[end] != '(' && rest_[end] != ')') ++end;
+    while (end < rest_.size() && !is_space(rest_[end]) && rest_[end] != ',' && rest_[end] != '(' && rest_[end] != ')')
+      ++end;
     return quoted(rest_.substr(0, end));
   }
 
@@ -100,8 +104,10 @@ class Wkt {
     const std::string shown = found();
     std::string result = word();
     if (result.empty()) fail("a geometry is expected, not " + shown);
-    if (result.ends_with("ZM")) result.resize(result.size() - 2);
-    else if (result.ends_with('Z') || result.ends_with('M')) result.pop_back();
+    if (result.ends_with("ZM"))
+      result.resize(result.size() - 2);
+    else if (result.ends_with('Z') || result.ends_with('M'))
+      result.pop_back();
     skip_space();
     const std::string_view before = rest_;
     const std::string dimensions = word();
@@ -129,7 +135,8 @@ class Wkt {
   template <class Item>
   void list(Item item, bool many = true) {
     expect('(');
-    do item(); while (many && take(','));
+    do item();
+    while (many && take(','));
     expect(')');
   }
 
@@ -156,8 +163,10 @@ class Wkt {
       const int ring_line = line_;
       Ring ring = chain();
       open_up(ring, {source_, ring_line});
-      if (std::exchange(first, false)) result.outer = std::move(ring);
-      else result.holes.push_back(std::move(ring));
+      if (std::exchange(first, false))
+        result.outer = std::move(ring);
+      else
+        result.holes.push_back(std::move(ring));
     });
     shapes_.add_polygon(std::move(result), line);
   }
@@ -182,7 +191,8 @@ class Wkt {
   double number() {
     skip_space();
     std::size_t end = 0;
-    while (end < rest_.size() && !is_space(rest_[end]) && rest_[end] != ',' && rest_[end] != '(' && rest_[end] != ')') ++end;
+    while (end < rest_.size() && !is_space(rest_[end]) && rest_[end] != ',' && rest_[end] != '(' && rest_[end] != ')')
+      ++end;
     if (end == 0) fail("a number is expected, not " + found());
     const double value = coordinate(rest_.substr(0, end), {source_, line_});
     rest_.remove_prefix(end);

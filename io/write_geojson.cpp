@@ -99,10 +99,12 @@ class Writer {
 }  // namespace
 
 std::string write_geojson(const World& world) {
-  if (world.goal().point && !world.goal().room.empty()) throw InputError("", 0, "geojson cannot hold both a goal point and a goal room");
+  if (world.goal().point && !world.goal().room.empty())
+    throw InputError("", 0, "geojson cannot hold both a goal point and a goal room");
   Writer writer;
   if (world.boundary() != Boundary::open) {
-    const std::string_view kind = world.boundary() == Boundary::limit ? ", \"boundary\": \"limit\"" : ", \"boundary\": \"walled\"";
+    const std::string_view kind =
+        world.boundary() == Boundary::limit ? ", \"boundary\": \"limit\"" : ", \"boundary\": \"walled\"";
     for (const Area& area : world.areas()) writer.polygon(area.polygon, "free", kind);
   }
   for (const Area& solid : world.solids()) writer.polygon(solid.polygon, "obstacle");

@@ -12,7 +12,9 @@ namespace {
   throw InputError("", 0, std::string(format) + " cannot hold " + what);
 }
 
-std::string size_of(const GridMaze& maze) { return std::to_string(maze.width()) + " x " + std::to_string(maze.height()); }
+std::string size_of(const GridMaze& maze) {
+  return std::to_string(maze.width()) + " x " + std::to_string(maze.height());
+}
 
 // The ends that readers of formats without marks assume.
 void check_unmarked_ends(const GridMaze& maze, const char* format) {
@@ -21,7 +23,8 @@ void check_unmarked_ends(const GridMaze& maze, const char* format) {
   std::sort(goal.begin(), goal.end());
   const bool openings = detail::count_openings(maze) == 2;
   if (openings && !goal.empty()) fail(format, "a goal room beside two openings of the border");
-  if (!openings && goal != detail::centre_room(maze.width(), maze.height())) fail(format, "a goal other than the room in the middle");
+  if (!openings && goal != detail::centre_room(maze.width(), maze.height()))
+    fail(format, "a goal other than the room in the middle");
 }
 
 int walls_of(const GridMaze& maze, Cell c) {
@@ -42,7 +45,8 @@ void append_posts(const GridMaze& maze, int y, std::string& out) {
 }  // namespace
 
 std::string write_drawing(const GridMaze& maze) {
-  if (maze.goal.empty() && (maze.start != Cell{0, 0} || detail::count_openings(maze) != 2)) fail("drawing", "a maze without goal");
+  if (maze.goal.empty() && (maze.start != Cell{0, 0} || detail::count_openings(maze) != 2))
+    fail("drawing", "a maze without goal");
   const auto width = static_cast<std::size_t>(maze.width());
   std::vector<std::string> rows(static_cast<std::size_t>(maze.height()), std::string(4 * width + 1, ' '));
   for (int y = 0; y < maze.height(); ++y) {
@@ -51,7 +55,9 @@ std::string write_drawing(const GridMaze& maze) {
       if (maze.wall({x, y}, Side::west)) row[4 * static_cast<std::size_t>(x)] = '|';
     if (maze.wall({maze.width() - 1, y}, Side::east)) row.back() = '|';
   }
-  const auto mark = [&](Cell c, std::size_t offset, char what) { rows[static_cast<std::size_t>(c.y)][4 * static_cast<std::size_t>(c.x) + offset] = what; };
+  const auto mark = [&](Cell c, std::size_t offset, char what) {
+    rows[static_cast<std::size_t>(c.y)][4 * static_cast<std::size_t>(c.x) + offset] = what;
+  };
   for (Cell c : maze.goal) mark(c, c == maze.start ? 3 : 2, 'G');
   if (!maze.goal.empty()) mark(maze.start, 2, 'S');
   std::string out;
@@ -66,7 +72,8 @@ std::string write_drawing(const GridMaze& maze) {
 
 std::string write_cell_values(const GridMaze& maze) {
   const int n = maze.width();
-  if (n != maze.height() || n % 2 != 0 || n > 256) fail("cells", "a maze of " + size_of(maze) + ", only squares of even size up to 256");
+  if (n != maze.height() || n % 2 != 0 || n > 256)
+    fail("cells", "a maze of " + size_of(maze) + ", only squares of even size up to 256");
   if (detail::count_openings(maze) != 0) fail("cells", "openings of the border");
   check_unmarked_ends(maze, "cells");
   std::string out = std::to_string(n) + "\n";

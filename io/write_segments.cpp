@@ -53,7 +53,8 @@ void check(const World& world) {
   const auto fail = [](const char* what) { throw InputError("", 0, std::string("segments cannot hold ") + what); };
   if (!world.solids().empty()) fail("solid polygons; use geojson");
   if (world.boundary() == Boundary::walled) fail("floor plans; use geojson");
-  if (world.areas().size() > 1 || !world.areas().front().polygon.holes.empty()) fail("a boundary of several rings; use geojson");
+  if (world.areas().size() > 1 || !world.areas().front().polygon.holes.empty())
+    fail("a boundary of several rings; use geojson");
   if (world.goal().point && !world.goal().room.empty()) fail("both a goal point and a goal room");
 }
 
@@ -63,7 +64,8 @@ std::string write_segments(const World& world, const SegmentsStyle& style) {
   check(world);
   Writer writer(style);
   if (!detail::area_is_implied(world)) {
-    if (world.boundary() == Boundary::open) throw InputError("", 0, "segments cannot hold a world without boundary that is nothing but ends");
+    if (world.boundary() == Boundary::open)
+      throw InputError("", 0, "segments cannot hold a world without boundary that is nothing but ends");
     writer.directive("boundary", world.areas().front().polygon.outer);
   }
   if (!detail::ends_are_implied(world)) {

@@ -39,7 +39,9 @@ void append_point(std::string& out, Point p) {
   out += ")\n";
 }
 
-[[noreturn]] void fail(const char* what) { throw InputError("", 0, std::string("wkt cannot hold ") + what + "; use geojson"); }
+[[noreturn]] void fail(const char* what) {
+  throw InputError("", 0, std::string("wkt cannot hold ") + what + "; use geojson");
+}
 
 void check(const World& world) {
   const bool walled = world.boundary() == Boundary::walled;
@@ -56,7 +58,8 @@ void check(const World& world) {
 std::string write_wkt(const World& world) {
   check(world);
   std::string out;
-  for (const Area& area : world.boundary() == Boundary::walled ? world.areas() : world.solids()) append(out, area.polygon);
+  for (const Area& area : world.boundary() == Boundary::walled ? world.areas() : world.solids())
+    append(out, area.polygon);
   for (const Wall& wall : world.walls()) {
     out += "LINESTRING (";
     append(out, wall.a);

@@ -15,15 +15,16 @@ namespace taut {
 // and line numbers and, in segments, wkt and geojson, the grid.
 
 struct SegmentsStyle {
-  std::string comment;  ///< lines that go in front, each behind `# `
-  Point shift;          ///< added to every coordinate: {0.5, 0.5} puts the cells of a grid at whole numbers, as the homework does
+  std::string comment{};  ///< lines that go in front, each behind `# `
+  Point
+      shift{};  ///< added to every coordinate: {0.5, 0.5} puts the cells of a grid at whole numbers, as the homework does
 };
 
 /// Walls, start, goal, boundary. A boundary or ends that World would imply anyway are left out, so that a maze from opening to opening
 /// is nothing but walls. Cannot hold solids, floor plans (Boundary::walled), several areas or holes.
 std::string write_segments(const World& world, const SegmentsStyle& style = {});
 
-/// Cannot hold a maze without goal, unless its border has exactly two openings and it starts at the bottom left.
+/// Goal cells are read back in order. Cannot hold a maze without goal, unless its border has exactly two openings and it starts at the bottom left.
 std::string write_drawing(const GridMaze& maze);
 
 /// Square mazes of even size 2..256 with a closed border, start (0,0), goal the 2 x 2 room in the middle.

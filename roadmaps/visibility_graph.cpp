@@ -113,19 +113,11 @@ class View {
 
   void from_vertex(const Location& at, std::optional<Point> towards) {
     for (const Tri::Sector& sector : tri_.sectors_at(tri_.triangles[at.triangle][at.index])) {
-      if (towards && !looks_to(sector, *towards)) continue;
+      if (towards && !tri_.looks_to(sector, *towards)) continue;
       const Vertex v = vertex_of_sector_[static_cast<std::size_t>(&sector - tri_.sectors.data())];
       if (v != kNone) row_->push_back(v);
       fan(sector);
     }
-  }
-
-  /// Does the closed sector contain the direction of q?
-  bool looks_to(const Tri::Sector& s, Point q) const {
-    if (s.full) return true;
-    const Point v = tri_.points[s.vertex], right = tri_.points[s.right], left = tri_.points[s.left];
-    const bool after_right = orientation(v, right, q) >= 0, before_left = orientation(v, left, q) <= 0;
-    return s.reflex ? after_right || before_left : after_right && before_left;
   }
 
   /// Every triangle of a sector's fan.

@@ -43,10 +43,10 @@ struct GraphQuery {
 
 struct GraphSearchResult {
   SearchStatus status = SearchStatus::none;
-  Path path;                   ///< when found; consecutive equal points are merged
+  Path path;                   ///< when found; when stopped the best so far, if any. Consecutive equal points are merged
   std::size_t goal = 0;        ///< which goal it ends in, when found
-  std::size_t expanded = 0;    ///< vertices taken from the queue for good, the start included
-  std::size_t generated = 0;   ///< vertices that ever got a length
+  std::size_t expanded = 0;    ///< vertices taken from the queue and looked around from, the start included, goals not
+  std::size_t generated = 0;   ///< vertices that ever got a length, start and goals included
 };
 
 /// The shortest way through the graph, exactly: labels are intervals; two that overlap are compared as the exact sums of
@@ -54,7 +54,9 @@ struct GraphSearchResult {
 /// vertex could still improve the goal, so rounding decides nothing.
 ///  - astar: boost::astar_search_no_init, heuristic: distance to the nearest goal point, rounded down. Early exit.
 ///  - dijkstra: boost::dijkstra_shortest_paths_no_init (early exit as well).
-/// O((V + E) log V) in the part reached; memory O(V).
+/// Among goals equally far, the first of those reached. Precondition: V + goals < 2^32 - 1.
+/// O((V + E) log V) in the part reached, the heuristic O(goals); memory 16 bytes a vertex, touched only in the part reached, and 32 bytes
+/// each time a vertex gets a shorter way.
 GraphSearchResult graph_search(const Roadmap& roadmap, const GraphQuery& query,
                                GraphAlgorithm algorithm = GraphAlgorithm::astar, const SearchLimits& limits = {});
 

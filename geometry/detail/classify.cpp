@@ -1,42 +1,52 @@
 #include <taut/geometry/detail/triangulate.h>
+
+#include <limits>
+
+#include <taut/geometry/errors.h>
 #include <taut/geometry/predicates.h>
 
 namespace taut::detail {
 
 namespace {
 
-constexpr std::uint8_t kUnknown = 2;
+constexpr int kUnknown = std::numeric_limits<int>::min();
 
-/// Does `piece` have its solid on the side of triangle t that lies on its side i?
-bool solid_towards(const Triangulation& tri, std::uint32_t t, int i, const Constraint& piece) {
+/// The change of the winding number from triangle t to beyond its side i.
+int turn_outwards(const Triangulation& tri, std::uint32_t t, int i, const Edge& edge) {
   // Triangle t lies to the left of the side from its corner ccw(i) to its corner cw(i).
-  const bool forward = tri.points[tri.triangles[t][Triangulation::ccw(i)]] == piece.a;
-  return forward ? piece.solid_left : piece.solid_right;
+  return tri.points[tri.triangles[t][Triangulation::ccw(i)]] == edge.a ? -edge.turn : edge.turn;
 }
 
-class Flood {
+/// Spreads winding numbers from the hull inwards.
+class Winding {
  public:
-  Flood(Mesh& mesh, std::span<const Constraint> pieces) : mesh_(mesh), tri_(mesh.triangulation), pieces_(pieces) {}
+  Winding(const Mesh& mesh, std::span<const Edge> edges)
+      : mesh_(mesh), tri_(mesh.triangulation), edges_(edges), winding_(tri_.triangles.size(), kUnknown) {}
 
-  void run() {
-    tri_.free.assign(tri_.triangles.size(), kUnknown);
+  std::vector<std::uint8_t> free_triangles() {
     for (std::uint32_t t = 0; t < tri_.triangles.size(); ++t)
-      for (int i = 0; i < 3; ++i) {
-        const std::uint32_t piece = mesh_.piece_of[3 * t + i];
-        if (piece == kNone || pieces_[piece].is_wall()) continue;
-        set(t, !solid_towards(tri_, t, i, pieces_[piece]));
-        spread();
-      }
-    for (std::uint8_t& f : tri_.free) f = f == 1;
+      for (int i = 0; i < 3; ++i)
+        if (tri_.neighbours[t][i] == kNone) {
+          set(t, 1 - change(t, i));
+          spread();
+        }
+    std::vector<std::uint8_t> free(winding_.size());
+    for (std::size_t t = 0; t < free.size(); ++t) free[t] = winding_[t] == 0;
+    return free;
   }
 
  private:
-  void set(std::uint32_t t, bool free) {
-    if (tri_.free[t] == kUnknown) {
-      tri_.free[t] = free;
+  int change(std::uint32_t t, int i) const {
+    const std::uint32_t edge = mesh_.edge_of[3 * t + i];
+    return edge == kNone ? 0 : turn_outwards(tri_, t, i, edges_[edge]);
+  }
+
+  void set(std::uint32_t t, int winding) {
+    if (winding_[t] == kUnknown) {
+      winding_[t] = winding;
       open_.push_back(t);
-    } else if (tri_.free[t] != static_cast<std::uint8_t>(free)) {
-      throw InputError({}, 0, "the outlines of the obstacles contradict each other");
+    } else if (winding_[t] != winding) {
+      throw InputError({}, 0, "the outlines of the obstacles are not closed");
     }
   }
 
@@ -44,17 +54,15 @@ class Flood {
     while (!open_.empty()) {
       const std::uint32_t t = open_.back();
       open_.pop_back();
-      for (int i = 0; i < 3; ++i) {
-        const std::uint32_t piece = mesh_.piece_of[3 * t + i], n = tri_.neighbours[t][i];
-        if (piece != kNone && !pieces_[piece].is_wall()) set(t, !solid_towards(tri_, t, i, pieces_[piece]));
-        else if (n != kNone) set(n, tri_.free[t]);
-      }
+      for (int i = 0; i < 3; ++i)
+        if (const std::uint32_t n = tri_.neighbours[t][i]; n != kNone) set(n, winding_[t] + change(t, i));
     }
   }
 
-  Mesh& mesh_;
-  Triangulation& tri_;
-  std::span<const Constraint> pieces_;
+  const Mesh& mesh_;
+  const Triangulation& tri_;
+  std::span<const Edge> edges_;
+  std::vector<int> winding_;
   std::vector<std::uint32_t> open_;
 };
 
@@ -116,8 +124,8 @@ void find_sectors(Triangulation& tri) {
 
 }  // namespace
 
-void classify(Mesh& mesh, std::span<const Constraint> pieces) {
-  Flood(mesh, pieces).run();
+void classify(Mesh& mesh, std::span<const Edge> edges) {
+  mesh.triangulation.free = Winding(mesh, edges).free_triangles();
   find_sectors(mesh.triangulation);
 }
 

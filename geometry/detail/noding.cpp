@@ -8,6 +8,7 @@
 
 #include <taut/geometry/detail/box_tree.h>
 #include <taut/geometry/detail/exact.h>
+#include <taut/geometry/errors.h>
 #include <taut/geometry/predicates.h>
 
 namespace taut::detail {
@@ -16,34 +17,34 @@ namespace {
 
 constexpr int kRounds = 32;
 
-Segment segment(const Constraint& c) { return {c.a, c.b}; }
+Segment segment(const Edge& c) { return {c.a, c.b}; }
 
 /// Turned so that a < b.
-Constraint ordered(Constraint c) {
+Edge ordered(Edge c) {
   if (c.b < c.a) {
     std::swap(c.a, c.b);
-    std::swap(c.solid_left, c.solid_right);
+    c.turn = -c.turn;
   }
   return c;
 }
 
-bool axis_parallel(const Constraint& c) { return c.a.x == c.b.x || c.a.y == c.b.y; }
+bool axis_parallel(const Edge& c) { return c.a.x == c.b.x || c.a.y == c.b.y; }
 
 /// Walls on one axis-parallel line that overlap or touch become one. Precondition: ordered.
-std::vector<Constraint> merge_runs(std::vector<Constraint> pieces) {
-  const auto is_straight_wall = [](const Constraint& c) { return c.is_wall() && axis_parallel(c); };
+std::vector<Edge> merge_runs(std::vector<Edge> pieces) {
+  const auto is_straight_wall = [](const Edge& c) { return c.turn == 0 && axis_parallel(c); };
   const auto straight = std::partition(pieces.begin(), pieces.end(), is_straight_wall);
-  const auto key = [](const Constraint& c) {
+  const auto key = [](const Edge& c) {
     const bool vertical = c.a.x == c.b.x;
     return vertical ? std::tuple(true, c.a.x, c.a.y, c.wall) : std::tuple(false, c.a.y, c.a.x, c.wall);
   };
   std::sort(pieces.begin(), straight, [&](const auto& c, const auto& d) { return key(c) < key(d); });
-  std::vector<Constraint> merged;
+  std::vector<Edge> merged;
   merged.reserve(pieces.size());
   for (auto c = pieces.begin(); c != straight; ++c) {
     const bool vertical = c->a.x == c->b.x;
     if (!merged.empty()) {
-      Constraint& run = merged.back();
+      Edge& run = merged.back();
       const bool same_line = vertical ? run.a.x == c->a.x && run.b.x == c->a.x : run.a.y == c->a.y && run.b.y == c->a.y;
       if (same_line && (vertical ? c->a.y <= run.b.y : c->a.x <= run.b.x)) {
         run.b = std::max(run.b, c->b);
@@ -57,28 +58,29 @@ std::vector<Constraint> merge_runs(std::vector<Constraint> pieces) {
 }
 
 /// Equal pieces become one.
-std::vector<Constraint> unite_equal(std::vector<Constraint> pieces) {
-  std::sort(pieces.begin(), pieces.end(), [](const Constraint& c, const Constraint& d) {
+std::vector<Edge> unite_equal(std::vector<Edge> pieces) {
+  std::sort(pieces.begin(), pieces.end(), [](const Edge& c, const Edge& d) {
     return std::tie(c.a, c.b, c.wall) < std::tie(d.a, d.b, d.wall);
   });
-  std::vector<Constraint> united;
+  std::vector<Edge> united;
   united.reserve(pieces.size());
-  for (const Constraint& c : pieces) {
+  for (const Edge& c : pieces) {
     if (!united.empty() && united.back().a == c.a && united.back().b == c.b) {
-      united.back().solid_left |= c.solid_left;
-      united.back().solid_right |= c.solid_right;
+      united.back().turn += c.turn;
     } else {
       united.push_back(c);
     }
   }
-  std::erase_if(united, [](const Constraint& c) { return c.solid_left && c.solid_right; });
   return united;
 }
 
 /// One round of splitting.
 class Splitting {
  public:
-  Splitting(const std::vector<Constraint>& pieces, Noded& log) : pieces_(pieces), cuts_(), log_(log) {}
+  Splitting(const std::vector<Edge>& pieces, Noded& log) : pieces_(pieces), cuts_(), log_(log) {}
+
+  /// Was a crossing no pair of doubles? Then the pieces have moved and may meet anew.
+  bool rounded() const { return rounded_; }
 
   /// Finds all contacts; false when there is none.
   bool find() {
@@ -92,16 +94,16 @@ class Splitting {
     return !cuts_.empty();
   }
 
-  std::vector<Constraint> split() {
+  std::vector<Edge> split() {
     std::sort(cuts_.begin(), cuts_.end(), [&](const Cut& c, const Cut& d) {
       return c.first != d.first ? c.first < d.first : along(c) < along(d);
     });
     cuts_.erase(std::unique(cuts_.begin(), cuts_.end()), cuts_.end());
-    std::vector<Constraint> result;
+    std::vector<Edge> result;
     result.reserve(pieces_.size() + cuts_.size());
     auto cut = cuts_.begin();
     for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-      Constraint rest = pieces_[i];
+      Edge rest = pieces_[i];
       for (; cut != cuts_.end() && cut->first == i; ++cut) emit(result, rest, cut->second);
       emit(result, rest, pieces_[i].b);
     }
@@ -111,8 +113,8 @@ class Splitting {
  private:
   using Cut = std::pair<std::uint32_t, Point>;  // which piece, where
 
-  static void emit(std::vector<Constraint>& result, Constraint& rest, Point end) {
-    Constraint c = rest;
+  static void emit(std::vector<Edge>& result, Edge& rest, Point end) {
+    Edge c = rest;
     c.b = end;
     if (c.a != c.b) result.push_back(ordered(c));
     rest.a = end;
@@ -120,7 +122,7 @@ class Splitting {
 
   /// A key that grows along the piece; rounding to nearest keeps its order.
   std::pair<double, double> along(const Cut& cut) const {
-    const Constraint& c = pieces_[cut.first];
+    const Edge& c = pieces_[cut.first];
     const double dx = c.b.x - c.a.x, dy = c.b.y - c.a.y;
     if (std::abs(dx) >= std::abs(dy)) return {cut.second.x, cut.second.y};
     return dy > 0 ? std::pair(cut.second.y, cut.second.x) : std::pair(-cut.second.y, cut.second.x);
@@ -131,7 +133,7 @@ class Splitting {
   }
 
   void meet(std::uint32_t i, std::uint32_t j) {
-    const Constraint &s = pieces_[i], &t = pieces_[j];
+    const Edge &s = pieces_[i], &t = pieces_[j];
     const int o1 = orientation(s.a, s.b, t.a), o2 = orientation(s.a, s.b, t.b);
     if (o1 * o2 > 0) return;
     const int o3 = orientation(t.a, t.b, s.a), o4 = orientation(t.a, t.b, s.b);
@@ -154,44 +156,45 @@ class Splitting {
     cut(j, p);
   }
 
-  Point crossing(const Constraint& s, const Constraint& t) {
+  Point crossing(const Edge& s, const Edge& t) {
     ++log_.crossings;
     if (s.a.x == s.b.x && t.a.y == t.b.y) return {s.a.x, t.a.y};
     if (t.a.x == t.b.x && s.a.y == s.b.y) return {t.a.x, s.a.y};
     const ExactPoint exact = line_crossing(segment(s), segment(t));
-    const Point p = rounded(exact, s, t);
+    const Point p = round(exact, s, t);
+    rounded_ |= !(ExactPoint(p) == exact);
     log_.displacement = std::max(log_.displacement, detail::displacement(exact, p));
     return p;
   }
 
-  static Point rounded(const ExactPoint& exact, const Constraint& s, const Constraint& t) {
+  static Point round(const ExactPoint& exact, const Edge& s, const Edge& t) {
     std::vector<Segment> outlines;
-    for (const Constraint* c : {&s, &t}) {
-      if (c->solid_left) outlines.push_back({c->a, c->b});
-      if (c->solid_right) outlines.push_back({c->b, c->a});
-    }
+    for (const Edge& c : {s, t})
+      if (c.turn != 0) outlines.push_back(c.turn > 0 ? segment(c) : Segment{c.b, c.a});
     return outlines.empty() ? nearest_point(exact) : round_outward(exact, outlines);
   }
 
-  const std::vector<Constraint>& pieces_;
+  const std::vector<Edge>& pieces_;
   std::vector<Cut> cuts_;
   Noded& log_;
+  bool rounded_ = false;
 };
 
 }  // namespace
 
-Noded node(std::vector<Constraint> segments) {
+Noded node(std::vector<Edge> edges) {
   Noded result;
-  std::erase_if(segments, [](const Constraint& c) { return c.a == c.b; });
-  for (Constraint& c : segments) c = ordered(c);
-  std::vector<Constraint> pieces = unite_equal(merge_runs(std::move(segments)));
+  std::erase_if(edges, [](const Edge& c) { return c.a == c.b; });
+  for (Edge& c : edges) c = ordered(c);
+  std::vector<Edge> pieces = unite_equal(merge_runs(std::move(edges)));
   for (int round = 0; round < kRounds; ++round) {
     Splitting splitting(pieces, result);
-    if (!splitting.find()) {
-      result.pieces = std::move(pieces);
+    const bool contacts = splitting.find();
+    if (contacts) pieces = unite_equal(splitting.split());
+    if (!contacts || !splitting.rounded()) {
+      result.edges = std::move(pieces);
       return result;
     }
-    pieces = unite_equal(splitting.split());
   }
   throw InputError({}, 0, "walls meet at angles too sharp for double coordinates");
 }

@@ -2,26 +2,35 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
-#include <taut/geometry/free_space.h>
+#include <taut/geometry/point.h>
+#include <taut/geometry/triangulation.h>
 
 namespace taut::detail {
 
+/// A directed segment and what changes across it.
+struct Edge {
+  Point a;
+  Point b;
+  int turn = 0;                ///< winding number to the left minus to the right; 0: a wall
+  std::uint32_t wall = kNone;  ///< the World wall it came from
+};
+
 /// Segments that meet only at end points, and what it took.
 struct Noded {
-  std::vector<Constraint> pieces;  ///< ordered by (a, b)
+  std::vector<Edge> edges;         ///< ordered by (a, b), a < b
   std::size_t crossings = 0;       ///< points constructed
   double displacement = 0;         ///< the largest distance of one from its exact place
 };
 
-/// Splits walls and outlines wherever they cross, touch or overlap; pieces on one another become one (an outline
-/// wins over a wall, two outlines with their solids on both sides vanish).
+/// Splits edges wherever they cross, touch or overlap; of edges on one another the turns are added up.
 ///
-/// A crossing is constructed exactly, then rounded: to the nearest doubles between walls, to the free side of an
-/// outline. Rounding can make pieces meet anew; the splitting is repeated until nothing meets. Walls on one axis-parallel
-/// line are merged first into maximal runs. O((n + k) log n), n segments with k contacts.
-/// Throws InputError when 32 rounds are not enough.
-Noded node(std::vector<Constraint> segments);
+/// A crossing is constructed exactly, then rounded: to the nearest doubles between walls, else to the side of lower winding numbers.
+/// Rounding can make edges meet anew; the splitting is repeated until nothing meets. Closed chains stay closed, so winding
+/// numbers stay defined. Walls on one axis-parallel line are merged first into maximal runs. O((n + k) log n), n edges
+/// with k contacts. Throws InputError when 32 rounds are not enough.
+Noded node(std::vector<Edge> edges);
 
 }  // namespace taut::detail

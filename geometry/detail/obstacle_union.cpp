@@ -143,7 +143,7 @@ class Union {
     outline_.crossings = crossings_.size();
     for (const Stretch& s : stretches_)
       if (s.from != s.to && within_.contains(s.from) && within_.contains(s.to))
-        outline_.edges.push_back({s.from, s.to, true, false, s.wall});
+        outline_.edges.push_back({s.from, s.to, 1, s.wall});
     return std::move(outline_);
   }
 
@@ -191,19 +191,23 @@ class Union {
 
   void await(ExactPoint place, bool leaves) { crossings_[std::move(place)].push_back({stretches_.size() - 1, leaves}); }
 
-  /// Rounds a crossing, once for each free wedge at it.
+  /// Places a crossing: exactly, or rounded once for each free wedge at it.
   void settle(const ExactPoint& place, const std::vector<Incidence>& incidences) {
+    if (const auto p = exactly(place)) {
+      for (const Incidence& i : incidences) end_of(i) = *p;
+      return;
+    }
     for (const Incidence& out : incidences) {
       if (!out.leaves) continue;
-      const Incidence* in = partner(out, incidences);
-      const Segment edges[] = {stretches_[in ? in->stretch : out.stretch].side, stretches_[out.stretch].side};
-      const std::optional<Point> same = exactly(place);
-      const Point p = same ? *same : round_outward(place, edges);
+      const Incidence& in = partner(out, incidences);
+      const Segment edges[] = {stretches_[in.stretch].side, stretches_[out.stretch].side};
+      const Point p = round_outward(place, edges);
       outline_.displacement = std::max(outline_.displacement, displacement(place, p));
-      stretches_[out.stretch].from = p;
-      if (in) stretches_[in->stretch].to = p;
+      end_of(in) = end_of(out) = p;
     }
   }
+
+  Point& end_of(const Incidence& i) { return i.leaves ? stretches_[i.stretch].from : stretches_[i.stretch].to; }
 
   static std::optional<Point> exactly(const ExactPoint& place) {
     const Point p = nearest_point(place);
@@ -211,12 +215,13 @@ class Union {
     return std::nullopt;
   }
 
-  /// The stretch that arrives on the other side of the free wedge to the right of `out`.
-  const Incidence* partner(const Incidence& out, const std::vector<Incidence>& incidences) const {
+  /// The stretch that arrives on the other side of the free wedge to the right of `out`. At a place that is no pair of doubles as many
+  /// stretches arrive as leave: all of them end in crossings.
+  const Incidence& partner(const Incidence& out, const std::vector<Incidence>& incidences) const {
     const Incidence* best = nullptr;
     for (const Incidence& in : incidences)
       if (!in.leaves && (!best || nearer_clockwise(out, in, *best))) best = &in;
-    return best;
+    return *best;
   }
 
   /// Is the ray back along c met before that along d, turning clockwise from the ray along `out`?
@@ -243,7 +248,7 @@ class Union {
 };
 
 /// Joins collinear neighbours where nothing else meets.
-std::vector<Constraint> join_collinear(const std::vector<Constraint>& edges) {
+std::vector<Edge> join_collinear(const std::vector<Edge>& edges) {
   std::vector<std::uint32_t> by_start(edges.size()), by_end(edges.size());
   for (std::uint32_t i = 0; i < edges.size(); ++i) by_start[i] = by_end[i] = i;
   std::sort(by_start.begin(), by_start.end(), [&](auto i, auto j) { return edges[i].a < edges[j].a; });
@@ -260,10 +265,10 @@ std::vector<Constraint> join_collinear(const std::vector<Constraint>& edges) {
     following[by_end[e]] = by_start[s];
     continues[by_start[s]] = true;
   }
-  std::vector<Constraint> joined;
+  std::vector<Edge> joined;
   for (std::uint32_t i = 0; i < edges.size(); ++i) {
     if (continues[i]) continue;
-    Constraint c = edges[i];
+    Edge c = edges[i];
     for (std::uint32_t next = following[i]; next != kNone; next = following[next]) c.b = edges[next].b;
     joined.push_back(c);
   }

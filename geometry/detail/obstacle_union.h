@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <taut/geometry/free_space.h>
+#include <taut/geometry/detail/noding.h>
 #include <taut/geometry/point.h>
 
 namespace taut::detail {
@@ -16,7 +16,7 @@ struct ConvexPiece {
 };
 
 struct Outline {
-  std::vector<Constraint> edges;  ///< each with its solid on the left; collinear neighbours joined
+  std::vector<Edge> edges;    ///< turn 1: the solid to the left; collinear neighbours joined
   std::size_t crossings = 0;      ///< points constructed and rounded
   double displacement = 0;        ///< the largest distance of one from its exact place
 };

@@ -10,8 +10,8 @@ namespace taut::detail {
 
 namespace {
 
-void add_ring(const Ring& ring, bool solid_right, std::vector<Constraint>& edges) {
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) edges.push_back({ring[j], ring[i], false, solid_right, kNone});
+void add_ring(const Ring& ring, int turn, std::vector<Edge>& edges) {
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) edges.push_back({ring[j], ring[i], turn, kNone});
 }
 
 bool contains(const Polygon& polygon, Point p) {
@@ -19,11 +19,11 @@ bool contains(const Polygon& polygon, Point p) {
          std::none_of(polygon.holes.begin(), polygon.holes.end(), [p](const Ring& hole) { return side_of_ring(p, hole) >= 0; });
 }
 
-/// The parts of a triangulation that no piece divides, told apart by one point each.
+/// The parts of a triangulation that no edge divides, told apart by one point each.
 class Regions {
  public:
-  Regions(const Mesh& mesh, std::span<const Polygon* const> polygons)
-      : mesh_(mesh), tri_(mesh.triangulation), polygons_(polygons), covered_(tri_.triangles.size(), false) {
+  Regions(const Triangulation& tri, std::span<const Polygon* const> polygons)
+      : tri_(tri), polygons_(polygons), covered_(tri_.triangles.size(), false) {
     std::vector<bool> seen(tri_.triangles.size(), false);
     for (std::uint32_t t = 0; t < tri_.triangles.size(); ++t)
       if (!seen[t]) decide(region_of(t, seen));
@@ -67,22 +67,21 @@ class Regions {
     // No triangle has a point with double coordinates in it: nobody can be there, and it counts as not covered.
   }
 
-  const Mesh& mesh_;
   const Triangulation& tri_;
   std::span<const Polygon* const> polygons_;
   std::vector<bool> covered_;
 };
 
 PolygonTriangles triangles_of(std::span<const Polygon* const> polygons, const Box* frame) {
-  std::vector<Constraint> edges;
+  std::vector<Edge> edges;
   for (const Polygon* polygon : polygons) {
-    add_ring(polygon->outer, true, edges);
-    for (const Ring& hole : polygon->holes) add_ring(hole, true, edges);
+    add_ring(polygon->outer, -1, edges);
+    for (const Ring& hole : polygon->holes) add_ring(hole, -1, edges);
   }
-  if (frame) add_ring({frame->min, {frame->max.x, frame->min.y}, frame->max, {frame->min.x, frame->max.y}}, false, edges);
+  if (frame) add_ring({frame->min, {frame->max.x, frame->min.y}, frame->max, {frame->min.x, frame->max.y}}, 0, edges);
   const Noded noded = node(std::move(edges));
-  const Mesh mesh = triangulate(noded.pieces);
-  PolygonTriangles result = Regions(mesh, polygons).select(frame == nullptr);
+  const Mesh mesh = triangulate(noded.edges);
+  PolygonTriangles result = Regions(mesh.triangulation, polygons).select(frame == nullptr);
   result.displacement = noded.displacement;
   return result;
 }

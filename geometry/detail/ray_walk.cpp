@@ -15,34 +15,34 @@ bool RayWalk::ahead(Point from, Point x) const {
 
 bool RayWalk::ends_by(Point x) const { return bounded_ && !ahead(x, q_); }
 
-RayWalk::End RayWalk::start(const Location& at) {
+RayWalk::End RayWalk::start(const Location& at, std::optional<Point> towards) {
   switch (at.kind) {
-    case Location::Kind::outside: return End::blocked;
-    case Location::Kind::vertex: {
-      const std::uint32_t v = tri_.triangles[at.triangle][at.index];
-      const auto here = tri_.sectors_at(v);
-      // All sectors are open to a path that starts here; the direction lies in one, or along the side between two.
-      Stand found;
-      End end = End::blocked;
-      for (const auto& sector : here) {
-        Stand next;
-        const auto result = leave_sector(static_cast<std::uint32_t>(&sector - tri_.sectors.data()), next);
-        if (!result) continue;
-        if (*result != End::vertex) {
-          if (*result == End::reached) return End::reached;
-          continue;
-        }
-        end = End::vertex;
-        if (found.vertex == kNone) found = next;
-        else found.sectors[1] = next.sectors[0];
-      }
-      stand_ = found;
-      return end;
-    }
-    case Location::Kind::side: return along_side(at.triangle, at.index);
+    case Location::Kind::outside: break;
+    case Location::Kind::vertex: return from_vertex(tri_.triangles[at.triangle][at.index], towards);
+    case Location::Kind::side: return from_side(at.triangle, at.index, towards);
     case Location::Kind::triangle: return in_triangle(at.triangle);
   }
   return End::blocked;
+}
+
+/// All sectors are open to a path that starts here; the direction lies in one, or along the side between two.
+RayWalk::End RayWalk::from_vertex(std::uint32_t v, std::optional<Point> towards) {
+  Stand found;
+  for (const Tri::Sector& sector : tri_.sectors_at(v)) {
+    Stand next;
+    if (towards && !tri_.looks_to(sector, *towards)) continue;
+    const auto end = leave_sector(static_cast<std::uint32_t>(&sector - tri_.sectors.data()), next);
+    if (end == End::reached) return End::reached;
+    if (end == End::vertex) join(found, next);
+  }
+  stand_ = found;
+  return found.vertex == kNone ? End::blocked : End::vertex;
+}
+
+/// Two ways to one vertex.
+void RayWalk::join(Stand& found, const Stand& next) {
+  if (found.vertex == kNone) found = next;
+  else if (found.sectors[0] != next.sectors[0]) found.sectors[1] = next.sectors[0];
 }
 
 /// From p in the closed triangle t.
@@ -62,16 +62,19 @@ RayWalk::End RayWalk::in_triangle(std::uint32_t t) {
 }
 
 /// From p on a constrained side, which has a free triangle on one or both sides.
-RayWalk::End RayWalk::along_side(std::uint32_t t, int i) {
+RayWalk::End RayWalk::from_side(std::uint32_t t, int i, std::optional<Point> towards) {
   const std::uint32_t n = tri_.neighbours[t][i];
-  const bool both = n != kNone && tri_.free[n];
   const Point a = corner(t, Tri::ccw(i)), b = corner(t, Tri::cw(i));
-  const int turn = orientation(a, b, q_);
-  if (turn > 0) return in_triangle(t);
-  if (turn < 0) return both ? in_triangle(n) : End::blocked;
-  const int forward = ahead(p_, b) ? Tri::cw(i) : Tri::ccw(i);
-  const End end = arrive(t, forward);
-  if (end == End::vertex && both) stand_.sectors[1] = tri_.sector_of[3 * n + tri_.corner(n, stand_.vertex)];
+  const int wanted = towards ? orientation(a, b, *towards) : 0, turn = orientation(a, b, q_);
+  const bool here = wanted >= 0, there = wanted <= 0 && n != kNone && tri_.free[n];
+  if (turn > 0) return here ? in_triangle(t) : End::blocked;
+  if (turn < 0) return there ? in_triangle(n) : End::blocked;
+  if (!here && !there) return End::blocked;
+  const End end = arrive(t, ahead(p_, b) ? Tri::cw(i) : Tri::ccw(i));
+  if (end != End::vertex || !there) return end;
+  const std::uint32_t beyond = tri_.sector_of[3 * n + tri_.corner(n, stand_.vertex)];
+  if (here) stand_.sectors[1] = beyond;
+  else stand_.sectors[0] = beyond;
   return end;
 }
 
@@ -125,12 +128,10 @@ RayWalk::End RayWalk::next() {
   Stand found;
   for (const std::uint32_t sector : from.sectors) {
     if (sector == kNone) continue;
-    Stand reached;
-    const auto end = leave_sector(sector, reached);
-    if (!end || *end == End::blocked) continue;
-    if (*end == End::reached) return End::reached;
-    if (found.vertex == kNone) found = reached;
-    else if (found.sectors[0] != reached.sectors[0]) found.sectors[1] = reached.sectors[0];
+    Stand next;
+    const auto end = leave_sector(sector, next);
+    if (end == End::reached) return End::reached;
+    if (end == End::vertex) join(found, next);
   }
   stand_ = found;
   return found.vertex == kNone ? End::blocked : End::vertex;

@@ -24,8 +24,9 @@ class RayWalk {
   /// `bounded`: the walk ends at q; else it goes on until it is blocked. Precondition: p != q.
   RayWalk(const Triangulation& tri, Point p, Point q, bool bounded) : tri_(tri), p_(p), q_(q), bounded_(bounded) {}
 
-  /// From p, which lies at `at`, to the first vertex on the way, q, or what blocks.
-  End start(const Location& at);
+  /// From p, which lies at `at`, to the first vertex on the way, q, or what blocks. With `towards`, only through the
+  /// surroundings of p that look to it.
+  End start(const Location& at, std::optional<Point> towards = std::nullopt);
   /// From the vertex where the walk stands to the next one.
   End next();
   /// Puts the walk at a vertex on its ray.
@@ -42,7 +43,9 @@ class RayWalk {
   End in_triangle(std::uint32_t t);
   End through(std::uint32_t t, int side);
   End arrive(std::uint32_t t, int corner);
-  End along_side(std::uint32_t t, int side);
+  End from_side(std::uint32_t t, int side, std::optional<Point> towards);
+  End from_vertex(std::uint32_t v, std::optional<Point> towards);
+  static void join(Stand& found, const Stand& next);
   std::optional<End> leave_sector(std::uint32_t sector, Stand& next);
 
   const Triangulation& tri_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include <taut/geometry/length.h>
 #include <taut/geometry/point.h>
 
 namespace taut::detail {
@@ -23,17 +24,19 @@ inline Pair two_sum(double a, double b) {
   return {sum, (a - (sum - part)) + (b - part)};
 }
 
-/// a * b, exactly while nothing underflows and |a|, |b| < 2^995 (Dekker, Veltkamp; or one fused operation).
+/// The upper 26 bits of v; the rest, v - upper_half(v), has 26 as well (Veltkamp). Precondition: |v| < 2^995.
+inline double upper_half(double v) {
+  const double c = 134217729.0 * v;
+  return c - (c - v);
+}
+
+/// a * b, exactly while nothing underflows and |a|, |b| < 2^995 (Dekker; or one fused operation).
 inline Pair two_product(double a, double b) {
   const double product = a * b;
 #if defined(__FMA__) || defined(__ARM_FEATURE_FMA)
   return {product, std::fma(a, b, -product)};
 #else
-  const auto upper = [](double x) {
-    const double c = 134217729.0 * x;
-    return c - (c - x);
-  };
-  const double ah = upper(a), al = a - ah, bh = upper(b), bl = b - bh;
+  const double ah = upper_half(a), al = a - ah, bh = upper_half(b), bl = b - bh;
   return {product, ((ah * bh - product) + ah * bl + al * bh) + al * bl};
 #endif
 }
@@ -73,16 +76,32 @@ inline Pair absolute_difference(double a, double b) {
 
 inline Square square_of(Pair dx, Pair dy) {
   Square s{.dx = dx, .dy = dy};
-  const Pair xx = two_product(s.dx.high, s.dx.high), yy = two_product(s.dy.high, s.dy.high);
-  const Pair sum = two_sum(xx.high, yy.high);
+  const double xx = dx.high * dx.high, yy = dy.high * dy.high;
+  const Pair sum = two_sum(xx, yy);
   s.sum = sum.high;
-  s.low = sum.low + (xx.low + yy.low) + 2 * (s.dx.high * s.dx.low + s.dy.high * s.dy.low);
-  s.exact = sum.low == 0 && xx.low == 0 && yy.low == 0 && s.dx.low == 0 && s.dy.low == 0;
+  s.low = sum.low;
+  // Differences of 26 bits, as on every grid, have exact squares.
+  const bool is_short = upper_half(dx.high) == dx.high && upper_half(dy.high) == dy.high && dx.low == 0 && dy.low == 0;
+  if (!is_short) {
+    const double xx_low = two_product(dx.high, dx.high).low, yy_low = two_product(dy.high, dy.high).low;
+    s.low += (xx_low + yy_low) + 2 * (dx.high * dx.low + dy.high * dy.low);
+    s.exact = sum.low == 0 && xx_low == 0 && yy_low == 0 && dx.low == 0 && dy.low == 0;
+  } else {
+    s.exact = sum.low == 0;
+  }
   return s;
 }
 
 /// Is the length itself |x1 - x2| or |y1 - y2|?
 inline bool is_axis_parallel(const Square& s) { return s.dx.high == 0 || s.dy.high == 0; }
+
+/// The root of an exact square: itself, or two neighbours. A rounded root errs on the side its own square tells.
+inline Interval enclose_root(double square) {
+  const double r = std::sqrt(square);
+  const Pair back = two_product(r, r);
+  const double rest = (square - back.high) - back.low;
+  return {step_down(r, rest < 0), step_up(r, rest > 0)};
+}
 
 /// A length: high + low, off by at most kRootError * high; `exact` says that it is this sum itself.
 struct Root {

@@ -40,19 +40,24 @@ class PairSum {
     const Pair sum = two_sum(high_, high.high);
     high_ = sum.high;
     magnitude_ += std::abs(high.high);
+    ++terms_;
     exact_ = exact_ && root.exact && low.low == 0;
     add_low(sum.low);
     add_low(high.low);
     add_low(low.high);
   }
 
-  /// Each of n terms is off by 2^-98 of itself; each of 3n small additions by u * 2n * u of the magnitude.
-  std::optional<int> sign(double n) const {
-    const double sum = high_ + low_;
-    if (exact_) return (sum > 0) - (sum < 0);
-    const double bound = magnitude_ * (0x1p-96 + n * n * 0x1p-102);
-    if (sum > bound) return 1;
-    if (-sum > bound) return -1;
+  std::optional<int> sign() const {
+    const double sum = high_ + low_, bound = error();
+    if (sum > bound || (exact_ && sum > 0)) return 1;
+    if (-sum > bound || (exact_ && sum < 0)) return -1;
+    return exact_ ? std::optional(0) : std::nullopt;
+  }
+
+  std::optional<double> nearest() const {
+    const double sum = high_ + low_, rest = (high_ - sum) + low_, bound = error();
+    // Rounding is monotone: where both ends of the enclosure round to the same double, so does what is between them.
+    if (exact_ || (sum + (rest + bound) == sum && sum + (rest - bound) == sum)) return sum;
     return std::nullopt;
   }
 
@@ -63,9 +68,21 @@ class PairSum {
     exact_ = exact_ && sum.low == 0;
   }
 
-  double high_ = 0, low_ = 0, magnitude_ = 0;
+  /// Each of n terms is off by 2^-98 of itself; each of 3n small additions by u * 3n * u of the magnitude.
+  double error() const { return exact_ ? 0 : magnitude_ * (0x1p-95 + terms_ * terms_ * 0x1p-101); }
+
+  double high_ = 0, low_ = 0, magnitude_ = 0, terms_ = 0;
   bool exact_ = true;
 };
+
+std::optional<PairSum> pair_sum(std::span<const RootTerm> terms) {
+  PairSum sum;
+  for (const RootTerm& t : terms) {
+    if (!is_regular(t.square)) return std::nullopt;
+    sum.add(t.square.exact ? root_of(t.square.sum, 0, true) : root_of(t.square), t.count);
+  }
+  return sum;
+}
 
 /// odd * 2^exponent, odd below 2^53: an exact square.
 struct SmallSquare {
@@ -170,17 +187,21 @@ int RootSum::sign() const {
   return sign_by_big_numbers(terms());
 }
 
-double RootSum::nearest() const { return nearest_by_big_numbers(terms()); }
+double RootSum::nearest() const {
+  if (const auto value = nearest_by_pairs(terms())) return *value;
+  return nearest_by_big_numbers(terms());
+}
 
 std::string RootSum::decimals(int places) const { return decimals_by_big_numbers(terms(), places); }
 
 std::optional<int> sign_by_pairs(std::span<const RootTerm> terms) {
-  PairSum sum;
-  for (const RootTerm& t : terms) {
-    if (!is_regular(t.square)) return std::nullopt;
-    sum.add(t.square.exact ? root_of(t.square.sum, 0, true) : root_of(t.square), t.count);
-  }
-  return sum.sign(static_cast<double>(terms.size()));
+  const auto sum = pair_sum(terms);
+  return sum ? sum->sign() : std::nullopt;
+}
+
+std::optional<double> nearest_by_pairs(std::span<const RootTerm> terms) {
+  const auto sum = pair_sum(terms);
+  return sum ? sum->nearest() : std::nullopt;
 }
 
 std::optional<int> sign_by_small_classes(std::span<const RootTerm> terms) {

@@ -58,8 +58,9 @@ class RootSum {
   std::size_t last_ = 0;
 };
 
-/// The sign by double-double arithmetic, where that is proof.
+/// By double-double arithmetic, where that is proof.
 std::optional<int> sign_by_pairs(std::span<const RootTerm> terms);
+std::optional<double> nearest_by_pairs(std::span<const RootTerm> terms);
 
 /// The sign by classes in 64-bit integers: 0 when all cancel, +1 or -1 when all that are left agree. Nothing when squares are not exact, numbers
 /// grow too large, or classes of both signs are left.

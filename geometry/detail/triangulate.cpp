@@ -57,11 +57,11 @@ struct LatticeTraits : Epick {
   static std::int64_t integer(double x) { return static_cast<std::int64_t>(x); }
 };
 
-/// The distinct ends of the pieces along a Hilbert curve, so that what is near in the plane is near in memory.
-std::vector<Point> ends_of(std::span<const Constraint> pieces) {
+/// The distinct ends of the edges along a Hilbert curve, so that what is near in the plane is near in memory.
+std::vector<Point> ends_of(std::span<const Edge> edges) {
   std::vector<Point> points;
-  points.reserve(2 * pieces.size());
-  for (const Constraint& c : pieces) points.insert(points.end(), {c.a, c.b});
+  points.reserve(2 * edges.size());
+  for (const Edge& c : edges) points.insert(points.end(), {c.a, c.b});
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   std::vector<std::pair<Epick::Point_2, std::size_t>> order(points.size());
@@ -75,16 +75,16 @@ std::vector<Point> ends_of(std::span<const Constraint> pieces) {
 
 using Ends = std::pair<std::uint32_t, std::uint32_t>;
 
-/// The pieces as pairs of point indices.
-std::vector<Ends> index_pairs(std::span<const Constraint> pieces, std::span<const Point> points) {
+/// The edges as pairs of point indices.
+std::vector<Ends> index_pairs(std::span<const Edge> edges, std::span<const Point> points) {
   std::vector<std::uint32_t> by_place(points.size());
   for (std::uint32_t i = 0; i < points.size(); ++i) by_place[i] = i;
   std::sort(by_place.begin(), by_place.end(), [&](auto i, auto j) { return points[i] < points[j]; });
   const auto index = [&](Point p) {
     return *std::lower_bound(by_place.begin(), by_place.end(), p, [&](auto i, Point q) { return points[i] < q; });
   };
-  std::vector<Ends> pairs(pieces.size());
-  for (std::size_t i = 0; i < pieces.size(); ++i) pairs[i] = {index(pieces[i].a), index(pieces[i].b)};
+  std::vector<Ends> pairs(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) pairs[i] = {index(edges[i].a), index(edges[i].b)};
   return pairs;
 }
 
@@ -120,26 +120,26 @@ void triangulate_with(Triangulation& out, std::span<const Ends> pairs, double sc
   }
 }
 
-/// Which piece runs along each constrained side.
-std::vector<std::uint32_t> pieces_along_sides(const Triangulation& tri, std::span<const Ends> pairs) {
+/// Which edge runs along each constrained side.
+std::vector<std::uint32_t> edges_along_sides(const Triangulation& tri, std::span<const Ends> pairs) {
   std::vector<std::uint32_t> first(tri.points.size() + 1, 0);
   for (const auto& [a, b] : pairs) ++first[std::min(a, b) + 1];
   for (std::size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> rows(pairs.size());  // the other end, the piece
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> rows(pairs.size());  // the other end, the edge
   auto next = first;
   for (std::uint32_t i = 0; i < pairs.size(); ++i) {
     const auto [low, high] = std::minmax(pairs[i].first, pairs[i].second);
     rows[next[low]++] = {high, i};
   }
-  std::vector<std::uint32_t> piece_of(3 * tri.triangles.size(), kNone);
+  std::vector<std::uint32_t> edge_of(3 * tri.triangles.size(), kNone);
   for (std::uint32_t t = 0; t < tri.triangles.size(); ++t)
     for (int i = 0; i < 3; ++i) {
       if (!tri.is_constrained(t, i)) continue;
       const auto [low, high] = std::minmax(tri.triangles[t][Triangulation::ccw(i)], tri.triangles[t][Triangulation::cw(i)]);
       for (auto row = first[low]; row != first[low + 1]; ++row)
-        if (rows[row].first == high) piece_of[3 * t + i] = rows[row].second;
+        if (rows[row].first == high) edge_of[3 * t + i] = rows[row].second;
     }
-  return piece_of;
+  return edge_of;
 }
 
 }  // namespace
@@ -160,11 +160,11 @@ std::optional<int> lattice_scale(std::span<const Point> points) {
   return -lowest;
 }
 
-Mesh triangulate(std::span<const Constraint> pieces) {
+Mesh triangulate(std::span<const Edge> edges) {
   Mesh mesh;
   Triangulation& tri = mesh.triangulation;
-  tri.points = ends_of(pieces);
-  const std::vector<Ends> pairs = index_pairs(pieces, tri.points);
+  tri.points = ends_of(edges);
+  const std::vector<Ends> pairs = index_pairs(edges, tri.points);
   if (const auto scale = lattice_scale(tri.points)) {
     tri.lattice_scale = *scale;
     tri.lattice.resize(tri.points.size());
@@ -175,7 +175,7 @@ Mesh triangulate(std::span<const Constraint> pieces) {
   } else {
     triangulate_with<Epick>(tri, pairs, 1.0);
   }
-  mesh.piece_of = pieces_along_sides(tri, pairs);
+  mesh.edge_of = edges_along_sides(tri, pairs);
   return mesh;
 }
 

@@ -1,28 +1,29 @@
-// From pieces that meet only at end points to the flat triangulation.
+// From edges that meet only at end points to the flat triangulation.
 #pragma once
 
+#include <optional>
 #include <span>
 
-#include <taut/geometry/free_space.h>
+#include <taut/geometry/detail/noding.h>
 #include <taut/geometry/triangulation.h>
 
 namespace taut::detail {
 
-/// A constrained Delaunay triangulation with its winding numbers, before free and solid are told apart.
+/// A constrained Delaunay triangulation before free and solid are told apart.
 struct Mesh {
   Triangulation triangulation;  ///< points, triangles, neighbours, constrained, lattice; the rest is empty
-  /// piece_of[3 * t + i]: the piece along side i of triangle t, kNone when unconstrained.
-  std::vector<std::uint32_t> piece_of;
+  /// edge_of[3 * t + i]: the edge along side i of triangle t, kNone when unconstrained.
+  std::vector<std::uint32_t> edge_of;
 };
 
-/// Triangulates the convex hull of the pieces' ends; pieces become constrained sides. Precondition: they meet only at
+/// Triangulates the convex hull of the edges' ends; edges become constrained sides. Precondition: they meet only at
 /// end points. CGAL's constrained Delaunay triangulation; on lattices with predicates in int64 and int128, which decide the many cocircular
 /// quadruples of a grid without multi-precision. Deterministic. O(n log n) expected.
-Mesh triangulate(std::span<const Constraint> pieces);
+Mesh triangulate(std::span<const Edge> edges);
 
-/// Tells free from solid by the flags of the pieces and finds the sectors. Throws InputError when the flags contradict
-/// each other (which noding excludes).
-void classify(Mesh& mesh, std::span<const Constraint> pieces);
+/// Tells free from solid: outside the hull the winding number is 1, it changes by an edge's turn across it, and a triangle is free where it
+/// is 0. Finds the sectors. Throws InputError when the edges' turns do not form closed chains (which noding excludes).
+void classify(Mesh& mesh, std::span<const Edge> edges);
 
 /// The scale that makes all coordinates integers below 2^29 in magnitude when multiplied by 2^scale; nothing when there is none.
 std::optional<int> lattice_scale(std::span<const Point> points);

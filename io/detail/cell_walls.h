@@ -13,7 +13,10 @@ namespace taut::detail {
 class CellWalls {
  public:
   CellWalls(int width, int height)
-      : width_(width), height_(height), walls_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)), lines_(walls_.size()) {}
+      : width_(width),
+        height_(height),
+        walls_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)),
+        lines_(walls_.size()) {}
 
   int width() const { return width_; }
   int height() const { return height_; }

@@ -3,7 +3,6 @@
 
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace taut::detail {
@@ -16,8 +15,8 @@ struct Json {
   int line = 0;
   double number = 0;  ///< also 0 and 1 of a boolean
   std::string string;
-  std::vector<Json> items;                               ///< of an array
-  std::vector<std::pair<std::string, Json>> members;     ///< of an object, in order
+  std::vector<Json> items;        ///< of an array or, in order, of an object
+  std::vector<std::string> keys;  ///< of an object, one an item
 
   /// The last member of that name, nullptr when there is none or this is no object.
   const Json* find(std::string_view key) const;

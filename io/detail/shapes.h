@@ -12,7 +12,9 @@ namespace taut::detail {
 /// Collects shapes. Each function throws InputError at the place of a shape that cannot be used.
 class Shapes {
  public:
-  explicit Shapes(const ReadOptions& options) : source_(options.source), as_(options.polygons) { parts_.source = source_; }
+  explicit Shapes(const ReadOptions& options) : source_(options.source), as_(options.polygons) {
+    parts_.source = source_;
+  }
 
   /// A polygon without a role: ReadOptions decides.
   void add_polygon(Polygon polygon, int line);

@@ -60,9 +60,9 @@ LegContacts LegTree::contacts() const {
 }
 
 bool LegTree::closer(const Candidate& x, const Candidate& y) const {
-  if (x.distance.lo > y.distance.hi) return false;
-  if (x.distance.hi < y.distance.lo) return true;
-  const int sign = compare_segment_distances(legs_[x.leg], side(constraints_[x.constraint]), legs_[y.leg], side(constraints_[y.constraint]));
+  const auto piece = [&](const Candidate& c) { return side(constraints_[c.constraint]); };
+  const auto quick = compare(x.distance, y.distance);
+  const int sign = quick ? *quick : compare_segment_distances(legs_[x.leg], piece(x), legs_[y.leg], piece(y));
   return sign < 0 || (sign == 0 && x.constraint < y.constraint);
 }
 

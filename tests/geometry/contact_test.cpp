@@ -59,7 +59,7 @@ TEST(Star, KnowsReflexAndSolidSectors) {
   Constraints c;
   add_solid(c, {{0, 0}, {2, 0}, {2, 2}, {0, 2}});
   const Star corner = test::star({2, 2}, c);
-  EXPECT_EQ(corner.free_sectors().size(), 1u);
+  ASSERT_EQ(corner.free_sectors().size(), 1u);
   EXPECT_TRUE(corner.reflex(corner.free_sectors()[0]));
   const Star side = test::star({1, 2}, c);
   EXPECT_EQ(side.free_sectors(), (detail::Sectors{0}));

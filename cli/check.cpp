@@ -1,0 +1,89 @@
+// taut check: is the input valid, what is in it, and is a given path one that can be followed?
+#include <fmt/format.h>
+
+#include <taut/cli/check_report.h>
+#include <taut/cli/command.h>
+#include <taut/cli/exit_code.h>
+#include <taut/cli/input.h>
+#include <taut/cli/output.h>
+#include <taut/cli/report.h>
+#include <taut/geometry/errors.h>
+#include <taut/io/read_path.h>
+#include <taut/search/query_ends.h>
+#include <taut/search/verify.h>
+
+namespace taut::cli {
+
+namespace {
+
+struct CheckOptions {
+  WorldOptions world;
+  QueryOptions query;
+  CommonOptions common;
+  std::string path;
+  std::string json;
+  bool quiet = false;
+};
+
+void add_options(CLI::App& app, CheckOptions& options) {
+  add_world_options(app, options.world);
+  add_query_options(app, options.query);
+  app.add_option("--path", options.path, "Check this path as well: the JSON of `taut solve`, or a point `x y` a line; - is standard input")
+      ->type_name("FILE")
+      ->group("Query");
+  app.add_option("--json", options.json, "Write everything as JSON; - is standard output")->type_name("FILE")->group("Output");
+  app.add_flag("--quiet,-q", options.quiet, "No lines on standard output")->group("Output");
+  app.callback([&options] {
+    if (options.path == "-" && options.world.file == "-") throw CLI::ValidationError("FILE and --path cannot both be standard input");
+  });
+}
+
+// An end that neither FILE nor an option names is where the path begins or ends.
+Verdict judge(const ClaimedPath& claimed, const FreeSpace& space) {
+  const World& world = space.world();
+  const Path path{claimed.points, Length(claimed.points)};
+  if (path.points.empty()) return {false, "the path has no points", 0, 0, kNone};
+  Goal goal = world.goal();
+  if (!goal.point && goal.room.empty()) goal.point = path.points.back();
+  Verdict verdict = verify(path, space, world.start().value_or(path.points.front()), goal);
+  const Interval measured = path.length.interval();
+  const double slack = 1e-12 * measured.hi;  // the claim is a rounded number
+  if (verdict.valid && claimed.length && !(measured.lo - slack <= *claimed.length && *claimed.length <= measured.hi + slack)) {
+    verdict.valid = false;
+    verdict.reason = fmt::format("it claims the length {}, but measures {}", *claimed.length, path.length.decimals(6));
+  }
+  return verdict;
+}
+
+void require_free_ends(const FreeSpace& space) {
+  const World& world = space.world();
+  if (world.start()) require_free(space, *world.start(), "start");
+  if (world.goal().point) require_free(space, *world.goal().point, "goal");
+}
+
+int run(const CheckOptions& options) {
+  require_writable(options.json);
+  begin_stage("read");
+  const Input input = read_input(options.world, options.query);
+  std::optional<ClaimedPath> claimed;
+  if (!options.path.empty()) claimed = read_path(read_bytes(options.path), options.path == "-" ? "<stdin>" : options.path);
+  begin_stage("space");
+  const FreeSpace space(input.world, options.query.robot);
+  require_free_ends(space);
+  CheckReport report(input, space);
+  begin_stage("verify");
+  if (claimed) report.add_path(*claimed, judge(*claimed, space));
+  const std::string json = options.json.empty() ? "" : report.json();
+  finish();
+  write_file(options.json, json);
+  if (!options.quiet && options.json != "-") print(report.text());
+  return report.valid() ? kFound : kNone;
+}
+
+}  // namespace
+
+Command check_command(CLI::App& app) {
+  return command<CheckOptions>(app, "check", "Say whether a world is valid and what is in it; check a path", add_options, run);
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,123 @@
+#include <taut/cli/check_report.h>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+#include <taut/cli/report.h>
+#include <taut/geometry/predicates.h>
+
+namespace taut::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kOpeningsNamed = 4;
+
+const char* name_of(Boundary boundary) {
+  return boundary == Boundary::walled ? "walled" : boundary == Boundary::limit ? "limit" : "open";
+}
+
+Json json_of(Point p) { return {p.x, p.y}; }
+Json json_of(const Box& b) { return {b.min.x, b.min.y, b.max.x, b.max.y}; }
+
+Json json_of(const Goal& goal) {
+  if (goal.point) return {{"point", json_of(*goal.point)}};
+  if (goal.room.empty()) return nullptr;
+  Json boxes = Json::array();
+  for (const Box& box : goal.room) boxes.push_back(json_of(box));
+  return {{"room", boxes}};
+}
+
+std::string text_of(const Goal& goal) {
+  if (goal.point) return point_text(*goal.point);
+  if (goal.room.empty()) return "not given";
+  const Box& first = goal.room.front();
+  const std::string box = point_text(first.min) + " to " + point_text(first.max);
+  return goal.room.size() == 1 ? "the room " + box : fmt::format("a room of {} boxes, the first {}", goal.room.size(), box);
+}
+
+}  // namespace
+
+CheckReport::CheckReport(const Input& input, const FreeSpace& space) : input_(input), space_(space) {
+  for (const Polygon& polygon : space.polygons()) {
+    area_ += ring_area(polygon.outer) / 2;
+    for (const Ring& hole : polygon.holes) area_ += ring_area(hole) / 2;
+    holes_ += polygon.holes.size();
+  }
+  for (const Triangulation::Sector& sector : space.triangulation().sectors) {
+    corners_ += !sector.full;
+    reflex_corners_ += sector.reflex;
+  }
+}
+
+void CheckReport::add_path(const ClaimedPath& path, const Verdict& verdict) { path_.emplace(path, verdict); }
+
+std::string CheckReport::path_text() const {
+  const auto& [path, verdict] = *path_;
+  if (!verdict.valid) return "not valid: " + verdict.reason;
+  return fmt::format("valid, length {}, {}, clearance {}", Length(path.points).decimals(6), count_text(path.points.size(), "point"),
+                     std::isfinite(verdict.clearance) ? number_text(verdict.clearance) : "unlimited");
+}
+
+std::string CheckReport::text() const {
+  const World& world = input_.world;
+  std::string out;
+  const auto row = [&](const char* what, const std::string& text) { out += fmt::format("  {:<12}{}\n", what, text); };
+  out += fmt::format("{}: valid, {}\n", input_.name, name(input_.notes.format));
+  std::string walls = fmt::format("{}", world.walls().size());
+  if (world.dropped_walls() > 0) walls += fmt::format(", {} of no length dropped", world.dropped_walls());
+  if (input_.notes.unknown_walls > 0) walls += fmt::format(", {} unknown read as open", input_.notes.unknown_walls);
+  row("walls", walls);
+  if (!world.solids().empty()) row("obstacles", count_text(world.solids().size(), "polygon"));
+  row("boundary", fmt::format("{}, {} to {}", name_of(world.boundary()), point_text(world.box().min), point_text(world.box().max)));
+  if (world.boundary() == Boundary::limit)
+    row("openings", world.openings().empty() ? "none" : fmt::format("{}: {}", world.openings().size(), segments_text(world.openings(), kOpeningsNamed)));
+  row("start", world.start() ? point_text(*world.start()) : "not given");
+  row("goal", text_of(world.goal()));
+  row("free space", fmt::format("area {:.10g}, {}, {}, {}", area_, count_text(space_.component_count(), "component"),
+                                count_text(space_.polygons().size(), "outer ring"), count_text(holes_, "hole")));
+  row("corners", fmt::format("{}, {} reflex", corners_, reflex_corners_));
+  if (path_) row("path", path_text());
+  return out;
+}
+
+std::string CheckReport::json() const {
+  const World& world = input_.world;
+  Json json{{"program", "taut"}, {"version", TAUT_VERSION}, {"source", input_.name}, {"format", std::string(name(input_.notes.format))}, {"valid", true}};
+  json["walls"] = world.walls().size();
+  json["dropped_walls"] = world.dropped_walls();
+  json["unknown_walls"] = input_.notes.unknown_walls;
+  json["solids"] = world.solids().size();
+  json["areas"] = world.areas().size();
+  json["boundary"] = name_of(world.boundary());
+  json["box"] = json_of(world.box());
+  json["openings"] = Json::array();
+  for (const Segment& s : world.openings()) json["openings"].push_back(Json::array({json_of(s.a), json_of(s.b)}));
+  json["start"] = world.start() ? json_of(*world.start()) : Json(nullptr);
+  json["goal"] = json_of(world.goal());
+  json["free_space"] = {{"area", area_},
+                        {"components", space_.component_count()},
+                        {"polygons", space_.polygons().size()},
+                        {"holes", holes_},
+                        {"corners", corners_},
+                        {"reflex_corners", reflex_corners_},
+                        {"triangles", space_.triangulation().triangles.size()},
+                        {"displacement", space_.report().displacement}};
+  json["path"] = nullptr;
+  if (path_) {
+    const auto& [path, verdict] = *path_;
+    const bool finite = std::isfinite(verdict.clearance);
+    json["path"] = {{"valid", verdict.valid},
+                    {"reason", verdict.reason},
+                    {"leg", verdict.valid ? Json(nullptr) : Json(verdict.leg)},
+                    {"length", Length(path.points).value()},
+                    {"points", path.points.size()},
+                    {"clearance", verdict.valid && finite ? Json(verdict.clearance) : Json(nullptr)}};
+  }
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,51 @@
+// What `taut check` found, for people and for programs.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <taut/cli/input.h>
+#include <taut/geometry/free_space.h>
+#include <taut/io/read_path.h>
+#include <taut/search/verify.h>
+
+namespace taut::cli {
+
+/// A valid world, counted. JSON keys, stable:
+///  program, version, source, format   as in result_json.h; the format's name in options
+///  valid             true; an invalid file writes no JSON but a line on stderr and exits with 3
+///  walls             number; dropped_walls: of no length; unknown_walls: not looked at, read as open
+///  solids, areas     numbers of obstacle polygons, and of polygons the world is made of
+///  boundary          "walled", "limit" or "open" (world.h)
+///  box               [xmin, ymin, xmax, ymax]
+///  openings          [[[x1, y1], [x2, y2]], ...]
+///  start, goal       [x, y] or null; {"point": ...}, {"room": ...} or null
+///  free_space        {"area", "components", "polygons", "holes", "corners", "reflex_corners", "triangles", "displacement"}
+///  path              null, or {"valid", "reason", "leg", "length", "points", "clearance"} of the path to check; points: their number
+class CheckReport {
+ public:
+  CheckReport(const Input& input, const FreeSpace& space);
+
+  void add_path(const ClaimedPath& path, const Verdict& verdict);
+
+  /// Is the path, if there is one to check, valid?
+  bool valid() const { return !path_ || path_->second.valid; }
+
+  std::string text() const;
+  std::string json() const;
+
+ private:
+  std::string path_text() const;
+
+  const Input& input_;
+  const FreeSpace& space_;
+  std::optional<std::pair<ClaimedPath, Verdict>> path_;
+  double area_ = 0;
+  std::size_t holes_ = 0;
+  std::size_t corners_ = 0;
+  std::size_t reflex_corners_ = 0;
+};
+
+}  // namespace taut::cli

@@ -1,0 +1,39 @@
+// The subcommands.
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include <functional>
+#include <memory>
+
+#include <taut/cli/options.h>
+
+namespace taut::cli {
+
+/// A subcommand that was added to the program. `run` does its work after the command line was read and gives the exit code; it throws InputError,
+/// WriteError or std::bad_alloc where that is what happened.
+struct Command {
+  CLI::App* app = nullptr;
+  std::shared_ptr<CommonOptions> common;
+  std::function<int()> run;
+};
+
+Command solve_command(CLI::App& app);
+Command check_command(CLI::App& app);
+Command roadmap_command(CLI::App& app);
+Command generate_command(CLI::App& app);
+Command convert_command(CLI::App& app);
+
+/// Adds a subcommand whose options live as long as the parser: `add` fills the parser, `run` does the work, both with the same Options,
+/// which has a member `common`.
+template <typename Options>
+Command command(CLI::App& app, const char* name, const char* description, void (*add)(CLI::App&, Options&),
+                int (*run)(const Options&)) {
+  auto options = std::make_shared<Options>();
+  CLI::App* sub = app.add_subcommand(name, description);
+  add(*sub, *options);
+  add_common_options(*sub, options->common);
+  return {sub, std::shared_ptr<CommonOptions>(options, &options->common), [options, run] { return run(*options); }};
+}
+
+}  // namespace taut::cli

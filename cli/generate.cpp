@@ -1,0 +1,118 @@
+// taut generate: mazes from a seed.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <memory>
+#include <utility>
+
+#include <taut/cli/command.h>
+#include <taut/cli/exit_code.h>
+#include <taut/cli/messages.h>
+#include <taut/cli/output.h>
+#include <taut/cli/report.h>
+#include <taut/geometry/errors.h>
+#include <taut/geometry/maze_generator.h>
+#include <taut/io/write_world.h>
+
+namespace taut::cli {
+
+namespace {
+
+struct Size {
+  int width = 0;
+  int height = 0;
+};
+
+struct GenerateOptions {
+  Size size;
+  bool biased = true;
+  double loops = 0;
+  Format format = Format::segments;
+  std::string file = "-";
+  CommonOptions common;
+};
+
+Size size_of(const std::string& text) {
+  const auto number = [&](std::string_view part) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
+    if (error != std::errc{} || end != part.data() + part.size() || value < 1 || value > 20000)
+      throw CLI::ValidationError("--size: '" + text + "' is not WIDTHxHEIGHT or N, of 1 to 20000");
+    return value;
+  };
+  const std::size_t by = text.find('x');
+  if (by == std::string::npos) return {number(text), number(text)};
+  return {number(std::string_view(text).substr(0, by)), number(std::string_view(text).substr(by + 1))};
+}
+
+bool biased_of(const std::string& text) {
+  if (text != "biased" && text != "backtracker") throw CLI::ValidationError("--kind: '" + text + "' is not biased or backtracker");
+  return text == "biased";
+}
+
+double loops_of(const std::string& text) {
+  const double share = number_of(text);
+  if (share < 0 || share > 1) throw CLI::ValidationError("--loops: '" + text + "' is not a share of 0 to 1");
+  return share;
+}
+
+void add_options(CLI::App& app, GenerateOptions& options) {
+  const auto add = [&](const char* name, auto& value, auto parse, const char* type, const char* description) {
+    return app.add_option_function<std::string>(name, [&value, parse](const std::string& text) { value = parse(text); }, description)
+        ->type_name(type)
+        ->group("Maze");
+  };
+  add("--size", options.size, size_of, "WxH", "Width and height in cells, or one number for both")->required();
+  add("--kind", options.biased, biased_of, "NAME",
+      "biased (default): a spanning tree of varied texture, open at two corners; backtracker: long corridors, closed, goal top right");
+  add("--loops", options.loops, loops_of, "SHARE", "Take down this share of the inner walls, 0 to 1 (default: 0)");
+  add("--format", options.format, format_of, "NAME", "segments (default), drawing, cells, maz, num, wkt, geojson");
+  app.add_option("-o,--output", options.file, "Write to this file instead of standard output")->type_name("FILE")->group("Maze");
+}
+
+GridMaze maze_of(const GenerateOptions& options) {
+  const auto [width, height] = options.size;
+  const std::uint64_t seed = options.common.seed;
+  GridMaze maze = options.biased ? generate_biased_maze(height, width, seed) : generate_backtracker(width, height, seed);
+  if (options.loops > 0) open_walls(maze, options.loops, seed);
+  return maze;
+}
+
+// The command that makes the same file again.
+std::string recipe(const GenerateOptions& options) {
+  std::string text = fmt::format("taut generate --size {}x{} --kind {} --seed {}", options.size.width, options.size.height,
+                                 options.biased ? "biased" : "backtracker", options.common.seed);
+  if (options.loops > 0) text += " --loops " + number_text(options.loops);
+  return text;
+}
+
+std::string bytes_of(const GenerateOptions& options) {
+  auto maze = std::make_shared<const GridMaze>(maze_of(options));
+  const World world = world_of(std::move(maze));
+  if (options.format != Format::segments) return write_world(world, options.format);
+  // The source of the biased mazes has cell centres at whole numbers.
+  return write_segments(world, {recipe(options), options.biased ? Point{0.5, 0.5} : Point{}});
+}
+
+int run(const GenerateOptions& options) {
+  require_writable(options.file);
+  begin_stage("generate");
+  std::string bytes;
+  try {
+    bytes = bytes_of(options);
+  } catch (const InputError& error) {
+    complain(error.what());  // all input is the command line
+    return kUsage;
+  }
+  finish();
+  write_file(options.file, bytes);
+  return kFound;
+}
+
+}  // namespace
+
+Command generate_command(CLI::App& app) {
+  return command<GenerateOptions>(app, "generate", "Make a maze from a seed", add_options, run);
+}
+
+}  // namespace taut::cli

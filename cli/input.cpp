@@ -1,0 +1,27 @@
+#include <taut/cli/input.h>
+
+#include <utility>
+
+#include <taut/geometry/errors.h>
+
+namespace taut::cli {
+
+Input read_input(const WorldOptions& options, const QueryOptions& query) {
+  ReadNotes notes;
+  World world = read_world_file(options.file, options.read, &notes);
+  if (options.wall_thickness) world = world.with_wall_thickness(*options.wall_thickness);
+  if (query.from || query.to) world = world.with_ends(query.from, query.to);
+  std::string name = world.source();
+  return {std::move(world), notes, std::move(name)};
+}
+
+void require_ends(const Input& input) {
+  const Goal& goal = input.world.goal();
+  const bool start = input.world.start().has_value(), end = goal.point || !goal.room.empty();
+  if (start && end) return;
+  throw InputError(input.name, 0, start  ? "says nothing about a goal; give --to X,Y"
+                                  : end ? "says nothing about a start; give --from X,Y"
+                                        : "says nothing about start and goal; give --from X,Y and --to X,Y");
+}
+
+}  // namespace taut::cli

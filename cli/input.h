@@ -1,0 +1,25 @@
+// A world as the options ask for it.
+#pragma once
+
+#include <string>
+
+#include <taut/cli/options.h>
+#include <taut/geometry/world.h>
+#include <taut/io/read_world.h>
+
+namespace taut::cli {
+
+/// A file, read.
+struct Input {
+  World world;
+  ReadNotes notes;
+  std::string name;  ///< of the file, for messages; `<stdin>`
+};
+
+/// Reads FILE and applies --wall-thickness, --from and --to. Throws InputError.
+Input read_input(const WorldOptions& options, const QueryOptions& query = {});
+
+/// Throws InputError, with the options that help, when the world has no start or no goal.
+void require_ends(const Input& input);
+
+}  // namespace taut::cli

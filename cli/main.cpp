@@ -1,0 +1,114 @@
+// The program `taut`: parses the command line, runs a subcommand, and turns what is thrown into a line and an exit code.
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <exception>
+#include <new>
+#include <string>
+#include <vector>
+
+#include <unistd.h>
+
+#include <taut/cli/command.h>
+#include <taut/cli/exit_code.h>
+#include <taut/cli/messages.h>
+#include <taut/cli/output.h>
+#include <taut/cli/stop.h>
+#include <taut/geometry/errors.h>
+
+namespace taut::cli {
+
+namespace {
+
+constexpr const char* kFooter =
+    "Results go to standard output, everything else to stderr. Exit codes: 0 found, 1 there is no path (proven), 2 wrong usage,\n"
+    "3 wrong input, 4 stopped by a limit or an interrupt, 70 a defect of the program.\n\n"
+    "  taut generate --size 45x45 --seed 1 | taut solve - --svg maze.svg\n";
+
+int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
+  const auto chosen = app.get_subcommands();
+  const std::string help = chosen.empty() ? "taut --help" : "taut " + chosen.front()->get_name() + " --help";
+  std::string what = error.what();
+  while (!what.empty() && what.back() == '\n') what.pop_back();
+  complain(what + "; see `" + help + "`");
+  return kUsage;
+}
+
+int parse(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+    return -1;
+  } catch (const CLI::CallForVersion& version) {
+    print(std::string(version.what()) + "\n");
+    return kFound;
+  } catch (const CLI::CallForAllHelp&) {
+    print(app.help("", CLI::AppFormatMode::All));
+    return kFound;
+  } catch (const CLI::CallForHelp&) {
+    print(app.help());
+    return kFound;
+  } catch (const CLI::ParseError& error) {
+    return wrong_usage(app, error);
+  }
+}
+
+int run(int argc, char** argv) {
+  CLI::App app("Exact motion planning in the plane: shortest paths, or the walls that leave none.", "taut");
+  app.set_version_flag("--version", "taut " TAUT_VERSION, "Print the version and exit");
+  app.set_help_flag("--help,-h", "Print this help and exit");
+  app.require_subcommand(1);
+  app.footer(kFooter);
+  const std::vector<Command> commands{solve_command(app), check_command(app), roadmap_command(app), generate_command(app),
+                                      convert_command(app)};
+  if (const int code = parse(app, argc, argv); code >= 0) return code;
+  for (const Command& command : commands)
+    if (command.app->parsed()) {
+      start_watch(command.common->limits);
+      return command.run();
+    }
+  return kUsage;
+}
+
+int guarded(int argc, char** argv) noexcept {
+  try {
+    return run(argc, argv);
+  } catch (const InputError& error) {
+    complain(error.what());
+    return kInput;
+  } catch (const WriteError& error) {
+    complain(error.what());
+    return kStopped;
+  } catch (const std::bad_alloc&) {
+    stop("out of memory");
+  } catch (const std::exception& error) {
+    complain(std::string("internal error: ").append(error.what()));
+    return kInternal;
+  } catch (...) {
+    complain("internal error");
+    return kInternal;
+  }
+}
+
+// Where an exception cannot be thrown further, as in a callback of a C library.
+[[noreturn]] void end_badly() noexcept {
+  try {
+    if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    stop("out of memory");
+  } catch (const std::exception& error) {
+    complain(error.what());
+  } catch (...) {
+  }
+  complain("internal error: ended in a place that cannot fail");
+  ::_exit(kInternal);
+}
+
+}  // namespace
+
+}  // namespace taut::cli
+
+int main(int argc, char** argv) {
+  std::set_terminate(taut::cli::end_badly);
+  return taut::cli::guarded(argc, argv);
+}

@@ -1,0 +1,163 @@
+#include <taut/cli/options.h>
+
+#include <CLI/Error.hpp>
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+
+#include <charconv>
+#include <cmath>
+
+#include <taut/geometry/errors.h>
+#include <taut/geometry/world.h>
+
+namespace taut::cli {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& text, const char* wanted) {
+  std::string message = "'";
+  message.append(text).append("' is not ").append(wanted);
+  throw CLI::ValidationError(message);
+}
+
+std::optional<double> number_in(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !(std::abs(value) <= World::kLargest)) return std::nullopt;
+  return value;
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+// The option's value goes through `parse`; what it throws names the option.
+template <typename Value, typename Parse>
+CLI::Option* add(CLI::App& app, const std::string& name, Value& value, Parse parse, const std::string& description) {
+  const auto take = [&value, parse, name](const std::string& text) {
+    try {
+      value = parse(text);
+    } catch (const CLI::ValidationError& error) {
+      throw CLI::ValidationError(name + ": " + error.what(), CLI::ExitCodes::ValidationError);
+    }
+  };
+  return app.add_option_function<std::string>(name, take, description);
+}
+
+ReadOptions::Polygons polygons_of(const std::string& text) {
+  if (text == "free") return ReadOptions::Polygons::free;
+  if (text == "obstacles") return ReadOptions::Polygons::obstacles;
+  refuse(text, "free or obstacles");
+}
+
+double thickness_of(const std::string& text) {
+  const double value = number_of(text);
+  if (value < 0) refuse(text, "a thickness of 0 or more");
+  return value;
+}
+
+double seconds_of(const std::string& text) {
+  const double value = number_of(text);
+  if (value < 0) refuse(text, "a time of 0 or more");
+  return value;
+}
+
+}  // namespace
+
+double number_of(const std::string& text) {
+  const std::optional<double> value = number_in(text);
+  if (!value) refuse(text, "a number");
+  return *value;
+}
+
+Point point_of(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) refuse(text, "a point X,Y");
+  const auto x = number_in(trimmed(text.substr(0, comma))), y = number_in(trimmed(text.substr(comma + 1)));
+  if (!x || !y) refuse(text, "a point X,Y");
+  return {*x, *y};
+}
+
+Footprint footprint_of(const std::string& text) {
+  static constexpr const char* kWanted = "point, disc:R or square:R with R > 0";
+  if (text == "point") return Footprint::point();
+  const std::size_t colon = text.find(':');
+  const std::string kind = text.substr(0, colon);
+  if (colon == std::string::npos || (kind != "disc" && kind != "square")) refuse(text, kWanted);
+  const std::optional<double> radius = number_in(text.substr(colon + 1));
+  if (!radius || *radius <= 0) refuse(text, kWanted);
+  return kind == "disc" ? Footprint::disc(*radius) : Footprint::square(*radius);
+}
+
+Format format_of(const std::string& text) {
+  const std::optional<Format> format = format_named(text);
+  if (!format) refuse(text, "one of segments, cells, drawing, maz, num, wkt, geojson");
+  return *format;
+}
+
+std::size_t memory_of(const std::string& text) {
+  static constexpr const char* kWanted = "an amount of memory, such as 500M or 2G";
+  double unit = 1 << 20;
+  std::string number = text;
+  if (!number.empty()) {
+    const std::size_t which = std::string_view("KMGkmg").find(number.back());
+    if (which != std::string_view::npos) {
+      unit = std::pow(1024, static_cast<double>(which % 3 + 1));
+      number.pop_back();
+    }
+  }
+  const std::optional<double> value = number_in(number);
+  if (!value || !(*value > 0) || *value * unit > 1e18) refuse(text, kWanted);
+  return static_cast<std::size_t>(*value * unit);
+}
+
+void add_world_options(CLI::App& app, WorldOptions& options) {
+  app.add_option("FILE", options.file, "The world to read; - is standard input")->required();
+  const auto parse_format = [](const std::string& text) { return std::optional(format_of(text)); };
+  add(app, "--format", options.read.format, parse_format,
+      "What FILE is written in: segments, cells, drawing, maz, num, wkt, geojson (default: found out from its content)")
+      ->type_name("NAME")
+      ->group("World");
+  add(app, "--polygons", options.read.polygons, polygons_of, "What wkt and geojson polygons without a role are: free (default) or obstacles")
+      ->type_name("WHAT")
+      ->group("World");
+  const auto parse_thickness = [](const std::string& text) { return std::optional(thickness_of(text)); };
+  add(app, "--wall-thickness", options.wall_thickness, parse_thickness, "Give every wall this thickness, half of it on each side")
+      ->type_name("T")
+      ->group("World");
+}
+
+void add_query_options(CLI::App& app, QueryOptions& options) {
+  const auto parse_point = [](const std::string& text) { return std::optional(point_of(text)); };
+  add(app, "--from", options.from, parse_point, "Start here instead of where FILE says")->type_name("X,Y")->group("Query");
+  add(app, "--to", options.to, parse_point, "Go here instead of where FILE says")->type_name("X,Y")->group("Query");
+  add(app, "--robot", options.robot, footprint_of, "Who moves: point (default), disc:R, or square:R of half side R")
+      ->type_name("SHAPE")
+      ->group("Query");
+}
+
+void add_output_options(CLI::App& app, OutputOptions& options) {
+  app.add_option("--svg", options.svg, "Write a picture; - is standard output")->type_name("FILE")->group("Output");
+  app.add_option("--json", options.json, "Write everything as JSON; - is standard output")->type_name("FILE")->group("Output");
+  app.add_flag("--stats", options.stats, "Say on stderr what each stage took")->group("Output");
+  app.add_flag("--quiet,-q", options.quiet, "No line on standard output")->group("Output");
+  app.callback([&options] {
+    if (options.svg == "-" && options.json == "-") throw CLI::ValidationError("--svg - and --json - cannot both have standard output");
+  });
+}
+
+void add_common_options(CLI::App& app, CommonOptions& options) {
+  add(app, "--max-seconds", options.limits.seconds, [](const std::string& text) { return std::optional(seconds_of(text)); },
+      "Stop after this time, with exit code 4")
+      ->type_name("S")
+      ->group("Limits");
+  add(app, "--max-memory", options.limits.memory, [](const std::string& text) { return std::optional(memory_of(text)); },
+      "Stop when more is needed, with exit code 4: 500M, 2G")
+      ->type_name("SIZE")
+      ->group("Limits");
+  app.add_option("--seed", options.seed, "Seed of whatever is random (default: 1)")->type_name("N")->group("Limits");
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,141 @@
+#include <taut/cli/output.h>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <mutex>
+
+#include <taut/geometry/errors.h>
+
+namespace taut::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The file being written under its other name. Held by a mutex that lives as long as the process.
+struct Unfinished {
+  std::mutex mutex;
+  char name[PATH_MAX] = "";
+};
+
+Unfinished& unfinished() {
+  static auto* const instance = new Unfinished;
+  return *instance;
+}
+
+std::string reason() { return std::strerror(errno); }
+
+fs::path folder_of(const fs::path& path) { return path.has_parent_path() ? path.parent_path() : fs::path("."); }
+
+// Where a link leads, as far as it does.
+fs::path resolved(const std::string& path) {
+  std::error_code error;
+  fs::path target = path;
+  for (int hops = 0; hops < 40 && fs::is_symlink(fs::symlink_status(target, error)); ++hops) {
+    const fs::path link = fs::read_symlink(target, error);
+    target = link.is_absolute() ? link : folder_of(target) / link;
+  }
+  return target;
+}
+
+void write_all(int file, std::string_view bytes, const std::string& path) {
+  while (!bytes.empty()) {
+    const ssize_t n = ::write(file, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) throw WriteError(path + ": cannot write: " + reason());
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+}
+
+class OpenFile {
+ public:
+  OpenFile(int file, std::string path) : file_(file), path_(std::move(path)) {
+    if (file_ < 0) throw InputError(path_, 0, "cannot write: " + reason());
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  ~OpenFile() {
+    if (file_ >= 0) ::close(file_);
+  }
+
+  int file() const { return file_; }
+  void close() {
+    const int file = std::exchange(file_, -1);
+    if (::close(file) != 0) throw WriteError(path_ + ": cannot write: " + reason());
+  }
+
+ private:
+  int file_;
+  std::string path_;
+};
+
+mode_t usual_permissions() {
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  return 0666 & ~mask;
+}
+
+void replace(const fs::path& target, const std::string& path, std::string_view bytes, mode_t permissions) {
+  Unfinished& other = unfinished();
+  const std::lock_guard lock(other.mutex);
+  const std::string pattern = (folder_of(target) / (".taut-XXXXXX")).string();
+  if (pattern.size() >= sizeof other.name) throw InputError(path, 0, "cannot write: the name is too long");
+  std::strcpy(other.name, pattern.c_str());
+  OpenFile file(::mkstemp(other.name), path);
+  try {
+    if (::fchmod(file.file(), permissions) != 0) throw WriteError(path + ": cannot write: " + reason());
+    write_all(file.file(), bytes, path);
+    file.close();
+    if (::rename(other.name, target.c_str()) != 0) throw WriteError(path + ": cannot write: " + reason());
+    other.name[0] = 0;
+  } catch (...) {
+    ::unlink(other.name);
+    other.name[0] = 0;
+    throw;
+  }
+}
+
+}  // namespace
+
+void require_writable(const std::string& path) {
+  if (path.empty() || path == "-") return;
+  const auto refuse = [&](const std::string& why) { throw InputError(path, 0, "cannot write: " + why); };
+  std::error_code error;
+  const fs::path target = resolved(path);
+  const fs::file_status status = fs::status(target, error);
+  if (fs::is_directory(status) || !target.has_filename()) refuse("it is a folder");
+  if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0) refuse(reason());
+  if (fs::exists(status) && !fs::is_regular_file(status)) return;
+  const fs::path folder = folder_of(target);
+  if (!fs::is_directory(folder, error)) refuse("there is no folder " + folder.string());
+  if (::access(folder.c_str(), W_OK | X_OK) != 0) refuse(reason());
+}
+
+void write_file(const std::string& path, std::string_view bytes) {
+  if (path.empty()) return;
+  if (path == "-") return print(bytes);
+  require_writable(path);
+  const fs::path target = resolved(path);
+  struct stat old {};
+  const bool exists = ::stat(target.c_str(), &old) == 0;
+  if (!exists || S_ISREG(old.st_mode)) return replace(target, path, bytes, exists ? old.st_mode & 07777 : usual_permissions());
+  OpenFile file(::open(target.c_str(), O_WRONLY | O_CLOEXEC), path);
+  write_all(file.file(), bytes, path);
+  file.close();
+}
+
+void print(std::string_view text) { write_all(STDOUT_FILENO, text, "<stdout>"); }
+
+void abandon_files() noexcept {
+  // Not locked: the writer may be in the middle, and the process ends right after this.
+  if (const char* name = unfinished().name; *name) ::unlink(name);
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,89 @@
+#include <taut/cli/report.h>
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include <taut/geometry/predicates.h>
+
+namespace taut::cli {
+
+namespace {
+
+// With its ends in order, to be found again.
+std::pair<Point, Point> key(const Constraint& c) { return std::minmax(c.a, c.b); }
+
+std::vector<Segment> without_dead_ends(const std::vector<Constraint>& chain) {
+  std::map<std::pair<Point, Point>, int> passes;
+  for (const Constraint& c : chain) ++passes[key(c)];
+  std::vector<Segment> rest;
+  for (const Constraint& c : chain)
+    if (passes[key(c)] == 1) rest.push_back({c.a, c.b});
+  return rest;
+}
+
+// Turns each piece so that it begins where the one before ends.
+void orient(std::vector<Segment>& chain) {
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    Segment& s = chain[i];
+    const bool flip = i == 0 ? chain.size() > 1 && (s.a == chain[1].a || s.a == chain[1].b) : s.b == chain[i - 1].b;
+    if (flip) std::swap(s.a, s.b);
+  }
+}
+
+bool goes_on(const Segment& s, const Segment& next) {
+  return s.b == next.a && orientation(s.a, s.b, next.b) == 0 && on_segment(s.b, s.a, next.b);
+}
+
+}  // namespace
+
+std::string number_text(double value) {
+  std::string text = fmt::format("{}", value);
+  if (text.ends_with(".0")) text.resize(text.size() - 2);
+  return text;
+}
+
+std::string seconds_text(double seconds) {
+  return seconds < 1 ? fmt::format("{:.3f} s", seconds) : fmt::format("{:.{}f} s", seconds, seconds < 10 ? 2 : 1);
+}
+
+std::string count_text(std::size_t count, const char* one, const char* many) {
+  if (count == 1) return fmt::format("1 {}", one);
+  return many ? fmt::format("{} {}", count, many) : fmt::format("{} {}s", count, one);
+}
+
+std::string point_text(Point p) { return fmt::format("({}, {})", number_text(p.x), number_text(p.y)); }
+
+std::string segment_text(const Segment& s) { return point_text(s.a) + "-" + point_text(s.b); }
+
+std::string segments_text(const std::vector<Segment>& segments, std::size_t most) {
+  std::string out;
+  for (std::size_t i = 0; i < std::min(most, segments.size()); ++i) out += (i ? ", " : "") + segment_text(segments[i]);
+  return segments.size() > most ? out + fmt::format(" and {} more", segments.size() - most) : out;
+}
+
+std::string peak_memory_text() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return fmt::format("{:.1f} MB", static_cast<double>(usage.ru_maxrss) / 1024);
+}
+
+std::vector<Segment> joined_walls(const std::vector<Constraint>& chain) {
+  std::vector<Segment> pieces = without_dead_ends(chain);
+  orient(pieces);
+  std::vector<Segment> joined;
+  for (const Segment& s : pieces) {
+    if (!joined.empty() && goes_on(joined.back(), s)) joined.back().b = s.b;
+    else joined.push_back(s);
+  }
+  if (joined.size() > 1 && goes_on(joined.back(), joined.front())) {
+    joined.front().a = joined.back().a;
+    joined.pop_back();
+  }
+  return joined;
+}
+
+}  // namespace taut::cli

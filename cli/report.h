@@ -1,0 +1,35 @@
+// Words and numbers for people.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include <taut/geometry/footprint.h>
+#include <taut/geometry/free_space.h>
+
+namespace taut::cli {
+
+/// The shortest that reads back the same: `1`, `0.1`.
+std::string number_text(double value);
+
+/// `0.004 s`, `1.27 s`, `35.8 s`
+std::string seconds_text(double seconds);
+
+/// `1 wall`, `2 walls`
+std::string count_text(std::size_t count, const char* one, const char* many = nullptr);
+
+/// `(0.5, 1)`
+std::string point_text(Point p);
+
+/// `(0, 1)-(2, 1)`, and of several the first few: `(0, 1)-(2, 1), (2, 1)-(2, 4) and 7 more`
+std::string segment_text(const Segment& s);
+std::string segments_text(const std::vector<Segment>& segments, std::size_t most);
+
+/// The most memory this process ever had, `12.3 MB`.
+std::string peak_memory_text();
+
+/// A closed chain of pieces as walls people know: pieces that the chain passes on both sides are dead ends and go, pieces in a line are joined.
+std::vector<Segment> joined_walls(const std::vector<Constraint>& chain);
+
+}  // namespace taut::cli

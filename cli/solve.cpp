@@ -1,0 +1,216 @@
+// taut solve: the shortest path, or the walls that leave none.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <taut/cli/command.h>
+#include <taut/cli/exit_code.h>
+#include <taut/cli/input.h>
+#include <taut/cli/messages.h>
+#include <taut/cli/output.h>
+#include <taut/cli/report.h>
+#include <taut/cli/timing.h>
+#include <taut/io/result_json.h>
+#include <taut/io/svg.h>
+#include <taut/roadmaps/visibility_graph.h>
+#include <taut/search/query_ends.h>
+#include <taut/search/shortest_path.h>
+#include <taut/search/verify.h>
+
+namespace taut::cli {
+
+namespace {
+
+constexpr std::size_t kWallsNamed = 4;
+
+struct SolveOptions {
+  WorldOptions world;
+  QueryOptions query;
+  OutputOptions output;
+  CommonOptions common;
+  GraphAlgorithm algorithm = GraphAlgorithm::astar;
+  bool no_verify = false;
+  bool path = false;
+};
+
+void add_options(CLI::App& app, SolveOptions& options) {
+  add_world_options(app, options.world);
+  add_query_options(app, options.query);
+  app.add_option_function<std::string>(
+         "--algorithm",
+         [&options](const std::string& text) {
+           if (text != "astar" && text != "dijkstra") throw CLI::ValidationError("--algorithm: '" + text + "' is not astar or dijkstra");
+           options.algorithm = text == "astar" ? GraphAlgorithm::astar : GraphAlgorithm::dijkstra;
+         },
+         "astar (default) or dijkstra; the path is the same length")
+      ->type_name("NAME")
+      ->group("Query");
+  app.add_flag("--no-verify", options.no_verify, "Do not check the answer independently")->group("Query");
+  app.add_flag("--path", options.path, "Print the points of the path, one `x y` a line")->group("Output");
+  add_output_options(app, options.output);
+}
+
+class Solver {
+ public:
+  explicit Solver(const SolveOptions& options) : options_(options) {}
+
+  int run() {
+    require_writable(options_.output.svg);
+    require_writable(options_.output.json);
+    result_.version = TAUT_VERSION;
+    result_.source = options_.world.file == "-" ? "<stdin>" : options_.world.file;
+    result_.robot = options_.query.robot;
+    prepare_last_words();
+    const Input input = timed("read", result_.seconds.read, [&] { return read_input(options_.world, options_.query); });
+    read_ends(input);
+    const FreeSpace space = timed("space", result_.seconds.space, [&] { return FreeSpace(input.world, options_.query.robot); });
+    result_.displacement = space.report().displacement;
+    require_free(space, *result_.start, "start");
+    if (result_.goal.point) require_free(space, *result_.goal.point, "goal");
+    const VisibilityGraph graph = timed("roadmap", result_.seconds.roadmap, [&] { return VisibilityGraph(space); });
+    search(graph);
+    if (result_.status == SearchStatus::none) result_.separation = separation(space);
+    if (result_.status == SearchStatus::found && !options_.no_verify) verify_answer(space);
+    result_.seconds.total = total_.seconds();
+    begin_stage("write");
+    write(space, graph);
+    if (options_.output.stats) stats(space, graph, input);
+    return result_.status == SearchStatus::found ? kFound : kNone;
+  }
+
+ private:
+  // What a stopped run still writes: a copy of what is known so far.
+  void prepare_last_words() const {
+    if (options_.output.json.empty()) return;
+    PlanResult stopped;
+    stopped.version = result_.version;
+    stopped.source = result_.source;
+    stopped.start = result_.start;
+    stopped.goal = result_.goal;
+    stopped.robot = result_.robot;
+    stopped.wall_thickness = result_.wall_thickness;
+    stopped.status = SearchStatus::stopped;
+    on_stop([stopped, total = total_, file = options_.output.json](const Stop& why) mutable {
+      stopped.reason = why.reason;
+      stopped.stage = why.stage;
+      stopped.seconds.total = total.seconds();
+      write_file(file, result_json(stopped));
+    });
+  }
+
+  void read_ends(const Input& input) {
+    require_ends(input);
+    result_.start = input.world.start();
+    result_.goal = input.world.goal();
+    for (const Wall& wall : input.world.walls()) result_.wall_thickness = std::max(result_.wall_thickness, wall.thickness);
+    prepare_last_words();
+  }
+
+  void search(const VisibilityGraph& graph) {
+    GraphSearchResult found = timed("search", result_.seconds.search, [&] {
+      return shortest_path(graph, *result_.start, result_.goal, options_.algorithm);
+    });
+    result_.status = found.status;
+    result_.path = std::move(found.path);
+    result_.expanded = found.expanded;
+  }
+
+  void verify_answer(const FreeSpace& space) {
+    const Verdict verdict =
+        timed("verify", result_.seconds.verify, [&] { return verify(result_.path, space, *result_.start, result_.goal); });
+    if (!verdict.valid) throw std::logic_error("the path found does not pass its own check: " + verdict.reason);
+    result_.verified = true;
+    result_.clearance = verdict.clearance;
+  }
+
+  // Of a room, its middles stand for it: none of it can be reached.
+  std::vector<Segment> separation(const FreeSpace& space) const {
+    std::vector<Point> goals;
+    if (result_.goal.point) goals.push_back(*result_.goal.point);
+    for (const Box& b : result_.goal.room) goals.push_back({b.min.x + (b.max.x - b.min.x) / 2, b.min.y + (b.max.y - b.min.y) / 2});
+    for (const Point& goal : goals) {
+      if (space.locate(goal).kind == Location::Kind::outside) continue;
+      const std::vector<Segment> walls = joined_walls(space.separation(*result_.start, goal));
+      if (!walls.empty()) return walls;
+    }
+    return {};
+  }
+
+  void write(const FreeSpace& space, const VisibilityGraph& graph) {
+    const std::string picture = options_.output.svg.empty() ? "" : svg(space, picture_of(graph));
+    const std::string json = options_.output.json.empty() ? "" : result_json(result_);
+    finish();
+    write_file(options_.output.svg, picture);
+    write_file(options_.output.json, json);
+    if (!options_.output.quiet && !options_.output.stdout_taken()) print(result_.source + ": " + line() + "\n");
+    if (options_.path) print(points());
+  }
+
+  SvgPicture picture_of(const VisibilityGraph& graph) const {
+    SvgPicture picture;
+    picture.title = result_.source;
+    picture.facts = facts();
+    picture.roadmap = &graph.roadmap();
+    if (result_.status == SearchStatus::found) picture.path = &result_.path;
+    picture.separation = result_.separation;
+    picture.start = result_.start;
+    picture.goal = result_.goal;
+    return picture;
+  }
+
+  std::vector<std::string> facts() const {
+    if (result_.status == SearchStatus::none) return {"no path", seconds_text(result_.seconds.total)};
+    const std::size_t points = result_.path.points.size();
+    return {"length " + result_.path.length.decimals(6), count_text(points > 2 ? points - 2 : 0, "corner"),
+            seconds_text(result_.seconds.total)};
+  }
+
+  std::string line() const {
+    if (result_.status == SearchStatus::found) return fmt::format("{}", fmt::join(facts(), ", "));
+    if (result_.separation.empty()) return "no path";
+    return fmt::format("no path: {} start and goal: {}",
+                       result_.separation.size() == 1 ? "this wall separates"
+                                                      : fmt::format("these {} walls separate", result_.separation.size()),
+                       segments_text(result_.separation, kWallsNamed));
+  }
+
+  std::string points() const {
+    std::string out;
+    for (const Point& p : result_.path.points) out += number_text(p.x) + " " + number_text(p.y) + "\n";
+    return out;
+  }
+
+  void stats(const FreeSpace& space, const VisibilityGraph& graph, const Input& input) const {
+    const FreeSpaceReport& report = space.report();
+    const StageSeconds& s = result_.seconds;
+    const auto row = [](const char* stage, double seconds, const std::string& what) {
+      note(fmt::format("{:<12}{:>9.4f} s   {}", stage, seconds, what));
+    };
+    row("read", s.read, fmt::format("{}, {}", name(input.notes.format), count_text(input.world.walls().size(), "wall")));
+    row("free space", s.space,
+        fmt::format("{} (union {:.4f} s, triangulation {:.4f} s), displacement {:.3g}",
+                    count_text(space.triangulation().triangles.size(), "triangle"), report.seconds_union, report.seconds_triangulation,
+                    report.displacement));
+    row("roadmap", s.roadmap,
+        count_text(graph.roadmap().vertex_count(), "vertex", "vertices") + ", " + count_text(graph.roadmap().edge_count(), "edge"));
+    row("search", s.search, fmt::format("{} expanded ({})", result_.expanded, options_.algorithm == GraphAlgorithm::astar ? "astar" : "dijkstra"));
+    row("verify", s.verify, result_.verified ? fmt::format("valid, clearance {:.6g}", result_.clearance.value_or(0)) : "not done");
+    row("total", s.total, "peak memory " + peak_memory_text());
+  }
+
+  const SolveOptions& options_;
+  PlanResult result_;
+  Stopwatch total_;
+};
+
+int run(const SolveOptions& options) { return Solver(options).run(); }
+
+}  // namespace
+
+Command solve_command(CLI::App& app) {
+  return command<SolveOptions>(app, "solve", "Find the shortest path from start to goal, or the walls that leave none", add_options, run);
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,178 @@
+#include <taut/cli/stop.h>
+
+#include <fmt/format.h>
+#include <gmp.h>
+#include <malloc.h>
+#include <pthread.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <memory>
+#include <mutex>
+#include <system_error>
+
+#include <taut/cli/exit_code.h>
+#include <taut/cli/messages.h>
+#include <taut/cli/output.h>
+
+namespace taut::cli {
+
+namespace {
+
+// Lives as long as the process: the watching thread outlives main().
+struct Shared {
+  std::mutex mutex;  // of last_words
+  std::function<void(const Stop&)> last_words;
+  std::atomic<const char*> stage{""};
+  std::atomic<bool> ending{false};  // finishing or stopping, whoever came first
+  std::unique_ptr<char[]> reserve;  // memory to say that there is none
+  sigset_t signals{};
+  std::optional<timespec> deadline;
+  std::string deadline_reason;
+};
+
+Shared& shared() {
+  static auto* const instance = new Shared;
+  return *instance;
+}
+
+[[noreturn]] void wait_for_the_end() {
+  for (;;) ::pause();
+}
+
+timespec now() {
+  timespec t{};
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return t;
+}
+
+timespec in_seconds(double seconds) {
+  timespec t = now();
+  const double whole = std::floor(std::min(seconds, 1e9));
+  t.tv_sec += static_cast<time_t>(whole);
+  t.tv_nsec += static_cast<long>((std::min(seconds, 1e9) - whole) * 1e9);
+  if (t.tv_nsec >= 1'000'000'000) {
+    ++t.tv_sec;
+    t.tv_nsec -= 1'000'000'000;
+  }
+  return t;
+}
+
+timespec until(const timespec& deadline) {
+  const timespec t = now();
+  timespec rest{deadline.tv_sec - t.tv_sec, deadline.tv_nsec - t.tv_nsec};
+  if (rest.tv_nsec < 0) {
+    --rest.tv_sec;
+    rest.tv_nsec += 1'000'000'000;
+  }
+  return rest.tv_sec < 0 ? timespec{} : rest;
+}
+
+// The results are being written. What is not yet in place is dropped.
+[[noreturn]] void stop_while_finishing() {
+  complain("interrupted while writing");
+  abandon_files();
+  ::_exit(kStopped);
+}
+
+void* watch(void*) {
+  Shared& s = shared();
+  for (;;) {
+    const timespec rest = s.deadline ? until(*s.deadline) : timespec{};
+    const int signal = sigtimedwait(&s.signals, nullptr, s.deadline ? &rest : nullptr);
+    if (signal < 0 && errno == EINTR) continue;
+    if (signal > 0 && s.ending.load()) stop_while_finishing();
+    if (signal > 0) stop(signal == SIGTERM ? "terminated" : "interrupted");
+    if (!s.ending.load()) stop(s.deadline_reason.c_str());
+    s.deadline.reset();
+  }
+}
+
+void* allocated(void* memory, std::size_t size) {
+  if (!memory && size > 0) stop("out of memory");
+  return memory;
+}
+void* gmp_allocate(std::size_t size) { return allocated(std::malloc(size), size); }
+void* gmp_reallocate(void* old, std::size_t, std::size_t size) { return allocated(std::realloc(old, size), size); }
+void gmp_free(void* memory, std::size_t) { std::free(memory); }
+
+void start_thread() {
+  Shared& s = shared();
+  sigemptyset(&s.signals);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    struct sigaction current {};
+    sigaction(signal, nullptr, &current);
+    if (current.sa_handler != SIG_IGN) sigaddset(&s.signals, signal);  // nohup and the like stay respected
+  }
+  pthread_sigmask(SIG_BLOCK, &s.signals, nullptr);
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  pthread_attr_setstacksize(&attributes, 512 * 1024);
+  pthread_attr_setdetachstate(&attributes, PTHREAD_CREATE_DETACHED);
+  pthread_t thread{};
+  const int error = pthread_create(&thread, &attributes, watch, nullptr);
+  pthread_attr_destroy(&attributes);
+  if (error != 0) throw std::system_error(error, std::generic_category(), "cannot start a thread");
+}
+
+void limit_memory(std::size_t bytes) {
+  shared().reserve = std::make_unique<char[]>(1 << 20);
+  mp_set_memory_functions(gmp_allocate, gmp_reallocate, gmp_free);
+  const rlimit limit{bytes, bytes};
+  if (setrlimit(RLIMIT_AS, &limit) != 0) throw std::system_error(errno, std::generic_category(), "cannot limit the memory");
+}
+
+}  // namespace
+
+void start_watch(const Limits& limits) {
+  mallopt(M_ARENA_MAX, 1);  // a second heap would reserve 128 MB of address space
+  if (limits.seconds) {
+    shared().deadline = in_seconds(*limits.seconds);
+    shared().deadline_reason = fmt::format("--max-seconds {}", *limits.seconds);
+  }
+  start_thread();
+  if (limits.memory) limit_memory(*limits.memory);
+}
+
+void begin_stage(const char* stage) noexcept { shared().stage = stage; }
+
+void on_stop(std::function<void(const Stop&)> last_words) {
+  const std::lock_guard lock(shared().mutex);
+  shared().last_words = std::move(last_words);
+}
+
+void finish() {
+  if (shared().ending.exchange(true)) wait_for_the_end();
+  begin_stage("");
+}
+
+void stop(const char* reason) noexcept {
+  Shared& s = shared();
+  if (s.ending.exchange(true)) {
+    // Memory ran out while the results were written, or two threads stop at once: the first one ends the program.
+    if (std::string_view(s.stage.load()).empty()) {
+      complain(reason);
+      abandon_files();
+      ::_exit(kStopped);
+    }
+    wait_for_the_end();
+  }
+  s.reserve.reset();
+  try {
+    const std::string stage = s.stage.load();
+    complain(stage.empty() ? fmt::format("stopped: {}", reason) : fmt::format("stopped in stage `{}`: {}", stage, reason));
+    const std::lock_guard lock(s.mutex);
+    if (s.last_words) s.last_words({reason, stage});
+  } catch (...) {
+    complain("and could not write the result that says so");
+  }
+  abandon_files();
+  ::_exit(kStopped);
+}
+
+}  // namespace taut::cli

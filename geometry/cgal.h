@@ -1,0 +1,68 @@
+// Points and polygons to and from CGAL, for users who live there. Optional: this header includes CGAL.
+#pragma once
+
+#include <iterator>
+
+#include <CGAL/Point_2.h>
+#include <CGAL/Polygon_2.h>
+#include <CGAL/Polygon_with_holes_2.h>
+#include <CGAL/Segment_2.h>
+
+#include <taut/geometry/point.h>
+
+namespace taut {
+
+/// Exact in every CGAL kernel: a coordinate means the double it is.
+template <class Kernel>
+CGAL::Point_2<Kernel> to_cgal(Point p) {
+  return {p.x, p.y};
+}
+
+template <class Kernel>
+CGAL::Segment_2<Kernel> to_cgal(const Segment& s) {
+  return {to_cgal<Kernel>(s.a), to_cgal<Kernel>(s.b)};
+}
+
+template <class Kernel>
+CGAL::Polygon_2<Kernel> to_cgal(const Ring& ring) {
+  CGAL::Polygon_2<Kernel> polygon;
+  for (const Point p : ring) polygon.push_back(to_cgal<Kernel>(p));
+  return polygon;
+}
+
+/// The orientation of the rings is kept as it is.
+template <class Kernel>
+CGAL::Polygon_with_holes_2<Kernel> to_cgal(const Polygon& polygon) {
+  CGAL::Polygon_with_holes_2<Kernel> result(to_cgal<Kernel>(polygon.outer));
+  for (const Ring& hole : polygon.holes) result.add_hole(to_cgal<Kernel>(hole));
+  return result;
+}
+
+/// The nearest doubles, or nearly, where the kernel's numbers are finer than doubles (CGAL::to_double).
+template <class Kernel>
+Point from_cgal(const CGAL::Point_2<Kernel>& p) {
+  return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
+}
+
+template <class Kernel>
+Segment from_cgal(const CGAL::Segment_2<Kernel>& s) {
+  return {from_cgal(s.source()), from_cgal(s.target())};
+}
+
+template <class Kernel, class Container>
+Ring from_cgal(const CGAL::Polygon_2<Kernel, Container>& polygon) {
+  Ring ring;
+  ring.reserve(polygon.size());
+  for (auto v = polygon.vertices_begin(); v != polygon.vertices_end(); ++v) ring.push_back(from_cgal(*v));
+  return ring;
+}
+
+/// Precondition: it has an outer boundary.
+template <class Kernel, class Container>
+Polygon from_cgal(const CGAL::Polygon_with_holes_2<Kernel, Container>& polygon) {
+  Polygon result{from_cgal(polygon.outer_boundary()), {}};
+  for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole) result.holes.push_back(from_cgal(*hole));
+  return result;
+}
+
+}  // namespace taut

@@ -1,0 +1,75 @@
+// What a planner answered, as JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <taut/geometry/footprint.h>
+#include <taut/geometry/world.h>
+#include <taut/search/graph_search.h>
+#include <taut/search/path.h>
+
+namespace taut {
+
+/// Wall-clock seconds of each stage.
+struct StageSeconds {
+  double read = 0;     ///< reading the file and checking the world
+  double space = 0;    ///< the free space: unions and triangulation
+  double roadmap = 0;  ///< the visibility graph
+  double search = 0;
+  double verify = 0;
+  double total = 0;
+};
+
+/// Everything there is to say about one query. Nothing in `path`, `separation` and `clearance` unless it applies.
+struct PlanResult {
+  std::string source;   ///< the file's name
+  std::string version;  ///< of the program
+  SearchStatus status = SearchStatus::none;
+  std::string reason;   ///< when stopped: `interrupted`, `--max-seconds 2`, ...
+  std::string stage;    ///< when stopped: the stage it happened in, named as in StageSeconds
+  Path path;
+  std::vector<Segment> separation;  ///< when none: the walls in between, in order around the one or the other
+  std::optional<double> clearance;  ///< when verified
+  bool verified = false;
+  std::optional<Point> start;
+  Goal goal;
+  Footprint robot;
+  double wall_thickness = 0;  ///< the largest of the world
+  double displacement = 0;    ///< FreeSpaceReport
+  std::size_t expanded = 0;
+  StageSeconds seconds;
+};
+
+/// One JSON object, indented, with a final newline. Keys are stable: none will be renamed or change its meaning within a major version,
+/// new ones may come. Numbers read back as the same double. Keys, in this order:
+///
+///  program         "taut"
+///  version         "0.1.0"
+///  source          the input file as named on the command line; "<stdin>"
+///  status          "found", "none" (proven: there is no path) or "stopped" (by a limit or an interrupt: nothing is known)
+///  length          number, within one ulp of the exact length                               found
+///  length_text     the exact length, correctly rounded to 15 decimals                       found
+///  length_interval [lo, hi], doubles that enclose the exact length                          found
+///  points          [[x, y], ...] from start to goal                                         found
+///  corners         number of points between start and goal                                  found
+///  clearance       least distance of the path to an obstacle, 0 when it touches one; null when it was not verified or there is no obstacle
+///                                                                                           found
+///  verified        true when the independent check accepted the path                        found
+///  separation      [[[x1, y1], [x2, y2]], ...] the walls between start and goal, in order   none
+///  reason, stage   what stopped it, and in which stage (a key of `seconds`)                 stopped
+///  start           [x, y]; null when not known yet
+///  goal            {"point": [x, y]}, {"room": [[xmin, ymin, xmax, ymax], ...]} or null
+///  robot           {"kind": "point" | "disc" | "polygon", "radius": r (disc and square only)}
+///  wall_thickness  the largest thickness of a wall
+///  displacement    how far rounding moved any constructed point at most
+///  expanded        vertices the search took from its queue for good
+///  seconds         {"read", "space", "roadmap", "search", "verify", "total"}
+/// Bytes of names that are no UTF-8 become U+FFFD.
+std::string result_json(const PlanResult& result);
+
+/// "found", "none", "stopped".
+const char* name(SearchStatus status);
+
+}  // namespace taut

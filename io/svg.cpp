@@ -1,0 +1,216 @@
+#include <taut/io/svg.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+
+#include <taut/geometry/predicates.h>
+#include <taut/io/detail/svg_page.h>
+#include <taut/io/detail/svg_path.h>
+
+namespace taut {
+
+namespace {
+
+using detail::SvgPath;
+
+double longer_side(const Box& box) { return std::max(box.max.x - box.min.x, box.max.y - box.min.y); }
+
+Ring ring_of(const Box& b) { return {b.min, {b.max.x, b.min.y}, b.max, {b.min.x, b.max.y}}; }
+
+bool same(const Ring& a, const Ring& b) { return std::is_permutation(a.begin(), a.end(), b.begin(), b.end()); }
+
+class Picture {
+ public:
+  Picture(const FreeSpace& space, const SvgPicture& what)
+      : space_(space), world_(space.world()), what_(what), box_(frame(world_)), extent_(longer_side(box_)), keys_(keys()) {
+    const Point aspect{(box_.max.x - box_.min.x) / extent_, (box_.max.y - box_.min.y) / extent_};
+    page_ = detail::page_for(aspect, corridor_width(space) / extent_, keys_);
+    const int decimals = std::clamp(static_cast<int>(std::ceil(std::log10(60 / page_.corridor))), 1, 4);
+    scale_.emplace(box_, page_.map.min, extent_, detail::kMapPixels, decimals);
+  }
+
+  std::string draw() {
+    begin();
+    solid();
+    free();
+    rooms();
+    roadmap();
+    lines("openings", world_.openings());
+    walls();
+    lines("separation", what_.separation);
+    path();
+    marker("start", what_.start);
+    marker("goal", goal_point());
+    out_ += "</svg>\n";
+    out_ += detail::legend(page_, what_.title, facts(), keys_);
+    return std::move(out_ += "</svg>\n");
+  }
+
+ private:
+  // A walled world shows a bit of what it is carved out of.
+  static Box frame(const World& world) {
+    Box box = world.box();
+    if (world.boundary() != Boundary::walled) return box;
+    const double rim = longer_side(box) / 40;
+    return {{box.min.x - rim, box.min.y - rim}, {box.max.x + rim, box.max.y + rim}};
+  }
+
+  void begin() {
+    const auto px = [](double v) { return detail::svg_number(v); };
+    out_ = fmt::format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"taut\" role=\"img\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n"
+        "<title>{2}</title>\n<desc>{3}</desc>\n",
+        px(page_.width), px(page_.height), detail::xml_text(what_.title), detail::xml_text(fmt::format("{}", fmt::join(facts(), ", "))));
+    out_ += detail::style(page_);
+    out_ += fmt::format("<rect class=\"page\" width=\"{}\" height=\"{}\"/>\n", px(page_.width), px(page_.height));
+    // An inner <svg> cuts off what reaches beyond the world.
+    constexpr double kRim = 16;
+    out_ += fmt::format("<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\">\n", px(page_.map.min.x - kRim),
+                        px(page_.map.min.y - kRim), px(page_.map.max.x - page_.map.min.x + 2 * kRim),
+                        px(page_.map.max.y - page_.map.min.y + 2 * kRim));
+  }
+
+  std::vector<std::string> keys() const {
+    std::vector<std::string> keys;
+    if (what_.start) keys.emplace_back("start");
+    if (goal_point()) keys.emplace_back("goal");
+    if (!what_.goal.room.empty()) keys.emplace_back("rooms");
+    if (what_.path) keys.emplace_back("path");
+    if (!what_.separation.empty()) keys.emplace_back("separation");
+    if (roadmap_is_drawn()) keys.emplace_back("roadmap");
+    if (space_.footprint().kind() != Footprint::Kind::point) keys.emplace_back("solid");
+    return keys;
+  }
+
+  std::vector<std::string> facts() const {
+    std::vector<std::string> facts = what_.facts;
+    if (what_.roadmap && !roadmap_is_drawn()) facts.push_back(fmt::format("roadmap of {} edges not drawn", what_.roadmap->edge_count()));
+    return facts;
+  }
+
+  bool roadmap_is_drawn() const { return what_.roadmap && what_.roadmap->edge_count() <= kSvgRoadmapEdges; }
+
+  std::optional<Point> goal_point() const {
+    if (what_.goal.point) return what_.goal.point;
+    if (what_.path && !what_.path->points.empty()) return what_.path->points.back();
+    return std::nullopt;
+  }
+
+  void group(const char* kind, const SvgPath& path) {
+    if (!path.empty()) out_ += fmt::format("<g class=\"{}\"><path d=\"{}\"/></g>\n", kind, path.text());
+  }
+
+  void lines(const char* kind, const std::vector<Segment>& segments) {
+    SvgPath path(*scale_);
+    for (const Segment& s : segments) path.segment(s);
+    group(kind, path);
+  }
+
+  bool all_is_free() const {
+    const auto& free = space_.polygons();
+    const auto& areas = world_.areas();
+    return world_.boundary() != Boundary::walled && free.size() == 1 && areas.size() == 1 && free[0].holes.empty() &&
+           areas[0].polygon.holes.empty() && same(free[0].outer, areas[0].polygon.outer);
+  }
+
+  // The free polygons are drawn over it.
+  void solid() {
+    if (all_is_free()) return;
+    SvgPath path(*scale_);
+    if (world_.boundary() == Boundary::walled) path.ring(ring_of(box_));
+    else if (world_.areas().size() == 1) path.polygon(world_.areas()[0].polygon);
+    else path.ring(ring_of(world_.box()));
+    group("solid", path);
+  }
+
+  void free() {
+    SvgPath path(*scale_);
+    for (const Polygon& polygon : space_.polygons()) path.polygon(polygon);
+    group("free", path);
+  }
+
+  void rooms() {
+    SvgPath path(*scale_);
+    for (const Box& box : what_.goal.room) path.ring(ring_of(box));
+    group("rooms", path);
+  }
+
+  void roadmap() {
+    if (!roadmap_is_drawn()) return;
+    SvgPath path(*scale_);
+    for (Roadmap::Vertex v = 0; v < what_.roadmap->vertex_count(); ++v)
+      for (const Roadmap::Vertex w : what_.roadmap->neighbours(v))
+        if (v < w) path.segment({what_.roadmap->point(v), what_.roadmap->point(w)});
+    group("roadmap", path);
+  }
+
+  void walls() {
+    std::map<double, SvgPath> by_thickness;
+    for (const Wall& wall : world_.walls()) by_thickness.try_emplace(wall.thickness, *scale_).first->second.segment({wall.a, wall.b});
+    SvgPath solids(*scale_);
+    for (const Area& solid : world_.solids()) solids.polygon(solid.polygon);
+    if (by_thickness.empty() && solids.empty()) return;
+    out_ += "<g class=\"walls\">";
+    if (!solids.empty()) out_ += fmt::format("<path class=\"area\" d=\"{}\"/>", solids.text());
+    for (const auto& [thickness, path] : by_thickness) {
+      const std::string bar = fmt::format(" class=\"bar\" style=\"stroke-width:{}\"", detail::svg_number(scale_->length(thickness)));
+      out_ += fmt::format("<path{} d=\"{}\"/>", thickness > 0 ? bar : "", path.text());
+    }
+    out_ += "</g>\n";
+  }
+
+  void path() {
+    if (!what_.path) return;
+    SvgPath line(*scale_);
+    line.chain(what_.path->points);
+    if (line.empty()) return;
+    out_ += fmt::format("<g class=\"path\"><path class=\"casing\" d=\"{0}\"/><path class=\"line\" d=\"{0}\"/></g>\n", line.text());
+  }
+
+  void marker(const char* kind, const std::optional<Point>& at) {
+    if (at) out_ += detail::marker(kind, scale_->pixel(*at), page_.marker_radius(), page_.corridor);
+  }
+
+  const FreeSpace& space_;
+  const World& world_;
+  const SvgPicture& what_;
+  Box box_;
+  double extent_;
+  std::vector<std::string> keys_;
+  detail::SvgPage page_;
+  std::optional<detail::SvgScale> scale_;
+  std::string out_;
+};
+
+double ring_length(const Ring& ring) {
+  double sum = 0;
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) sum += std::hypot(ring[i].x - ring[j].x, ring[i].y - ring[j].y);
+  return sum;
+}
+
+}  // namespace
+
+double corridor_width(const FreeSpace& space) {
+  const double extent = longer_side(space.world().box());
+  // In parts of the extent, so that no square overflows.
+  double area = 0, outline = 0;
+  for (Polygon polygon : space.polygons()) {
+    polygon.holes.push_back(std::move(polygon.outer));
+    for (Ring& ring : polygon.holes) {
+      for (Point& p : ring) p = {p.x / extent, p.y / extent};
+      area += ring_area(ring);  // twice the area, negative for holes
+      outline += ring_length(ring);
+    }
+  }
+  for (const Constraint& c : space.constraints())
+    if (c.is_wall()) outline += 2 * std::hypot((c.b.x - c.a.x) / extent, (c.b.y - c.a.y) / extent);
+  return extent * (outline > 0 && area > 0 ? std::clamp(area / outline, 1e-4, 0.125) : 0.125);
+}
+
+std::string svg(const FreeSpace& space, const SvgPicture& picture) { return Picture(space, picture).draw(); }
+
+}  // namespace taut

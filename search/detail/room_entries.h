@@ -1,0 +1,36 @@
+// Where a path can enter a room.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <taut/geometry/free_space.h>
+
+namespace taut::detail {
+
+Point middle(const Box& box);
+
+/// A side of one box of a room that no other box of it shares, and the middle of the box.
+struct RoomSide {
+  Segment side;  ///< axis-parallel, a < b
+  Point inside;
+
+  /// The point of the side that is nearest to p, if it is none of its ends. Exact.
+  std::optional<Point> foot(Point p) const;
+};
+
+std::vector<RoomSide> room_sides(const std::vector<Box>& room);
+
+/// A point of a side where a shortest path may enter, whatever comes before: an end of the side or a place where it meets a constraint.
+struct RoomEntry {
+  Point point;
+  Point inside;
+};
+
+/// A shortest path into a room enters at one of these, or at the foot of the perpendicular from its last bend: the nearest point of what
+/// it sees of a side is a foot, an end of a free stretch of the side, or lies in line with a corner, where it would rather
+/// bend. A constraint that meets a side in no pair of doubles gives a point rounded along the side into the free space.
+/// O(sides * constraints).
+std::vector<RoomEntry> room_entries(const FreeSpace& space, const std::vector<Box>& room);
+
+}  // namespace taut::detail

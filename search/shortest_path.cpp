@@ -1,0 +1,76 @@
+#include <taut/search/shortest_path.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <taut/search/detail/room_entries.h>
+#include <taut/search/query_ends.h>
+
+namespace taut {
+
+namespace {
+
+GraphQuery to_point(const VisibilityGraph& graph, Point from, Point to) {
+  GraphQuery query{{from, graph.visible_from(from)}, {{to, graph.visible_from(to)}}, {}};
+  if (graph.space().sees(from, to)) query.direct.push_back(0);
+  return query;
+}
+
+/// One terminal for each place where a shortest path can enter the room.
+GraphQuery to_room(const VisibilityGraph& graph, Point from, const std::vector<Box>& room) {
+  const FreeSpace& space = graph.space();
+  GraphQuery query{{from, graph.visible_from(from)}, {}, {}};
+  for (const detail::RoomEntry& entry : detail::room_entries(space, room)) {
+    if (space.sees(entry.point, from, entry.inside)) query.direct.push_back(query.goals.size());
+    query.goals.push_back({entry.point, graph.visible_from(entry.point, entry.inside)});
+  }
+  for (const detail::RoomSide& side : detail::room_sides(room)) {
+    const auto add_foot = [&](Point p, Roadmap::Vertex v) {
+      const auto foot = side.foot(p);
+      if (!foot || space.locate(*foot).kind == Location::Kind::outside || !space.sees(*foot, p, side.inside)) return;
+      if (v == kNone) query.direct.push_back(query.goals.size());
+      query.goals.push_back({*foot, v == kNone ? std::vector<Roadmap::Vertex>{} : std::vector{v}});
+    };
+    add_foot(from, kNone);
+    for (Roadmap::Vertex v = 0; v < graph.roadmap().vertex_count(); ++v) add_foot(graph.roadmap().point(v), v);
+  }
+  return query;
+}
+
+bool starts_in_room(const FreeSpace& space, Point from, const std::vector<Box>& room) {
+  return std::any_of(room.begin(), room.end(), [&](const Box& b) { return b.contains(from) && space.sees(from, detail::middle(b)); });
+}
+
+}  // namespace
+
+GraphSearchResult shortest_path(const VisibilityGraph& graph, Point from, const Goal& to, GraphAlgorithm algorithm, const SearchLimits& limits) {
+  require_free(graph.space(), from, "start");
+  if (to.point) require_free(graph.space(), *to.point, "goal");
+  if (!to.point && starts_in_room(graph.space(), from, to.room)) {
+    GraphSearchResult result;
+    result.status = SearchStatus::found;
+    result.path.points = {from};
+    return result;
+  }
+  return graph_search(graph.roadmap(), to.point ? to_point(graph, from, *to.point) : to_room(graph, from, to.room), algorithm, limits);
+}
+
+std::optional<Path> shortest_path(const FreeSpace& space, Point from, const Goal& to) {
+  GraphSearchResult result = shortest_path(VisibilityGraph(space), from, to);
+  if (result.status != SearchStatus::found) return std::nullopt;
+  return std::move(result.path);
+}
+
+std::optional<Path> shortest_path(const FreeSpace& space, Point from, Point to) { return shortest_path(space, from, Goal{to, {}}); }
+
+ShortestPathTree::ShortestPathTree(std::shared_ptr<const VisibilityGraph> graph, Point from)
+    : graph_((require_free(graph->space(), from, "start"), std::move(graph))),
+      from_(from),
+      paths_(std::shared_ptr<const Roadmap>(graph_, &graph_->roadmap()), {from, graph_->visible_from(from)}) {}
+
+std::optional<Path> ShortestPathTree::path_to(Point to) const {
+  require_free(graph_->space(), to, "goal");
+  return paths_.path_to({to, graph_->visible_from(to)}, graph_->space().sees(from_, to));
+}
+
+}  // namespace taut

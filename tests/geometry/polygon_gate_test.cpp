@@ -1,0 +1,134 @@
+#include <taut/geometry/detail/polygon_gate.h>
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <taut/geometry/errors.h>
+#include <taut/geometry/predicates.h>
+
+namespace taut::detail {
+namespace {
+
+Ring square(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+
+std::string verdict(Polygon polygon) {
+  try {
+    admit(polygon, "", 0);
+    return "fine";
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(PolygonGate, DropsRepeatedVerticesAndTurnsRings) {
+  Polygon polygon{{{0, 0}, {0, 4}, {0, 4}, {4, 4}, {4, 0}, {0, 0}}, {square(1, 1, 2, 2)}};
+  admit(polygon, "", 0);
+  EXPECT_EQ(polygon.outer, (Ring{{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
+  EXPECT_EQ(ring_orientation(polygon.holes[0]), -1);
+}
+
+TEST(PolygonGate, KeepsStraightThroughVertices) {
+  EXPECT_EQ(verdict({{{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}}, {}}), "fine");
+}
+
+TEST(PolygonGate, RefusesBowTies) {
+  EXPECT_EQ(verdict({{{0, 0}, {4, 4}, {4, 0}, {0, 4}}, {}}),
+            "ring crosses itself: side (0, 0)-(4, 4) and side (4, 0)-(0, 4)");
+}
+
+TEST(PolygonGate, RefusesAVertexOnAnotherSide) {
+  EXPECT_EQ(verdict({{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}, {}}),
+            "ring touches itself at (2, 0): side (0, 0)-(4, 0) and side (4, 4)-(2, 0)");
+}
+
+TEST(PolygonGate, RefusesTouchesAndOverlaps) {
+  EXPECT_EQ(verdict({{{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}}, {}}),
+            "ring touches itself at (2, 2): side (4, 0)-(2, 2) and side (0, 4)-(2, 2)");
+  EXPECT_EQ(verdict({{{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 0}, {0, 0}, {0, 1}}, {}}),
+            "ring overlaps itself: side (1, 0)-(2, 0) and side (3, 0)-(0, 0)");
+  EXPECT_EQ(verdict({{{0, 0}, {4, 0}, {4, 2}, {3, 0}, {1, 0}, {0, 2}}, {}}).substr(0, 29),
+            "ring touches itself at (3, 0)");
+}
+
+TEST(PolygonGate, RefusesSpikesAndFlatRings) {
+  EXPECT_EQ(verdict({{{0, 0}, {4, 0}, {4, 4}, {8, 4}, {4, 4}, {0, 4}}, {}}),
+            "ring has a spike at (8, 4): side (8, 4)-(4, 4) folds back over side (4, 4)-(8, 4)");
+  EXPECT_EQ(verdict({{{0, 0}, {4, 4}, {2, 2}}, {}}),
+            "ring has a spike at (4, 4): side (4, 4)-(2, 2) folds back over side (0, 0)-(4, 4)");
+  EXPECT_EQ(verdict({{{0, 0}, {4, 4}, {4, 4}, {0, 0}}, {}}), "ring near (0, 0) has fewer than 3 distinct points");
+}
+
+TEST(PolygonGate, DecidesHairWidthsExactly) {
+  const double up = std::nextafter(1.0, 2.0), down = std::nextafter(1.0, 0.0);
+  EXPECT_EQ(verdict({{{0, 0}, {3, 3}, {1, up}, {0, 3}}, {}}), "fine");
+  EXPECT_NE(verdict({{{0, 0}, {3, 3}, {1, down}, {0, 3}}, {}}), "fine");
+  EXPECT_NE(verdict({{{0, 0}, {3, 3}, {1, 1}, {0, 3}}, {}}), "fine");
+}
+
+TEST(PolygonGate, LetsHolesTouchAtPoints) {
+  EXPECT_EQ(verdict({square(0, 0, 8, 8), {{{0, 4}, {4, 2}, {4, 4}}, {{4, 4}, {6, 4}, {6, 6}}}}), "fine");
+  EXPECT_EQ(verdict({square(0, 0, 8, 8), {{{4, 0}, {8, 4}, {4, 8}, {0, 4}}}}), "fine");
+}
+
+TEST(PolygonGate, RefusesHolesOutsideTheirRing) {
+  EXPECT_EQ(verdict({square(0, 0, 4, 4), {square(5, 0, 6, 1)}}), "hole 1 at (5, 0) does not lie inside its outer ring");
+  EXPECT_EQ(verdict({square(0, 0, 4, 4), {{{4, 2}, {5, 1}, {5, 3}}}}),
+            "hole 1 at (4, 2) does not lie inside its outer ring");
+  EXPECT_EQ(verdict({square(0, 0, 4, 4), {square(-1, -1, 5, 5)}}),
+            "hole 1 at (-1, -1) does not lie inside its outer ring");
+}
+
+TEST(PolygonGate, RefusesHolesThatCrossTheirRingAtItsVertices) {
+  EXPECT_EQ(
+      verdict({{{0, 0}, {4, 0}, {4, 2}, {4, 4}, {0, 4}}, {{{2, 2}, {4, 2}, {5, 3}, {5, 5}, {3, 5}}}}).substr(0, 30),
+      "hole 1 crosses the outer ring:");
+}
+
+TEST(PolygonGate, RefusesHolesAlongARing) {
+  EXPECT_EQ(verdict({square(0, 0, 4, 4), {square(0, 1, 1, 2)}}).substr(0, 33), "hole 1 runs along the outer ring:");
+}
+
+TEST(PolygonGate, RefusesHolesInHoles) {
+  EXPECT_EQ(verdict({square(0, 0, 9, 9), {square(3, 3, 4, 4), square(2, 2, 6, 6)}}),
+            "hole 1 at (3, 3) does not lie apart from hole 2");
+  EXPECT_EQ(verdict({square(0, 0, 9, 9), {square(2, 2, 6, 6), {{2, 4}, {4, 3}, {4, 5}}}}),
+            "hole 2 at (2, 4) does not lie apart from hole 1");
+}
+
+RC_GTEST_PROP(PolygonGate, AgreesWithTestingAllPairsOfSides, ()) {
+  Ring ring;
+  for (int i = *rc::gen::inRange(3, 30); i > 0; --i)
+    ring.push_back({static_cast<double>(*rc::gen::inRange(0, 12)), static_cast<double>(*rc::gen::inRange(0, 12))});
+  Ring clean = ring;
+  clean.erase(std::unique(clean.begin(), clean.end()), clean.end());
+  while (clean.size() > 1 && clean.front() == clean.back()) clean.pop_back();
+  const std::size_t n = clean.size();
+  bool simple = n >= 3;
+  for (std::size_t i = 0; simple && i < n; ++i) {
+    const Segment s{clean[i], clean[(i + 1) % n]};
+    const Point next = clean[(i + 2) % n];
+    simple = !on_segment(next, s.a, s.b) && !on_segment(s.a, s.b, next);
+    for (std::size_t j = 0; simple && j < n; ++j)
+      if (j != i && (j + 1) % n != i && (i + 1) % n != j) simple = !segments_meet(s, {clean[j], clean[(j + 1) % n]});
+  }
+  RC_TAG(simple ? "simple" : "not simple");
+  RC_ASSERT((verdict({ring, {}}) == "fine") == simple);
+}
+
+TEST(PolygonGate, IsFastOnLargeStars) {
+  Ring ring;
+  constexpr int kCorners = 20000;
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 2 * M_PI * i / kCorners, radius = i % 2 == 0 ? 100 : 101;
+    ring.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  EXPECT_EQ(verdict({ring, {}}), "fine");
+  std::swap(ring[5], ring[9000]);
+  EXPECT_EQ(verdict({ring, {}}).substr(0, 20), "ring crosses itself:");
+}
+
+}  // namespace
+}  // namespace taut::detail
