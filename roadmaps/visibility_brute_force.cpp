@@ -49,7 +49,8 @@ class BruteForce {
   Roadmap roadmap() {
     for (std::size_t i = 0; i < corners_.size(); ++i)
       for (std::size_t j = i + 1; j < corners_.size(); ++j)
-        if (kind_ == VisibilityKind::full || tangent_between(corners_[i].star, corners_[j].star)) join(corners_[i], corners_[j]);
+        if (kind_ == VisibilityKind::full || tangent_between(corners_[i].star, corners_[j].star))
+          join(corners_[i], corners_[j]);
     return Roadmap(std::move(points_), edges_);
   }
 

@@ -27,12 +27,14 @@ std::string named(const Constraint& c) {
 }
 
 bool readable(Point p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::abs(p.x) <= World::kLargest && std::abs(p.y) <= World::kLargest;
+  return std::isfinite(p.x) && std::isfinite(p.y) && std::abs(p.x) <= World::kLargest &&
+         std::abs(p.y) <= World::kLargest;
 }
 
 bool inside(Point p, const Polygon& polygon) {
   if (side_of_ring(p, polygon.outer) < 0) return false;
-  return std::none_of(polygon.holes.begin(), polygon.holes.end(), [p](const Ring& hole) { return side_of_ring(p, hole) > 0; });
+  return std::none_of(polygon.holes.begin(), polygon.holes.end(),
+                      [p](const Ring& hole) { return side_of_ring(p, hole) > 0; });
 }
 
 bool inside_any(Point p, const std::vector<Polygon>& polygons) {
@@ -93,7 +95,8 @@ bool Verification::ends_stand(Point from) {
   if (points.empty()) return refuse(0, "the path has no points");
   for (std::size_t i = 0; i < points.size(); ++i)
     if (!readable(points[i]))
-      return refuse(i == 0 ? 0 : i - 1, "point " + std::to_string(i) + ", " + text(points[i]) + ", is not a finite point in range");
+      return refuse(i == 0 ? 0 : i - 1,
+                    "point " + std::to_string(i) + ", " + text(points[i]) + ", is not a finite point in range");
   if (points.front() != from) return refuse(0, "the path starts at " + text(points.front()) + ", not at " + text(from));
   return ends_in_goal();
 }
@@ -124,7 +127,8 @@ void Verification::lay_legs() {
 void Verification::measure_clearance() {
   for (std::size_t leg = 0; leg < path_legs_; ++leg) {
     const auto& touching = contacts_.touching[leg];
-    verdict_.nearest = std::min({verdict_.nearest, contacts_.crossed[leg], touching.empty() ? kNone : touching.front()});
+    verdict_.nearest =
+        std::min({verdict_.nearest, contacts_.crossed[leg], touching.empty() ? kNone : touching.front()});
   }
   if (verdict_.nearest != kNone) return;
   const std::span<const Segment> own(legs_.data(), path_legs_);
@@ -166,13 +170,15 @@ bool Verification::enters_room(const Sectors& sectors) {
     if (contacts_.crossed[leg] != kNone) continue;
     if (!detail::pass(legs_[leg], sectors, constraints_, contacts_.touching[leg]).blocked) return true;
   }
-  return refuse(last_leg(), "the path ends at " + text(path_.points.back()) + ", on the rim of the goal room, but cannot enter it from there");
+  return refuse(last_leg(), "the path ends at " + text(path_.points.back()) +
+                                ", on the rim of the goal room, but cannot enter it from there");
 }
 
 bool Verification::length_stands() {
   const Length exact(path_.points);
   if (path_.length == exact) return true;
-  return refuse(last_leg(), "the claimed length " + text(path_.length.value()) + " is not the length of the points, " + text(exact.value()));
+  return refuse(last_leg(), "the claimed length " + text(path_.length.value()) + " is not the length of the points, " +
+                                text(exact.value()));
 }
 
 std::string Verification::obstruction(const Passage& passage) const {

@@ -60,9 +60,8 @@ bool Star::reflex(std::uint32_t sector) const {
 
 Star::Direction Star::direction(Point to) const {
   if (rays_.empty()) return {0, 0};
-  const auto after = std::partition_point(rays_.begin(), rays_.end(), [&](const Ray& r) {
-    return compare_angle(centre_, r.towards, to) < 0;
-  });
+  const auto after = std::partition_point(rays_.begin(), rays_.end(),
+                                          [&](const Ray& r) { return compare_angle(centre_, r.towards, to) < 0; });
   const auto n = sector_count();
   const auto i = static_cast<std::uint32_t>(after - rays_.begin());
   const std::uint32_t before = (i + n - 1) % n;

@@ -86,9 +86,9 @@ Contact contact(const Segment& leg, const Constraint& constraint);
 /// What became of a path on one leg.
 struct Passage {
   bool blocked = false;
-  Point at;            ///< when blocked: the point it cannot pass
+  Point at;                           ///< when blocked: the point it cannot pass
   std::vector<std::uint32_t> pieces;  ///< when blocked: the constraints at that point
-  Sectors sectors;     ///< when not: the sectors of the star at the leg's end that it can be in; not empty
+  Sectors sectors;  ///< when not: the sectors of the star at the leg's end that it can be in; not empty
 };
 
 /// The star at an end of a leg. Precondition: `touching` names at least all constraints that contain the point.

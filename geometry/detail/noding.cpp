@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include <taut/geometry/detail/box_tree.h>
+#include <taut/geometry/detail/box_index.h>
 #include <taut/geometry/detail/exact.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/predicates.h>
@@ -85,10 +85,10 @@ class Splitting {
   /// Finds all contacts; false when there is none.
   bool find() {
     std::vector<Box> boxes(pieces_.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = box_of(pieces_[i].a, pieces_[i].b);
-    const BoxTree tree(boxes);
+    for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = box_around(pieces_[i].a, pieces_[i].b);
+    const BoxIndex index(boxes);
     for (std::uint32_t i = 0; i < boxes.size(); ++i)
-      tree.query(boxes[i], [&](std::uint32_t j) {
+      index.meeting(boxes[i], [&](std::uint32_t j) {
         if (j > i) meet(i, j);
       });
     return !cuts_.empty();

@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include <taut/geometry/detail/box_tree.h>
+#include <taut/geometry/detail/box_index.h>
 #include <taut/geometry/detail/exact.h>
 #include <taut/geometry/predicates.h>
 
@@ -133,7 +133,7 @@ struct Incidence {
 
 class Union {
  public:
-  Union(const std::vector<ConvexPiece>& pieces, const Box& within) : pieces_(pieces), within_(within), tree_(boxes(pieces)) {}
+  Union(const std::vector<ConvexPiece>& pieces, const Box& within) : pieces_(pieces), within_(within), index_(boxes(pieces)) {}
 
   Outline run() {
     for (std::uint32_t p = 0; p < pieces_.size(); ++p)
@@ -167,7 +167,7 @@ class Union {
     const Axis axis(side);
     Cover cover(side, axis);
     covered_.clear();
-    tree_.query(box_of(side.a, side.b), [&](std::uint32_t q) {
+    index_.meeting(box_around(side.a, side.b), [&](std::uint32_t q) {
       if (q == p) return;
       if (const auto span = cover.by(pieces_[q].ring, q < p)) covered_.push_back(*span);
     });
@@ -240,7 +240,7 @@ class Union {
 
   const std::vector<ConvexPiece>& pieces_;
   Box within_;
-  BoxTree tree_;
+  BoxIndex index_;
   std::vector<Span> covered_;
   std::vector<Stretch> stretches_;
   std::map<ExactPoint, std::vector<Incidence>> crossings_;

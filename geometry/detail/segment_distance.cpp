@@ -19,7 +19,8 @@ constexpr double kEps = 0x1p-53;
 Interval difference(double a, double b) {
   const double d = a - b, part = d - a;
   const double lost = (a - (d - part)) - (b + part);
-  return lost == 0 ? Interval{std::abs(d), std::abs(d)} : Interval{std::abs(d) * (1 - 2 * kEps), std::abs(d) * (1 + 2 * kEps)};
+  return lost == 0 ? Interval{std::abs(d), std::abs(d)}
+                   : Interval{std::abs(d) * (1 - 2 * kEps), std::abs(d) * (1 + 2 * kEps)};
 }
 
 bool between(double v, double a, double b) { return std::min(a, b) <= v && v <= std::max(a, b); }

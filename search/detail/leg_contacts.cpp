@@ -47,7 +47,8 @@ LegTree::LegTree(std::span<const Segment> legs, std::span<const Constraint> cons
     : legs_(legs), constraints_(constraints), index_(boxes_of(legs)) {}
 
 LegContacts LegTree::contacts() const {
-  LegContacts result{std::vector<std::vector<std::uint32_t>>(legs_.size()), std::vector<std::uint32_t>(legs_.size(), kNone)};
+  LegContacts result{std::vector<std::vector<std::uint32_t>>(legs_.size()),
+                     std::vector<std::uint32_t>(legs_.size(), kNone)};
   for (std::uint32_t i = 0; i < constraints_.size(); ++i) {
     const Constraint& c = constraints_[i];
     index_.meeting(box_around(c.a, c.b), [&](std::uint32_t leg) {

@@ -13,7 +13,7 @@ namespace taut::detail {
 /// Which constraints the legs of a path meet (see Contact).
 struct LegContacts {
   std::vector<std::vector<std::uint32_t>> touching;  ///< for each leg, ascending
-  std::vector<std::uint32_t> crossed;  ///< for each leg: the lowest constraint that it crosses, or kNone
+  std::vector<std::uint32_t> crossed;                ///< for each leg: the lowest constraint that it crosses, or kNone
 };
 
 /// The piece that a path comes nearest to.

@@ -18,9 +18,9 @@ namespace {
 using test::Constraints;
 using test::wall;
 
-constexpr int kCells = 3;        // a scene is kCells x kCells unit cells
-constexpr int kPixels = 32;      // a unit
-constexpr double kTube = 4;      // pixels that the robot may be off the path
+constexpr int kCells = 3;                              // a scene is kCells x kCells unit cells
+constexpr int kPixels = 32;                            // a unit
+constexpr double kTube = 4;                            // pixels that the robot may be off the path
 enum Cell { free_cell, solid_cell, rising, falling };  // the last two hold a diagonal wall
 
 struct Scene {
@@ -43,7 +43,8 @@ Constraints constraints_of(const Scene& scene) {
   for (int y = 0; y <= kCells; ++y)
     for (int x = 0; x <= kCells; ++x) {
       const int i = y * (kCells + 1) + x;
-      if (y < kCells) add_side(result, at(x, y), at(x, y + 1), scene.solid(x - 1, y), scene.solid(x, y), scene.upright[i]);
+      if (y < kCells)
+        add_side(result, at(x, y), at(x, y + 1), scene.solid(x - 1, y), scene.solid(x, y), scene.upright[i]);
       if (x < kCells) add_side(result, at(x + 1, y), at(x, y), scene.solid(x, y - 1), scene.solid(x, y), scene.flat[i]);
       if (scene.cell(x, y) == rising) result.push_back(wall(at(x, y), at(x + 1, y + 1)));
       if (scene.cell(x, y) == falling) result.push_back(wall(at(x, y + 1), at(x + 1, y)));
@@ -56,7 +57,8 @@ int any(int first, int last) { return *rc::gen::resize(rc::kNominalSize, rc::gen
 
 Scene any_scene() {
   const auto one_in = [](std::size_t n) {
-    return rc::gen::container<std::vector<int>>((kCells + 1) * (kCells + 1), rc::gen::weightedElement<int>({{n - 1, 0}, {1, 1}}));
+    return rc::gen::container<std::vector<int>>((kCells + 1) * (kCells + 1),
+                                                rc::gen::weightedElement<int>({{n - 1, 0}, {1, 1}}));
   };
   Scene scene;
   scene.cells = *rc::gen::container<std::vector<int>>(
@@ -138,14 +140,16 @@ bool pixels_connect(const Raster& raster, const std::vector<Point>& path) {
       if (leg + 2 == path.size()) return true;
       reach(leg + 1, x, y);
     }
-    for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) reach(leg, x + dx, y + dy);
+    for (const auto& [dx, dy] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)})
+      reach(leg, x + dx, y + dy);
   }
   return false;
 }
 
 void show(const Constraints& constraints, const std::vector<Point>& path) {
   for (const Constraint& c : constraints)
-    RC_LOG() << "constraint (" << c.a.x << ", " << c.a.y << ") (" << c.b.x << ", " << c.b.y << ") " << c.solid_left << c.solid_right << '\n';
+    RC_LOG() << "constraint (" << c.a.x << ", " << c.a.y << ") (" << c.b.x << ", " << c.b.y << ") " << c.solid_left
+             << c.solid_right << '\n';
   for (const Point p : path) RC_LOG() << "path (" << p.x << ", " << p.y << ")\n";
 }
 

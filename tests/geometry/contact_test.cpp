@@ -100,7 +100,8 @@ TEST(PathAmongWalls, MayTouchAndTurnAroundAFreeEnd) {
   const Constraints c = walls({{{0, 0}, {0, 2}}});
   EXPECT_TRUE(follows({{-1, 2}, {1, 2}}, c));
   EXPECT_TRUE(follows({{-1, 1}, {0, 2}, {1, 1}}, c));
-  EXPECT_TRUE(follows({{-1, 0}, {0, 1}, {0, 2}, {0, 1}, {1, 0}}, c)) << "up the left side, around the end, down the right";
+  EXPECT_TRUE(follows({{-1, 0}, {0, 1}, {0, 2}, {0, 1}, {1, 0}}, c))
+      << "up the left side, around the end, down the right";
   EXPECT_FALSE(follows({{-1, 0}, {0, 1}, {1, 0}}, c));
   EXPECT_FALSE(follows({{-1, 0}, {0, 1.5}, {0, 1}, {1, 0}}, c)) << "turns before the end";
   EXPECT_TRUE(follows({{0, 3}, {0, -1}}, c)) << "over both ends and along it";
@@ -149,7 +150,8 @@ TEST(PathAmongWalls, MayStartOnAWallOrAJointOnAnySide) {
 
 TEST(PathAmongWalls, RefusesAFanOfWallsAtAnyPlaceButItsOpening) {
   Constraints c;
-  for (const Point end : {Point{2, 0}, Point{2, 1}, Point{1, 2}, Point{0, 2}, Point{-1, 2}, Point{-2, 1}}) c.push_back(wall({0, 0}, end));
+  for (const Point end : {Point{2, 0}, Point{2, 1}, Point{1, 2}, Point{0, 2}, Point{-1, 2}, Point{-2, 1}})
+    c.push_back(wall({0, 0}, end));
   EXPECT_FALSE(follows({{2, 0.5}, {0, 0}, {2, -1}}, c));
   EXPECT_FALSE(follows({{2, 0.5}, {0, 0}, {1, 1}}, c));
   EXPECT_TRUE(follows({{2, 0.5}, {0, 0}, {4, 1.5}}, c));

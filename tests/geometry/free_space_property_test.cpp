@@ -24,7 +24,8 @@ using test::RandomWorld;
 bool in_polygons(const FreeSpace& space, Point p) {
   return std::any_of(space.polygons().begin(), space.polygons().end(), [p](const Polygon& polygon) {
     return side_of_ring(p, polygon.outer) >= 0 &&
-           std::none_of(polygon.holes.begin(), polygon.holes.end(), [p](const Ring& hole) { return side_of_ring(p, hole) > 0; });
+           std::none_of(polygon.holes.begin(), polygon.holes.end(),
+                        [p](const Ring& hole) { return side_of_ring(p, hole) > 0; });
   });
 }
 
@@ -43,7 +44,8 @@ Point any_point(const FreeSpace& space, int side) {
 /// Calls f(space, p, q) for random worlds of several kinds.
 template <class F>
 void for_points_in_worlds(F f) {
-  const RandomWorld kinds[] = {{}, {.side = 4, .walls = 14, .solids = 2, .straight = true}, {.walls = 5, .solids = 2, .thickness = 0.5}};
+  const RandomWorld kinds[] = {
+      {}, {.side = 4, .walls = 14, .solids = 2, .straight = true}, {.walls = 5, .solids = 2, .thickness = 0.5}};
   const RandomWorld& kind = kinds[any(0, 2)];
   const auto world = any_world(kind);
   RC_LOG() << test::show(world) << '\n';

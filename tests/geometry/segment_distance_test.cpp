@@ -33,8 +33,10 @@ TEST(SegmentDistance, IsMeasuredFromTheRightPlace) {
 
 TEST(SegmentDistance, HoldsForTheLargestAndSmallestNumbers) {
   EXPECT_EQ(segment_distance({{0, 0}, {1e75, 0}}, {{0, 3e74}, {1e75, 3e74}}), 3e74);
-  EXPECT_EQ(segment_distance({{0, 0}, {1e75, 1e75}}, {{0, 1e-75}, {-1, 1}}), std::sqrt(0.5) * 1e-75);
-  EXPECT_EQ(compare_segment_distances({{0, 0}, {1e-200, 1e-200}}, {{0, 1e-200}, {0, 1}}, {{0, 0}, {1e-200, 1e-200}}, {{0, 2e-200}, {0, 1}}), -1);
+  EXPECT_DOUBLE_EQ(segment_distance({{0, 0}, {1e75, 1e75}}, {{0, 1e-75}, {-1, 1}}), std::sqrt(0.5) * 1e-75);
+  EXPECT_EQ(compare_segment_distances({{0, 0}, {1e-200, 1e-200}}, {{0, 1e-200}, {0, 1}}, {{0, 0}, {1e-200, 1e-200}},
+                                      {{0, 2e-200}, {0, 1}}),
+            -1);
 }
 
 TEST(SegmentDistance, IsComparedBeyondTheLastBit) {
@@ -52,7 +54,8 @@ struct Fraction {
 
 Fraction squared(Point p, Point a, Point b) {
   const auto n = [](double v) { return static_cast<std::int64_t>(v); };
-  const auto ux = n(b.x - a.x), uy = n(b.y - a.y), vx = n(p.x - a.x), vy = n(p.y - a.y), wx = n(p.x - b.x), wy = n(p.y - b.y);
+  const auto ux = n(b.x - a.x), uy = n(b.y - a.y), vx = n(p.x - a.x), vy = n(p.y - a.y), wx = n(p.x - b.x),
+             wy = n(p.y - b.y);
   const auto along = ux * vx + uy * vy, length = ux * ux + uy * uy, cross = ux * vy - uy * vx;
   if (0 < along && along < length) return {cross * cross, length};
   return std::min(Fraction{vx * vx + vy * vy, 1}, Fraction{wx * wx + wy * wy, 1});

@@ -25,11 +25,14 @@ std::string difference(const Roadmap& graph, const Roadmap& reference) {
   if (graph.points() != reference.points()) return "the vertices differ";
   std::string text;
   const auto edge = [&](const char* what, Roadmap::Vertex u, Roadmap::Vertex v) {
-    text += std::string(what) + std::to_string(u) + " " + test::show(graph.point(u)) + " -- " + std::to_string(v) + " " + test::show(graph.point(v)) + "\n";
+    text += std::string(what) + std::to_string(u) + " " + test::show(graph.point(u)) + " -- " + std::to_string(v) +
+            " " + test::show(graph.point(v)) + "\n";
   };
   for (Roadmap::Vertex u = 0; u < graph.vertex_count(); ++u) {
-    for (const auto v : graph.neighbours(u)) if (!reference.adjacent(u, v)) edge("too much: ", u, v);
-    for (const auto v : reference.neighbours(u)) if (!graph.adjacent(u, v)) edge("missing: ", u, v);
+    for (const auto v : graph.neighbours(u))
+      if (!reference.adjacent(u, v)) edge("too much: ", u, v);
+    for (const auto v : reference.neighbours(u))
+      if (!graph.adjacent(u, v)) edge("missing: ", u, v);
   }
   return text;
 }
@@ -80,7 +83,9 @@ TEST(VisibilityBruteForce, GivesBothSidesOfAWallTheirOwnCorners) {
 TEST(VisibilityBruteForce, SeesNothingThroughTheJointOfTwoBlocks) {
   const SmallWorld world{.walls = {}, .solids = {box_ring(2, 2, 5, 5), box_ring(5, 5, 8, 8)}};
   const Roadmap graph = visibility_graph_brute_force(world.space(), VisibilityKind::full);
-  const auto at = [&](Point p) { return Roadmap::Vertex(std::find(graph.points().begin(), graph.points().end(), p) - graph.points().begin()); };
+  const auto at = [&](Point p) {
+    return Roadmap::Vertex(std::find(graph.points().begin(), graph.points().end(), p) - graph.points().begin());
+  };
   EXPECT_FALSE(graph.adjacent(at({5, 2}), at({5, 8})));
   EXPECT_FALSE(graph.adjacent(at({2, 8}), at({8, 2})));
   EXPECT_TRUE(graph.adjacent(at({2, 5}), at({5, 8})));
@@ -105,7 +110,9 @@ void check_graph(const RandomWorld& kind, VisibilityKind visibility) {
 }
 
 RC_GTEST_PROP(VisibilityGraph, FullEqualsBruteForceAmongRandomWalls, ()) { check_graph({}, VisibilityKind::full); }
-RC_GTEST_PROP(VisibilityGraph, ReducedEqualsBruteForceAmongRandomWalls, ()) { check_graph({}, VisibilityKind::reduced); }
+RC_GTEST_PROP(VisibilityGraph, ReducedEqualsBruteForceAmongRandomWalls, ()) {
+  check_graph({}, VisibilityKind::reduced);
+}
 RC_GTEST_PROP(VisibilityGraph, FullEqualsBruteForceAmongStraightWalls, ()) {
   check_graph({.side = 4, .walls = 14, .solids = 2, .straight = true}, VisibilityKind::full);
 }
@@ -167,13 +174,18 @@ void check_visible_from(VisibilityKind kind) {
       // As among its edges, a reduced graph may leave out what lies behind a corner that is listed itself.
       const bool may_miss = kind == VisibilityKind::reduced && hidden(graph, p, graph.roadmap().point(v));
       if (listed == joins(graph, p, v) || (may_miss && !listed)) continue;
-      RC_FAIL("vertex " + std::to_string(v) + " " + test::show(graph.roadmap().point(v)) + (listed ? " is not joined" : " is missing"));
+      RC_FAIL("vertex " + std::to_string(v) + " " + test::show(graph.roadmap().point(v)) +
+              (listed ? " is not joined" : " is missing"));
     }
   }
 }
 
-RC_GTEST_PROP(VisibilityGraph, JoinsAPointToWhatTheConstraintsAllowInTheFullGraph, ()) { check_visible_from(VisibilityKind::full); }
-RC_GTEST_PROP(VisibilityGraph, JoinsAPointToWhatTheConstraintsAllowInTheReducedGraph, ()) { check_visible_from(VisibilityKind::reduced); }
+RC_GTEST_PROP(VisibilityGraph, JoinsAPointToWhatTheConstraintsAllowInTheFullGraph, ()) {
+  check_visible_from(VisibilityKind::full);
+}
+RC_GTEST_PROP(VisibilityGraph, JoinsAPointToWhatTheConstraintsAllowInTheReducedGraph, ()) {
+  check_visible_from(VisibilityKind::reduced);
+}
 
 }  // namespace
 }  // namespace taut

@@ -26,7 +26,8 @@ Point any_point(int side) {
 }
 
 FreeSpace any_space(int& side) {
-  const RandomWorld kinds[] = {{}, {.side = 4, .walls = 14, .solids = 2, .straight = true}, {.walls = 5, .solids = 2, .thickness = 0.5}};
+  const RandomWorld kinds[] = {
+      {}, {.side = 4, .walls = 14, .solids = 2, .straight = true}, {.walls = 5, .solids = 2, .thickness = 0.5}};
   const RandomWorld& kind = kinds[any(0, 2)];
   side = kind.side;
   const auto world = any_world(kind);
@@ -69,7 +70,8 @@ RC_GTEST_PROP(Verify, JudgesAnyPathAsTheConstraintsDoWithoutAnIndex, ()) {
 }
 
 /// The least distance of the path to a constraint and the lowest that has it, one pair after the other.
-std::uint32_t nearest_constraint(const std::vector<Point>& path, const std::vector<Constraint>& constraints, double& distance) {
+std::uint32_t nearest_constraint(const std::vector<Point>& path, const std::vector<Constraint>& constraints,
+                                 double& distance) {
   std::uint32_t nearest = 0;
   Segment nearest_leg{path[0], path[0]};
   for (std::uint32_t i = 0; i < constraints.size(); ++i)
@@ -91,7 +93,8 @@ RC_GTEST_PROP(Verify, FindsTheNearestConstraint, ()) {
   for (int i = 0; i < 20; ++i) {
     // Short paths: the others touch something.
     Path path{{any_point(side)}, {}};
-    for (int n = any(0, 2); n > 0; --n) path.points.push_back({path.points.back().x + any(-1, 1) / 4.0, path.points.back().y + any(-1, 1) / 4.0});
+    for (int n = any(0, 2); n > 0; --n)
+      path.points.push_back({path.points.back().x + any(-1, 1) / 4.0, path.points.back().y + any(-1, 1) / 4.0});
     const Verdict verdict = verify(path, space, path.points.front(), {path.points.back(), {}});
     double distance = 0;
     RC_ASSERT(verdict.nearest == nearest_constraint(path.points, space.constraints(), distance));

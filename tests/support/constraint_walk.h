@@ -15,7 +15,8 @@ inline Constraint wall(Point a, Point b) { return {a, b, false, false, kNone}; }
 
 /// The sides of a solid, counter-clockwise.
 inline void add_solid(Constraints& to, const Ring& ring) {
-  for (std::size_t i = 0; i < ring.size(); ++i) to.push_back({ring[i], ring[(i + 1) % ring.size()], true, false, kNone});
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    to.push_back({ring[i], ring[(i + 1) % ring.size()], true, false, kNone});
 }
 
 inline Constraints walls(std::initializer_list<Segment> segments) {
@@ -36,7 +37,8 @@ inline std::optional<std::vector<std::uint32_t>> touched(const Segment& leg, con
 }
 
 /// The sectors of the star at the path's end that it can be in, `from` its start's; empty when it is blocked.
-inline detail::Sectors follow_from(detail::Sectors from, const std::vector<Point>& path, const Constraints& constraints) {
+inline detail::Sectors follow_from(detail::Sectors from, const std::vector<Point>& path,
+                                   const Constraints& constraints) {
   for (std::size_t i = 0; i + 1 < path.size() && !from.empty(); ++i) {
     const Segment leg{path[i], path[i + 1]};
     const auto touching = touched(leg, constraints);

@@ -64,7 +64,8 @@ inline std::string show(const SmallWorld& world) {
     for (const Point p : ring) text += show(p) + ", ";
     text += "}, ";
   }
-  text += "}, .area = box_ring(0, 0, " + std::to_string(int(world.area[2].x)) + ", " + std::to_string(int(world.area[2].y)) + ")";
+  text += "}, .area = box_ring(0, 0, " + std::to_string(int(world.area[2].x)) + ", " +
+          std::to_string(int(world.area[2].y)) + ")";
   return text + ", .thickness = " + std::to_string(world.thickness) + "}";
 }
 

@@ -1,0 +1,84 @@
+// The visibility graph by size and kind, against what a user of CGAL would write: one Triangular_expansion_visibility_2 region for each
+// corner, on the same walls. (CGAL's regions are no graph yet: its vertices would still have to be found again.)
+#include <benchmark/benchmark.h>
+
+#include <CGAL/Arr_segment_traits_2.h>
+#include <CGAL/Arrangement_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Triangular_expansion_visibility_2.h>
+
+#include <cmath>
+#include <memory>
+
+#include <taut/geometry/maze_generator.h>
+#include <taut/roadmaps/visibility_graph.h>
+
+namespace {
+
+using namespace taut;
+
+FreeSpace maze(int cells, double opened) {
+  auto grid = std::make_shared<GridMaze>(generate_backtracker(cells, cells, 1));
+  open_walls(*grid, opened, 1);
+  return FreeSpace(world_of(std::move(grid)));
+}
+
+void build(benchmark::State& state, double opened, VisibilityKind kind) {
+  const FreeSpace space = maze(static_cast<int>(state.range(0)), opened);
+  std::size_t edges = 0, vertices = 0;
+  for (auto _ : state) {
+    const VisibilityGraph graph(space, kind);
+    edges = graph.roadmap().edge_count();
+    vertices = graph.roadmap().vertex_count();
+  }
+  state.counters["vertices"] = static_cast<double>(vertices);
+  state.counters["edges"] = static_cast<double>(edges);
+  state.counters["edges/s"] = benchmark::Counter(static_cast<double>(edges), benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void BM_ReducedPerfect(benchmark::State& state) { build(state, 0, VisibilityKind::reduced); }
+void BM_ReducedHalfOpen(benchmark::State& state) { build(state, 0.5, VisibilityKind::reduced); }
+void BM_ReducedNearlyOpen(benchmark::State& state) { build(state, 0.9, VisibilityKind::reduced); }
+void BM_FullPerfect(benchmark::State& state) { build(state, 0, VisibilityKind::full); }
+void BM_FullHalfOpen(benchmark::State& state) { build(state, 0.5, VisibilityKind::full); }
+
+void cgal_regions(benchmark::State& state, double opened) {
+  using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+  using Arrangement = CGAL::Arrangement_2<CGAL::Arr_segment_traits_2<Kernel>>;
+  const FreeSpace space = maze(static_cast<int>(state.range(0)), opened);
+  std::vector<CGAL::Segment_2<Kernel>> segments;
+  for (const Constraint& c : space.constraints()) segments.push_back({{c.a.x, c.a.y}, {c.b.x, c.b.y}});
+  Arrangement walls;
+  CGAL::insert_non_intersecting_curves(walls, segments.begin(), segments.end());
+  std::size_t vertices = 0;
+  for (auto _ : state) {
+    const CGAL::Triangular_expansion_visibility_2<Arrangement, CGAL::Tag_false> visibility(walls);
+    vertices = 0;
+    for (auto v = walls.vertices_begin(); v != walls.vertices_end(); ++v) {
+      auto edge = v->incident_halfedges();
+      const auto first = edge;
+      do {
+        if (edge->face()->is_unbounded()) continue;
+        Arrangement region;
+        visibility.compute_visibility(v->point(), edge, region);
+        vertices += region.number_of_vertices();
+      } while (++edge != first);
+    }
+  }
+  state.counters["region vertices"] = static_cast<double>(vertices);
+}
+
+void BM_CgalRegionsPerfect(benchmark::State& state) { cgal_regions(state, 0); }
+void BM_CgalRegionsHalfOpen(benchmark::State& state) { cgal_regions(state, 0.5); }
+
+BENCHMARK(BM_ReducedPerfect)->Arg(45)->Arg(100)->Arg(300)->Arg(1000)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_ReducedHalfOpen)->Arg(45)->Arg(100)->Arg(300)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_ReducedNearlyOpen)->Arg(100)->Arg(300)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_FullPerfect)->Arg(45)->Arg(100)->Arg(300)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_FullHalfOpen)->Arg(45)->Arg(100)->Arg(300)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_CgalRegionsPerfect)->Arg(45)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_CgalRegionsHalfOpen)->Arg(45)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();
