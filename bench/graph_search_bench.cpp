@@ -123,8 +123,7 @@ void peer(benchmark::State& state, taut::GraphAlgorithm algorithm) {
 
 void all_targets(benchmark::State& state) {
   const std::shared_ptr<const Roadmap> shared(&map(), [](const Roadmap*) {});
-  for (auto _ : state)
-    benchmark::DoNotOptimize(taut::GraphShortestPaths(shared, {map().point(kFrom), {kFrom}}));
+  for (auto _ : state) benchmark::DoNotOptimize(taut::GraphShortestPaths(shared, {map().point(kFrom), {kFrom}}));
 }
 
 BENCHMARK_CAPTURE(exact, astar, taut::GraphAlgorithm::astar)->Unit(benchmark::kMillisecond);

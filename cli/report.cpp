@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -16,22 +17,40 @@ namespace {
 // With its ends in order, to be found again.
 std::pair<Point, Point> key(const Constraint& c) { return std::minmax(c.a, c.b); }
 
-std::vector<Segment> without_dead_ends(const std::vector<Constraint>& chain) {
+std::vector<Constraint> without_dead_ends(const std::vector<Constraint>& chain) {
   std::map<std::pair<Point, Point>, int> passes;
   for (const Constraint& c : chain) ++passes[key(c)];
-  std::vector<Segment> rest;
+  std::vector<Constraint> rest;
   for (const Constraint& c : chain)
-    if (passes[key(c)] == 1) rest.push_back({c.a, c.b});
+    if (passes[key(c)] == 1) rest.push_back(c);
   return rest;
 }
 
 // Turns each piece so that it begins where the one before ends.
-void orient(std::vector<Segment>& chain) {
+std::vector<Segment> oriented(const std::vector<Constraint>& chain) {
+  std::vector<Segment> result;
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    Segment& s = chain[i];
-    const bool flip = i == 0 ? chain.size() > 1 && (s.a == chain[1].a || s.a == chain[1].b) : s.b == chain[i - 1].b;
+    Segment s{chain[i].a, chain[i].b};
+    const bool follows = i > 0 && (result.back().b == s.a || result.back().b == s.b);
+    const bool flip = follows ? s.b == result.back().b : i + 1 < chain.size() && (s.a == chain[i + 1].a || s.a == chain[i + 1].b);
     if (flip) std::swap(s.a, s.b);
+    result.push_back(s);
   }
+  return result;
+}
+
+bool on_side(const Constraint& c, const Box& box) {
+  return (c.a.x == c.b.x && (c.a.x == box.min.x || c.a.x == box.max.x)) || (c.a.y == c.b.y && (c.a.y == box.min.y || c.a.y == box.max.y));
+}
+
+// Beginning after a gap, where there is one.
+std::vector<Constraint> without_border(std::vector<Constraint> chain, const Box& border) {
+  const auto gap = std::find_if(chain.begin(), chain.end(), [&](const Constraint& c) { return on_side(c, border); });
+  if (gap == chain.end()) return chain;
+  std::rotate(chain.begin(), gap, chain.end());
+  std::vector<Constraint> rest;
+  std::remove_copy_if(chain.begin(), chain.end(), std::back_inserter(rest), [&](const Constraint& c) { return on_side(c, border); });
+  return rest.empty() ? chain : rest;
 }
 
 bool goes_on(const Segment& s, const Segment& next) {
@@ -47,6 +66,7 @@ std::string number_text(double value) {
 }
 
 std::string seconds_text(double seconds) {
+  if (seconds < 0.0005) return "<0.001 s";
   return seconds < 1 ? fmt::format("{:.3f} s", seconds) : fmt::format("{:.{}f} s", seconds, seconds < 10 ? 2 : 1);
 }
 
@@ -65,17 +85,17 @@ std::string segments_text(const std::vector<Segment>& segments, std::size_t most
   return segments.size() > most ? out + fmt::format(" and {} more", segments.size() - most) : out;
 }
 
+std::string title_of(const std::string& source) { return source.substr(source.find_last_of('/') + 1); }
+
 std::string peak_memory_text() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return fmt::format("{:.1f} MB", static_cast<double>(usage.ru_maxrss) / 1024);
 }
 
-std::vector<Segment> joined_walls(const std::vector<Constraint>& chain) {
-  std::vector<Segment> pieces = without_dead_ends(chain);
-  orient(pieces);
+std::vector<Segment> joined_walls(const std::vector<Constraint>& chain, const Box& border) {
   std::vector<Segment> joined;
-  for (const Segment& s : pieces) {
+  for (const Segment& s : oriented(without_border(without_dead_ends(chain), border))) {
     if (!joined.empty() && goes_on(joined.back(), s)) joined.back().b = s.b;
     else joined.push_back(s);
   }

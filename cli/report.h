@@ -13,7 +13,7 @@ namespace taut::cli {
 /// The shortest that reads back the same: `1`, `0.1`.
 std::string number_text(double value);
 
-/// `0.004 s`, `1.27 s`, `35.8 s`
+/// `0.004 s`, `1.27 s`, `35.8 s`; `<0.001 s`
 std::string seconds_text(double seconds);
 
 /// `1 wall`, `2 walls`
@@ -26,10 +26,14 @@ std::string point_text(Point p);
 std::string segment_text(const Segment& s);
 std::string segments_text(const std::vector<Segment>& segments, std::size_t most);
 
+/// A file's name without its folder.
+std::string title_of(const std::string& source);
+
 /// The most memory this process ever had, `12.3 MB`.
 std::string peak_memory_text();
 
-/// A closed chain of pieces as walls people know: pieces that the chain passes on both sides are dead ends and go, pieces in a line are joined.
-std::vector<Segment> joined_walls(const std::vector<Constraint>& chain);
+/// A closed chain of pieces as walls people know: pieces that the chain passes on both sides are dead ends and go, so do those on the sides of
+/// `border` unless all are (nobody gets out there anyway); pieces in a line are joined.
+std::vector<Segment> joined_walls(const std::vector<Constraint>& chain, const Box& border);
 
 }  // namespace taut::cli

@@ -53,7 +53,7 @@ int run(const RoadmapOptions& options) {
   const std::string kind = options.full ? "full visibility graph" : "reduced visibility graph";
   const std::vector<std::string> facts{kind, count_text(roadmap.vertex_count(), "vertex", "vertices"), count_text(roadmap.edge_count(), "edge"),
                                        seconds_text(roadmap_seconds)};
-  SvgPicture picture{input.name, facts, &roadmap, nullptr, {}, input.world.start(), input.world.goal()};
+  SvgPicture picture{title_of(input.name), facts, &roadmap, nullptr, {}, input.world.start(), input.world.goal()};
   const std::string drawing = options.output.svg.empty() ? "" : svg(space, picture);
   const std::string json = options.output.json.empty() ? "" : roadmap_json(roadmap, kind, input.name, roadmap_seconds);
   finish();

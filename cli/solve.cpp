@@ -24,6 +24,7 @@ namespace taut::cli {
 namespace {
 
 constexpr std::size_t kWallsNamed = 4;
+constexpr std::size_t kEdgesInBackground = 20'000;  // more would hide the path; `taut roadmap --svg` shows them
 
 struct SolveOptions {
   WorldOptions world;
@@ -132,7 +133,7 @@ class Solver {
     for (const Box& b : result_.goal.room) goals.push_back({b.min.x + (b.max.x - b.min.x) / 2, b.min.y + (b.max.y - b.min.y) / 2});
     for (const Point& goal : goals) {
       if (space.locate(goal).kind == Location::Kind::outside) continue;
-      const std::vector<Segment> walls = joined_walls(space.separation(*result_.start, goal));
+      const std::vector<Segment> walls = joined_walls(space.separation(*result_.start, goal), space.world().box());
       if (!walls.empty()) return walls;
     }
     return {};
@@ -150,9 +151,9 @@ class Solver {
 
   SvgPicture picture_of(const VisibilityGraph& graph) const {
     SvgPicture picture;
-    picture.title = result_.source;
+    picture.title = title_of(result_.source);
     picture.facts = facts();
-    picture.roadmap = &graph.roadmap();
+    if (graph.roadmap().edge_count() <= kEdgesInBackground) picture.roadmap = &graph.roadmap();
     if (result_.status == SearchStatus::found) picture.path = &result_.path;
     picture.separation = result_.separation;
     picture.start = result_.start;

@@ -57,9 +57,7 @@ Length& Length::operator+=(const Length& other) {
   return *this;
 }
 
-double Length::value() const {
-  return interval_.lo == interval_.hi ? interval_.lo : detail::RootSum(legs_).nearest();
-}
+double Length::value() const { return interval_.lo == interval_.hi ? interval_.lo : detail::RootSum(legs_).nearest(); }
 
 std::string Length::decimals(int places) const { return detail::RootSum(legs_).decimals(places); }
 

@@ -59,7 +59,8 @@ struct graph_traits<taut::Roadmap> {
   using edge_descriptor = taut::RoadmapEdge;
   using vertex_iterator = counting_iterator<vertex_descriptor>;
   using adjacency_iterator = const vertex_descriptor*;
-  using out_edge_iterator = transform_iterator<taut::RoadmapEdgeFrom, const vertex_descriptor*, edge_descriptor, edge_descriptor>;
+  using out_edge_iterator =
+      transform_iterator<taut::RoadmapEdgeFrom, const vertex_descriptor*, edge_descriptor, edge_descriptor>;
   using vertices_size_type = std::size_t;
   using edges_size_type = std::size_t;
   using degree_size_type = std::size_t;
@@ -107,6 +108,8 @@ inline Roadmap::Vertex target(const RoadmapEdge& e, const Roadmap&) { return e.t
 inline boost::typed_identity_property_map<Roadmap::Vertex> get(boost::vertex_index_t, const Roadmap&) { return {}; }
 inline Roadmap::Vertex get(boost::vertex_index_t, const Roadmap&, Roadmap::Vertex v) { return v; }
 inline RoadmapEdgeWeights get(boost::edge_weight_t, const Roadmap& g) { return {&g}; }
-inline double get(boost::edge_weight_t, const Roadmap& g, const RoadmapEdge& e) { return get(RoadmapEdgeWeights{&g}, e); }
+inline double get(boost::edge_weight_t, const Roadmap& g, const RoadmapEdge& e) {
+  return get(RoadmapEdgeWeights{&g}, e);
+}
 
 }  // namespace taut

@@ -80,9 +80,8 @@ void astar(SearchState& state, const Expansions& expand) {
   state.set_key(start, heuristic(start));
   boost::astar_search_no_init(state.graph, start, heuristic, AstarVisitor(expand), boost::dummy_property_map(),
                               detail::EntryMap{&state}, detail::LabelMap{&state},
-                              boost::typed_identity_property_map<detail::Leg>(), state.colors,
-                              detail::SlotMap{&state}, detail::Compare{&state}, detail::Combine{&state}, 0,
-                              detail::Entry{});
+                              boost::typed_identity_property_map<detail::Leg>(), state.colors, detail::SlotMap{&state},
+                              detail::Compare{&state}, detail::Combine{&state}, 0, detail::Entry{});
 }
 
 SearchStatus run(SearchState& state, GraphAlgorithm algorithm, const Expansions& expand) {

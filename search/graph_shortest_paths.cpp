@@ -7,7 +7,10 @@ using detail::Labels;
 
 struct GraphShortestPaths::Impl {
   Impl(std::shared_ptr<const Roadmap> map, Terminal from)
-      : roadmap(std::move(map)), query{.start = std::move(from), .goals = {}, .direct = {}}, graph(*roadmap, query), state(graph) {
+      : roadmap(std::move(map)),
+        query{.start = std::move(from), .goals = {}, .direct = {}},
+        graph(*roadmap, query),
+        state(graph) {
     detail::dijkstra(state, [](Roadmap::Vertex) {});
   }
 

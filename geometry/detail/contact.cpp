@@ -133,8 +133,6 @@ namespace {
 struct Touch {
   Point at;
   std::uint32_t piece;
-
-  friend auto operator<=>(const Touch&, const Touch&) = default;
 };
 
 /// Every contact point of the leg with every piece that contains it, in order along the leg. A contact is an end of the leg

@@ -177,7 +177,8 @@ void RootSum::merge() {
     }
     size_ = kept + 1;
   }
-  size_ = static_cast<std::size_t>(std::remove_if(terms, terms + size_, [](const RootTerm& t) { return t.count == 0; }) - terms);
+  size_ = static_cast<std::size_t>(
+      std::remove_if(terms, terms + size_, [](const RootTerm& t) { return t.count == 0; }) - terms);
 }
 
 int RootSum::sign() const {

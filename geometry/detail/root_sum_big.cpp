@@ -176,7 +176,8 @@ std::string decimals_by_big_numbers(std::span<const RootTerm> terms, int places)
   assert(places >= 0);
   const mpz_class scale = power_of_ten(places);
   const auto decide = [&](const Enclosure& sum) -> std::optional<mpz_class> {
-    const mpz_class lo = scaled_and_rounded(sum.lo, scale, MPFR_RNDD), hi = scaled_and_rounded(sum.hi, scale, MPFR_RNDU);
+    const mpz_class lo = scaled_and_rounded(sum.lo, scale, MPFR_RNDD),
+                    hi = scaled_and_rounded(sum.hi, scale, MPFR_RNDU);
     return lo == hi ? std::optional(lo) : std::nullopt;
   };
   const auto rational = [&](const mpq_class& v) { return rounded_half_even(v * scale); };

@@ -18,7 +18,14 @@ constexpr double kSample = 26;  // the width of a key's sample
 
 double text_width(std::string_view text, double size) { return 0.55 * size * static_cast<double>(text.size()); }
 
-double key_width(const std::string& key) { return kSample + 8 + text_width(key, kTextSize) + 22; }
+std::string_view label(std::string_view key) {
+  if (key == "rooms") return "goal room";
+  if (key == "solid") return "out of reach";
+  if (key == "separation") return "walls between start and goal";
+  return key;
+}
+
+double key_width(const std::string& key) { return kSample + 8 + text_width(label(key), kTextSize) + 22; }
 
 struct KeyPlace {
   double x;
@@ -60,19 +67,12 @@ std::string sample(const std::string& key, double x, double y) {
   return fmt::format(R"(<g class="{0} sample">{1}<path class="line" d="{2}"/></g>)", key, casing, line);
 }
 
-std::string_view label(std::string_view key) {
-  if (key == "rooms") return "goal room";
-  if (key == "solid") return "out of reach";
-  if (key == "separation") return "what separates them";
-  return key;
-}
-
 constexpr std::string_view kColours = R"(
 .taut .page{fill:#f7f6f2}
 .taut .solid{fill:#ccd2dc;fill-rule:evenodd}
 .taut .free{fill:#fff;fill-rule:evenodd}
 .taut .rooms{fill:#7a3fd4;fill-opacity:.14}
-.taut .roadmap{stroke:#9fc3e6}
+.taut .roadmap{stroke:#a9c9e8}
 .taut .openings{stroke:#b9bfca}
 .taut .walls{stroke:#2c3440}
 .taut .walls .bar{stroke:#4b5668}
@@ -108,8 +108,8 @@ constexpr std::string_view kColours = R"(
 }  // namespace
 
 double SvgPage::wall_stroke() const { return std::clamp(0.11 * corridor, 0.5, 5.0); }
-double SvgPage::path_stroke() const { return std::clamp(0.17 * corridor, 1.1, 6.0); }
-double SvgPage::roadmap_stroke() const { return std::clamp(0.03 * corridor, 0.2, 1.2); }
+double SvgPage::path_stroke() const { return std::clamp(0.17 * corridor, 1.6, 6.0); }
+double SvgPage::roadmap_stroke() const { return std::clamp(0.02 * corridor, 0.15, 1.0); }
 double SvgPage::marker_radius() const { return std::clamp(0.27 * corridor, 6.0, 11.0); }
 
 SvgPage page_for(Point aspect, double corridor, const std::vector<std::string>& keys) {
@@ -146,7 +146,7 @@ std::string style(const SvgPage& page) {
       ".taut .title{{font-size:{}px;font-weight:600}}\n"
       "</style>\n",
       kColours, px(page.roadmap_stroke()), px(0.6 * page.wall_stroke()), px(std::max(2.0, 2 * page.wall_stroke())), px(page.wall_stroke()),
-      px(std::max(1.7 * page.wall_stroke(), page.path_stroke())), px(page.path_stroke()), px(page.path_stroke() * 1.5 + 0.6), kTextSize,
+      px(std::max(1.7 * page.wall_stroke(), page.path_stroke())), px(page.path_stroke()), px(page.path_stroke() * 1.5 + 0.4), kTextSize,
       kTitleSize);
 }
 

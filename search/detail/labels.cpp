@@ -60,7 +60,7 @@ std::strong_ordering Labels::compare_legs(Chain a, Chain b) const {
     chain = {to, p};
   };
   while (a.label != b.label) {
-    const bool near = legs_a.size() + legs_b.size() < 6;
+    const bool near = legs_a.size() + legs_b.size() < 16;
     if (const Id common = near ? common_parent(a.label, b.label) : kNone; common != kNone) {
       climb(a, legs_a, common);
       climb(b, legs_b, common);

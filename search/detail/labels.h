@@ -43,7 +43,9 @@ class Labels {
   Labels(const Roadmap& roadmap, Point start, std::vector<Point> goals);
 
   const Label& operator[](Id id) const { return labels_[id]; }
-  Point point(Vertex v) const { return v < roadmap_->vertex_count() ? roadmap_->point(v) : ends_[v - roadmap_->vertex_count()]; }
+  Point point(Vertex v) const {
+    return v < roadmap_->vertex_count() ? roadmap_->point(v) : ends_[v - roadmap_->vertex_count()];
+  }
   Chain chain(Id id) const { return {labels_[id].parent, point(labels_[id].vertex)}; }
 
   /// A new label for v, through `parent`. Precondition: it is shorter than `former`, if there is one; then its lower and upper bound

@@ -37,8 +37,7 @@ class QueryGraph {
     std::span<const Vertex> first, second;
   };
 
-  class out_edge_iterator
-      : public boost::iterator_facade<out_edge_iterator, Leg, boost::forward_traversal_tag, Leg> {
+  class out_edge_iterator : public boost::iterator_facade<out_edge_iterator, Leg, boost::forward_traversal_tag, Leg> {
    public:
     out_edge_iterator() = default;
     out_edge_iterator(Vertex from, const Row& row, std::size_t at) : row_(row), at_(at), from_(from) {}
@@ -79,9 +78,7 @@ class QueryGraph {
   bool is_goal(Vertex v) const { return v > start(); }
 
   /// Goals first, then by index: the order of vertices of equal length.
-  Vertex rank(Vertex v) const {
-    return is_goal(v) ? v - start() - 1 : static_cast<Vertex>(v + query_.goals.size());
-  }
+  Vertex rank(Vertex v) const { return is_goal(v) ? v - start() - 1 : static_cast<Vertex>(v + query_.goals.size()); }
 
   Row row(Vertex v) const {
     if (v < start()) return {roadmap_.neighbours(v), goals_seen_from(v)};
@@ -107,7 +104,7 @@ inline std::size_t out_degree(QueryGraph::Vertex v, const QueryGraph& g) {
   return row.first.size() + row.second.size();
 }
 inline std::pair<QueryGraph::out_edge_iterator, QueryGraph::out_edge_iterator> out_edges(QueryGraph::Vertex v,
-                                                                                        const QueryGraph& g) {
+                                                                                         const QueryGraph& g) {
   const QueryGraph::Row row = g.row(v);
   return {{v, row, 0}, {v, row, row.first.size() + row.second.size()}};
 }

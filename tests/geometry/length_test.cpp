@@ -128,12 +128,14 @@ TEST(LengthComparison, FindsThatTwoRootsAddUpToAThird) {
 TEST(LengthComparison, TakesRationalLengthsTogether) {
   EXPECT_EQ(compare_lengths(Legs{leg(3, 4), leg(5, 12)}, Legs{leg(18, 0)}), Order::equal);
   EXPECT_EQ(compare_lengths(Legs{leg(0.75, 1)}, Legs{leg(0, 0.5), leg(0.75, 0)}), Order::equal);
-  EXPECT_EQ(compare_lengths(Legs{leg(3, 4), leg(1, 1)}, Legs{leg(1, 1), leg(4, 3), leg(0x1p-40, 0, {0, 0})}), Order::less);
+  EXPECT_EQ(compare_lengths(Legs{leg(3, 4), leg(1, 1)}, Legs{leg(1, 1), leg(4, 3), leg(0x1p-40, 0, {0, 0})}),
+            Order::less);
 }
 
 TEST(LengthComparison, SplitsALineOfDecimalPointsExactly) {
   // 0.1, 0.3, 0.7 are not what they look like, but the parts of a line still add up to it.
-  EXPECT_EQ(compare_lengths(Legs{{{0.1, 5}, {0.3, 5}}, {{0.3, 5}, {0.7, 5}}}, Legs{{{0.7, 5}, {0.1, 5}}}), Order::equal);
+  EXPECT_EQ(compare_lengths(Legs{{{0.1, 5}, {0.3, 5}}, {{0.3, 5}, {0.7, 5}}}, Legs{{{0.7, 5}, {0.1, 5}}}),
+            Order::equal);
   // On the diagonal likewise, by way of big rationals.
   EXPECT_EQ(compare_lengths(Legs{{{0.1, 0.1}, {0.3, 0.3}}, {{0.3, 0.3}, {0.7, 0.7}}}, Legs{{{0.7, 0.7}, {0.1, 0.1}}}),
             Order::equal);
@@ -233,8 +235,8 @@ Segment leg_of_square(int square) {
 TEST(LengthComparison, SeparatesSumsThatAgreeToSixteenDigits) {
   // The closest of all sums of three distances between lattice points at most 52 apart: 5 to 13 times 10^-15 between two sums above 90.
   constexpr int kSquares[][6] = {
-      {613, 2389, 3922, 788, 1250, 5305}, {724, 1000, 1921, 362, 832, 2969},   {493, 2664, 4325, 922, 2344, 3697},
-      {730, 1370, 1469, 272, 392, 4365},  {488, 1037, 1637, 45, 1282, 2729},   {1109, 1385, 2525, 738, 1733, 2701},
+      {613, 2389, 3922, 788, 1250, 5305}, {724, 1000, 1921, 362, 832, 2969},    {493, 2664, 4325, 922, 2344, 3697},
+      {730, 1370, 1469, 272, 392, 4365},  {488, 1037, 1637, 45, 1282, 2729},    {1109, 1385, 2525, 738, 1733, 2701},
       {89, 1490, 2753, 116, 1378, 2768},  {1213, 2237, 2501, 1069, 2053, 2930},
   };
   for (const auto& squares : kSquares) {
@@ -290,7 +292,8 @@ RC_GTEST_PROP(LengthComparison, IsTransitive, ()) {
 RC_GTEST_PROP(LengthComparison, FindsAnyShuffledSplitOfALegEqual, ()) {
   // k steps of (dx, dy) in one leg, in two, or with others in between.
   const Legs others = any_legs(*rc::gen::inRange(0, 30), 40, *rc::gen::element(1.0, 0.1));
-  const int dx = *rc::gen::inRange(1, 9), dy = *rc::gen::inRange(0, 9), k = *rc::gen::inRange(2, 9), j = *rc::gen::inRange(1, k);
+  const int dx = *rc::gen::inRange(1, 9), dy = *rc::gen::inRange(0, 9), k = *rc::gen::inRange(2, 9),
+            j = *rc::gen::inRange(1, k);
   Legs a = others, b(others.rbegin(), others.rend());
   a.push_back(leg(k * dx, k * dy));
   b.insert(b.begin(), leg(j * dx, j * dy));

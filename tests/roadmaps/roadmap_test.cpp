@@ -45,7 +45,8 @@ TEST(Roadmap, KeepsVerticesAtOnePointApart) {
 
 RC_GTEST_PROP(Roadmap, HoldsExactlyTheEdgesItWasGiven, ()) {
   const auto n = *rc::gen::inRange<Vertex>(1, 12);
-  const auto edges = *rc::gen::container<Edges>(rc::gen::pair(rc::gen::inRange<Vertex>(0, n), rc::gen::inRange<Vertex>(0, n)));
+  const auto edges =
+      *rc::gen::container<Edges>(rc::gen::pair(rc::gen::inRange<Vertex>(0, n), rc::gen::inRange<Vertex>(0, n)));
   const Roadmap map(std::vector<Point>(n), edges);
   std::set<std::pair<Vertex, Vertex>> expected;
   for (const auto& [u, v] : edges)

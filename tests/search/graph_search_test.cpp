@@ -115,7 +115,8 @@ TEST(GraphSearch, FindsNoneWhereTheGraphIsCut) {
     EXPECT_EQ(result.status, SearchStatus::none);
     EXPECT_EQ(result.expanded, 3u) << "the start and the two it reaches";
     EXPECT_TRUE(result.path.points.empty());
-    EXPECT_EQ(graph_search(map, {.start = {{0, 0}, {0}}, .goals = {}, .direct = {}}, algorithm).status, SearchStatus::none);
+    EXPECT_EQ(graph_search(map, {.start = {{0, 0}, {0}}, .goals = {}, .direct = {}}, algorithm).status,
+              SearchStatus::none);
   }
 }
 
@@ -134,7 +135,8 @@ TEST(GraphSearch, PrefersTheFirstOfGoalsEquallyFar) {
   const Roadmap map = lattice(9);
   const Vertex centre = 4 * 9 + 4;
   GraphQuery query{.start = {map.point(centre), {centre}}, .goals = {}, .direct = {}};
-  for (const Vertex v : {centre + 18u + 1u, centre - 18u + 1u, centre + 9u + 2u}) query.goals.push_back({map.point(v), {v}});
+  for (const Vertex v : {centre + 18u + 1u, centre - 18u + 1u, centre + 9u + 2u})
+    query.goals.push_back({map.point(v), {v}});
   for (const auto algorithm : kBoth) EXPECT_EQ(graph_search(map, query, algorithm).goal, 0u);
 }
 
@@ -235,7 +237,8 @@ Case any_case() {
   std::vector<Point> points;
   for (Vertex v = 0; v < n; ++v) points.push_back(point());
   const auto vertex = rc::gen::inRange<Vertex>(0, n);
-  const auto edges = *rc::gen::container<Edges>(*rc::gen::inRange<std::size_t>(0, 3 * n), rc::gen::pair(vertex, vertex));
+  const auto edges =
+      *rc::gen::container<Edges>(*rc::gen::inRange<std::size_t>(0, 3 * n), rc::gen::pair(vertex, vertex));
   const auto terminal = [&] {
     const Point p = point();
     return Terminal{p, *rc::gen::container<std::vector<Vertex>>(*rc::gen::inRange<std::size_t>(0, 4), vertex)};
