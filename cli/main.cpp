@@ -2,6 +2,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <fmt/format.h>
 
 #include <exception>
 #include <new>
@@ -26,12 +27,16 @@ constexpr const char* kFooter =
     "3 wrong input, 4 stopped by a limit or an interrupt, 70 a defect of the program.\n\n"
     "  taut generate --size 45x45 --seed 1 | taut solve - --svg maze.svg\n";
 
+// CLI11's words, except where there is no subcommand to blame.
+std::string reason(const CLI::App& app, const CLI::ParseError& error) {
+  if (!app.get_subcommands().empty()) return error.what();
+  const std::vector<std::string> rest = app.remaining();
+  return rest.empty() ? "which of solve, check, roadmap, generate, convert?" : fmt::format("there is no subcommand or option '{}'", rest.front());
+}
+
 int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
-  const std::string help = chosen.empty() ? "taut --help" : "taut " + chosen.front()->get_name() + " --help";
-  std::string what = error.what();
-  while (!what.empty() && what.back() == '\n') what.pop_back();
-  complain(what + "; see `" + help + "`");
+  complain(fmt::format("{}; see `taut {}--help`", reason(app, error), chosen.empty() ? "" : chosen.front()->get_name() + " "));
   return kUsage;
 }
 

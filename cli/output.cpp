@@ -86,7 +86,7 @@ mode_t usual_permissions() {
 void replace(const fs::path& target, const std::string& path, std::string_view bytes, mode_t permissions) {
   Unfinished& other = unfinished();
   const std::lock_guard lock(other.mutex);
-  const std::string pattern = (folder_of(target) / (".taut-XXXXXX")).string();
+  const std::string pattern = (folder_of(target) / ".taut-XXXXXX").string();
   if (pattern.size() >= sizeof other.name) throw InputError(path, 0, "cannot write: the name is too long");
   std::strcpy(other.name, pattern.c_str());
   OpenFile file(::mkstemp(other.name), path);
@@ -109,12 +109,11 @@ void require_writable(const std::string& path) {
   if (path.empty() || path == "-") return;
   const auto refuse = [&](const std::string& why) { throw InputError(path, 0, "cannot write: " + why); };
   std::error_code error;
-  const fs::path target = resolved(path);
-  const fs::file_status status = fs::status(target, error);
-  if (fs::is_directory(status) || !target.has_filename()) refuse("it is a folder");
-  if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0) refuse(reason());
+  const fs::file_status status = fs::status(path, error);  // through links, /dev/stdout among them
+  if (fs::is_directory(status) || !fs::path(path).has_filename()) refuse("it is a folder");
+  if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0) refuse(reason());
   if (fs::exists(status) && !fs::is_regular_file(status)) return;
-  const fs::path folder = folder_of(target);
+  const fs::path folder = folder_of(resolved(path));
   if (!fs::is_directory(folder, error)) refuse("there is no folder " + folder.string());
   if (::access(folder.c_str(), W_OK | X_OK) != 0) refuse(reason());
 }
@@ -123,11 +122,10 @@ void write_file(const std::string& path, std::string_view bytes) {
   if (path.empty()) return;
   if (path == "-") return print(bytes);
   require_writable(path);
-  const fs::path target = resolved(path);
   struct stat old {};
-  const bool exists = ::stat(target.c_str(), &old) == 0;
-  if (!exists || S_ISREG(old.st_mode)) return replace(target, path, bytes, exists ? old.st_mode & 07777 : usual_permissions());
-  OpenFile file(::open(target.c_str(), O_WRONLY | O_CLOEXEC), path);
+  const bool exists = ::stat(path.c_str(), &old) == 0;
+  if (!exists || S_ISREG(old.st_mode)) return replace(resolved(path), path, bytes, exists ? old.st_mode & 07777 : usual_permissions());
+  OpenFile file(::open(path.c_str(), O_WRONLY | O_CLOEXEC), path);
   write_all(file.file(), bytes, path);
   file.close();
 }

@@ -40,7 +40,7 @@ struct Location {
 
 /// Distance to the nearest obstacle.
 struct Clearance {
-  double distance = 0;               ///< to within one ulp
+  double distance = 0;               ///< to the nearest double
   std::uint32_t constraint = kNone;  ///< the nearest piece; the lowest index among equals. kNone: there is none at all
 };
 

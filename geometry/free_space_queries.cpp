@@ -1,10 +1,11 @@
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <unordered_set>
 
 #include <taut/geometry/detail/exact.h>
 #include <taut/geometry/detail/expansion.h>
 #include <taut/geometry/detail/free_space_impl.h>
+#include <taut/geometry/detail/segment_distance.h>
 #include <taut/geometry/predicates.h>
 
 namespace taut {
@@ -13,84 +14,77 @@ namespace {
 
 using Tri = Triangulation;
 
-/// The squared distance from p to the closed segment a b, exactly.
-mpq_class exact_squared_distance(Point p, Point a, Point b) {
-  const detail::ExactPoint ep(p), ea(a), eb(b);
-  const mpq_class dx = eb.x - ea.x, dy = eb.y - ea.y, px = ep.x - ea.x, py = ep.y - ea.y;
-  const mpq_class along = px * dx + py * dy, length = dx * dx + dy * dy;
-  if (sgn(along) <= 0) return px * px + py * py;
-  if (along >= length) {
-    const mpq_class qx = ep.x - eb.x, qy = ep.y - eb.y;
-    return qx * qx + qy * qy;
-  }
-  const mpq_class cross = dx * py - dy * px;
-  return cross * cross / length;
-}
-
-/// The same in doubles, good to kSlack of itself plus kSlack of the coordinates' squared extent.
-constexpr double kSlack = 1e-12;
-double squared_distance(Point p, Point a, Point b) {
-  const double dx = b.x - a.x, dy = b.y - a.y, px = p.x - a.x, py = p.y - a.y;
-  const double along = px * dx + py * dy, length = dx * dx + dy * dy;
-  const double t = std::clamp(along / length, 0.0, 1.0), x = px - t * dx, y = py - t * dy;
-  return x * x + y * y;
-}
-
-/// The nearest constraint, searched outwards through the sides that are nearer than the best so far: nothing stands between p
+/// The nearest constraint, searched outwards through the sides that are no farther than the best so far: nothing stands between p
 /// and the nearest obstacle.
 class NearestConstraint {
  public:
   NearestConstraint(const FreeSpace& space, const std::vector<std::uint32_t>& piece_of, Point p)
       : space_(space), tri_(space.triangulation()), piece_of_(piece_of), p_(p) {}
 
-  Clearance search(std::uint32_t first) {
-    seen_.insert(first);
-    std::vector<std::uint32_t> open{first};
-    for (std::size_t k = 0; k < open.size(); ++k)
-      for (int i = 0; i < 3; ++i) {
-        const std::uint32_t t = open[k], piece = piece_of_[3 * t + i];
-        if (piece != kNone) consider(piece);
-        else if (near(t, i) && seen_.insert(tri_.neighbours[t][i]).second) open.push_back(tri_.neighbours[t][i]);
-      }
+  Clearance search(const Location& at) {
+    if (at.kind == Location::Kind::vertex) each_around(tri_.triangles[at.triangle][at.index], [&](std::uint32_t t) { reach(t); });
+    else reach(at.triangle);
+    for (std::size_t k = 0; k < open_.size(); ++k)
+      for (int i = 0; i < 3; ++i) leave(open_[k], i);
     if (best_ == kNone) return {std::numeric_limits<double>::infinity(), kNone};
-    return {std::sqrt(exact(best_).get_d()), best_};
+    // Others can meet the best one at its nearest point without being seen from p.
+    const Constraint nearest = space_.constraints()[best_];
+    for (const Point end : {nearest.a, nearest.b})
+      if (detail::compare_segment_distances(here(), {end, end}, here(), side(best_)) == 0) consider_around(end);
+    return {detail::segment_distance(here(), side(best_)), best_};
   }
 
  private:
-  bool near(std::uint32_t t, int i) const {
+  Segment here() const { return {p_, p_}; }
+  Segment side(std::uint32_t piece) const { return {space_.constraints()[piece].a, space_.constraints()[piece].b}; }
+
+  void reach(std::uint32_t t) {
+    if (seen_.insert(t).second) open_.push_back(t);
+  }
+
+  void leave(std::uint32_t t, int i) {
+    if (const std::uint32_t piece = piece_of_[3 * t + i]; piece != kNone) return consider(piece);
     const Point a = tri_.points[tri_.triangles[t][Tri::ccw(i)]], b = tri_.points[tri_.triangles[t][Tri::cw(i)]];
-    return squared_distance(p_, a, b) <= least_ + slack(a, b);
+    if (detail::segment_distance_interval(here(), {a, b}).lo <= least_.hi) reach(tri_.neighbours[t][i]);
   }
 
   void consider(std::uint32_t piece) {
-    const Constraint& c = space_.constraints()[piece];
-    const double d = squared_distance(p_, c.a, c.b), s = slack(c.a, c.b);
-    if (best_ != kNone && d > least_ + s) return;
-    if (best_ == kNone || d < least_ - s || is_nearer(piece)) best_ = piece;
-    least_ = std::min(least_, d);
+    const Interval distance = detail::segment_distance_interval(here(), side(piece));
+    if (best_ == kNone || is_better(piece, distance)) {
+      best_ = piece;
+      least_ = distance;
+    }
   }
 
-  bool is_nearer(std::uint32_t piece) const {
-    const int order = cmp(exact(piece), exact(best_));
+  bool is_better(std::uint32_t piece, const Interval& distance) const {
+    if (piece == best_ || distance.lo > least_.hi) return false;
+    if (distance.hi < least_.lo) return true;
+    const int order = detail::compare_segment_distances(here(), side(piece), here(), side(best_));
     return order != 0 ? order < 0 : piece < best_;
   }
 
-  double slack(Point a, Point b) const {
-    const double extent = std::max({std::abs(a.x - p_.x), std::abs(a.y - p_.y), std::abs(b.x - p_.x), std::abs(b.y - p_.y)});
-    return kSlack * extent * extent;
+  void consider_around(Point end) {
+    const Location at = space_.locate(end);
+    if (at.kind != Location::Kind::vertex) return;
+    const std::uint32_t v = tri_.triangles[at.triangle][at.index];
+    each_around(v, [&](std::uint32_t t) {
+      for (int i = 0; i < 3; ++i)
+        if (tri_.triangles[t][i] != v && piece_of_[3 * t + i] != kNone) consider(piece_of_[3 * t + i]);
+    });
   }
 
-  mpq_class exact(std::uint32_t piece) const {
-    const Constraint& c = space_.constraints()[piece];
-    return exact_squared_distance(p_, c.a, c.b);
+  /// Every free triangle at a vertex.
+  void each_around(std::uint32_t v, const auto& visit) {
+    for (const Tri::Sector& sector : tri_.sectors_at(v)) each_triangle(tri_, sector, [&](std::uint32_t t, int) { visit(t); });
   }
 
   const FreeSpace& space_;
   const Tri& tri_;
   const std::vector<std::uint32_t>& piece_of_;
   Point p_;
+  std::vector<std::uint32_t> open_;
   std::unordered_set<std::uint32_t> seen_;
-  double least_ = std::numeric_limits<double>::infinity();
+  Interval least_{0, std::numeric_limits<double>::infinity()};
   std::uint32_t best_ = kNone;
 };
 
@@ -154,7 +148,7 @@ class Outline {
 
 Clearance FreeSpace::clearance(Point p) const {
   const Location at = locate(p);
-  return NearestConstraint(*this, impl_->piece_of, p).search(at.triangle);
+  return NearestConstraint(*this, impl_->piece_of, p).search(at);
 }
 
 VisibilityPolygon FreeSpace::visibility_polygon(Point p) const {
@@ -170,13 +164,7 @@ VisibilityPolygon FreeSpace::visibility_polygon(Point p) const {
     else outline.add(p);
   } else if (at.kind == Location::Kind::vertex) {
     for (const Tri::Sector& sector : tri.sectors_at(tri.triangles[at.triangle][at.index])) {
-      std::uint32_t t = sector.triangle;
-      do {
-        const int i = tri.corner(t, sector.vertex);
-        outline.out_of(t, i);
-        if (tri.is_constrained(t, Tri::ccw(i))) break;
-        t = tri.ccw_triangle(t, i);
-      } while (t != sector.triangle);
+      each_triangle(tri, sector, [&](std::uint32_t t, int i) { outline.out_of(t, i); });
       if (!sector.full && sector.left != sector.right) outline.add(p);
     }
   }

@@ -76,4 +76,16 @@ struct Triangulation {
   static int cw(int i) { return i == 0 ? 2 : i - 1; }
 };
 
+/// Calls visit(t, i) for the triangles of a sector, counter-clockwise; i is the corner of t at the sector's vertex.
+template <class Visit>
+void each_triangle(const Triangulation& tri, const Triangulation::Sector& sector, Visit&& visit) {
+  std::uint32_t t = sector.triangle;
+  do {
+    const int i = tri.corner(t, sector.vertex);
+    visit(t, i);
+    if (tri.is_constrained(t, Triangulation::ccw(i))) return;
+    t = tri.ccw_triangle(t, i);
+  } while (t != sector.triangle);
+}
+
 }  // namespace taut

@@ -120,19 +120,12 @@ class View {
     }
   }
 
-  /// Every triangle of a sector's fan.
   void fan(const Tri::Sector& s) {
-    std::uint32_t t = s.triangle;
-    do {
-      const int i = tri_.corner(t, s.vertex);
-      wedge(t, i);
-      if (tri_.is_constrained(t, Tri::ccw(i))) return;
-      t = tri_.ccw_triangle(t, i);
-    } while (t != s.triangle);
+    each_triangle(tri_, s, [&](std::uint32_t t, int i) { wedge(t, i); });
   }
 
   /// One triangle at the origin's vertex. Of a reflex sector in a reduced graph only the tangent directions: a path that bends
-  /// there neither starts between the backward continuations of its two bounding sides.
+  /// there does not start strictly between `first` and `second`, the backward continuations of the two bounding sides.
   void wedge(std::uint32_t t, int i) {
     const std::uint32_t a = tri_.triangles[t][Tri::ccw(i)], b = tri_.triangles[t][Tri::cw(i)];
     const bool all = !reduced_ || !origin_sector_ || origin_sector_->right == origin_sector_->left;
@@ -142,11 +135,12 @@ class View {
     if (a_useless && b_useless) return;
     const Ray right = expansion_.ray(a), left = expansion_.ray(b);
     if (all) return expansion_.spread(origin_, t, i, right, left);
-    const Ray first = expansion_.ray(origin_sector_->left, true), second = expansion_.ray(origin_sector_->right, true);
-    const bool between = !a_useless && !b_useless && side(a, origin_sector_->left) < 0 && side(origin_sector_->left, b) < 0;
+    const int a_first = side(a, origin_sector_->left), b_second = side(origin_sector_->right, b);
+    const bool between = a_first <= 0 && side(origin_sector_->left, b) < 0;
     if (!a_useless && !b_useless && !between) return expansion_.spread(origin_, t, i, right, left);
-    if (!a_useless) expansion_.spread(origin_, t, i, right, first);
-    if (!b_useless) expansion_.spread(origin_, t, i, second, left);
+    const Ray first = expansion_.ray(origin_sector_->left, true), second = expansion_.ray(origin_sector_->right, true);
+    if (!a_useless && a_first != 0) expansion_.spread(origin_, t, i, right, first);
+    if (!b_useless && b_second != 0) expansion_.spread(origin_, t, i, second, left);
   }
 
   /// Would a path along this direction have its obstacle on both sides of the line?

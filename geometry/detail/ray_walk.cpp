@@ -41,8 +41,12 @@ RayWalk::End RayWalk::from_vertex(std::uint32_t v, std::optional<Point> towards)
 
 /// Two ways to one vertex.
 void RayWalk::join(Stand& found, const Stand& next) {
-  if (found.vertex == kNone) found = next;
-  else if (found.sectors[0] != next.sectors[0]) found.sectors[1] = next.sectors[0];
+  if (found.vertex == kNone) {
+    found = next;
+    return;
+  }
+  for (const std::uint32_t sector : next.sectors)
+    if (sector != kNone && sector != found.sectors[0]) found.sectors[1] = sector;
 }
 
 /// From p in the closed triangle t.
@@ -98,29 +102,25 @@ RayWalk::End RayWalk::arrive(std::uint32_t t, int i) {
   return End::vertex;
 }
 
-/// Leaves the vertex of a sector within it; nothing when the ray does not start there.
+/// Leaves the vertex of a sector within it; nothing when the ray does not start there. Along the wall at whose free end the sector lies
+/// it starts on both sides.
 std::optional<RayWalk::End> RayWalk::leave_sector(std::uint32_t id, Stand& next) {
   const Tri::Sector& sector = tri_.sectors[id];
-  const Point v = tri_.points[sector.vertex];
-  std::uint32_t t = sector.triangle;
-  for (;;) {
-    const int i = tri_.corner(t, sector.vertex), right = Tri::ccw(i), left = Tri::cw(i);
-    const int r = side(corner(t, right)), l = side(corner(t, left));
-    for (const auto& [turn, c] : {std::pair(r, right), std::pair(l, left)}) {
-      if (turn != 0 || !ahead(v, corner(t, c))) continue;
-      const End end = arrive(t, c);
-      next = stand_;
-      return end;
-    }
-    if (r < 0 && l > 0) {
-      const End end = through(t, i);
-      next = stand_;
-      return end;
-    }
-    if (tri_.is_constrained(t, right)) return std::nullopt;
-    t = tri_.ccw_triangle(t, i);
-    if (t == kNone || t == sector.triangle) return std::nullopt;
-  }
+  std::optional<End> end;
+  Stand found;
+  const auto take = [&](End e) {
+    if (end != End::reached) end = e;
+    if (e == End::vertex) join(found, stand_);
+  };
+  each_triangle(tri_, sector, [&](std::uint32_t t, int i) {
+    const int r = side(corner(t, Tri::ccw(i))), l = side(corner(t, Tri::cw(i)));
+    const Point v = tri_.points[sector.vertex];
+    if (r < 0 && l > 0) return take(through(t, i));
+    if (r == 0 && ahead(v, corner(t, Tri::ccw(i)))) take(arrive(t, Tri::ccw(i)));
+    if (l == 0 && ahead(v, corner(t, Tri::cw(i)))) take(arrive(t, Tri::cw(i)));
+  });
+  next = found;
+  return end;
 }
 
 RayWalk::End RayWalk::next() {

@@ -14,22 +14,23 @@ std::string flat(const Json& json) {
     if (out.size() > 1) out += ", ";
     out += flat(item);
   }
-  return out + "]";
+  return out.append("]");
 }
 
 // A list with a line for each point would be unreadable, as would one with all of them on a line.
 std::string wrapped(const Json& array, const std::string& indent) {
-  std::string out = "[", line;
+  constexpr std::size_t kWidest = 100;
+  const std::string all = flat(array);
+  if (all.size() <= kWidest) return all;
+  std::string out = "[";
+  std::size_t width = kWidest;
   for (const Json& item : array) {
     const std::string text = flat(item);
-    if (line.size() + text.size() > 100) {
-      out += "\n" + indent + "  " + line;
-      line.clear();
-    }
-    line += text + (&item == &array.back() ? "" : ", ");
+    const bool first = &item == &array.front(), breaks = width + text.size() > kWidest;
+    out.append(first ? "" : ",").append(breaks ? "\n" + indent + "  " : " ").append(text);
+    width = (breaks ? 0 : width) + text.size() + 2;
   }
-  const bool single = out.size() == 1;
-  return single ? out + line + "]" : out + "\n" + indent + "  " + line + "\n" + indent + "]";
+  return out.append("\n").append(indent).append("]");
 }
 
 std::string indented(const Json& json, const std::string& indent) {
@@ -37,8 +38,8 @@ std::string indented(const Json& json, const std::string& indent) {
   if (!json.is_object()) return flat(json);
   std::string out = "{";
   for (const auto& [key, value] : json.items())
-    out += (out.size() > 1 ? ",\n" : "\n") + indent + "  \"" + key + "\": " + indented(value, indent + "  ");
-  return out + "\n" + indent + "}";
+    out.append(out.size() > 1 ? ",\n" : "\n").append(indent).append("  \"").append(key).append("\": ").append(indented(value, indent + "  "));
+  return out.append("\n").append(indent).append("}");
 }
 
 }  // namespace
