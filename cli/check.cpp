@@ -28,13 +28,17 @@ struct CheckOptions {
 void add_options(CLI::App& app, CheckOptions& options) {
   add_world_options(app, options.world);
   add_query_options(app, options.query);
-  app.add_option("--path", options.path, "Check this path as well: the JSON of `taut solve`, or a point `x y` a line; - is standard input")
+  app.add_option("--path", options.path,
+                 "Check this path as well: the JSON of `taut solve`, or a point `x y` a line; - is standard input")
       ->type_name("FILE")
       ->group("Query");
-  app.add_option("--json", options.json, "Write everything as JSON; - is standard output")->type_name("FILE")->group("Output");
+  app.add_option("--json", options.json, "Write everything as JSON; - is standard output")
+      ->type_name("FILE")
+      ->group("Output");
   app.add_flag("--quiet,-q", options.quiet, "No lines on standard output")->group("Output");
   app.callback([&options] {
-    if (options.path == "-" && options.world.file == "-") throw CLI::ValidationError("FILE and --path cannot both be standard input");
+    if (options.path == "-" && options.world.file == "-")
+      throw CLI::ValidationError("FILE and --path cannot both be standard input");
   });
 }
 
@@ -48,7 +52,8 @@ Verdict judge(const ClaimedPath& claimed, const FreeSpace& space) {
   Verdict verdict = verify(path, space, world.start().value_or(path.points.front()), goal);
   const Interval measured = path.length.interval();
   const double slack = 1e-12 * measured.hi;  // the claim is a rounded number
-  if (verdict.valid && claimed.length && !(measured.lo - slack <= *claimed.length && *claimed.length <= measured.hi + slack)) {
+  if (verdict.valid && claimed.length &&
+      !(measured.lo - slack <= *claimed.length && *claimed.length <= measured.hi + slack)) {
     verdict.valid = false;
     verdict.reason = fmt::format("it claims the length {}, but measures {}", *claimed.length, path.length.decimals(6));
   }
@@ -66,7 +71,8 @@ int run(const CheckOptions& options) {
   begin_stage("read");
   const Input input = read_input(options.world, options.query);
   std::optional<ClaimedPath> claimed;
-  if (!options.path.empty()) claimed = read_path(read_bytes(options.path), options.path == "-" ? "<stdin>" : options.path);
+  if (!options.path.empty())
+    claimed = read_path(read_bytes(options.path), options.path == "-" ? "<stdin>" : options.path);
   begin_stage("space");
   const FreeSpace space(input.world, options.query.robot);
   require_free_ends(space);
@@ -83,7 +89,8 @@ int run(const CheckOptions& options) {
 }  // namespace
 
 Command check_command(CLI::App& app) {
-  return command<CheckOptions>(app, "check", "Say whether a world is valid and what is in it; check a path", add_options, run);
+  return command<CheckOptions>(app, "check", "Say whether a world is valid and what is in it; check a path",
+                               add_options, run);
 }
 
 }  // namespace taut::cli

@@ -36,7 +36,8 @@ std::string text_of(const Goal& goal) {
   if (goal.room.empty()) return "not given";
   const Box& first = goal.room.front();
   const std::string box = point_text(first.min) + " to " + point_text(first.max);
-  return goal.room.size() == 1 ? "the room " + box : fmt::format("a room of {} boxes, the first {}", goal.room.size(), box);
+  return goal.room.size() == 1 ? "the room " + box
+                               : fmt::format("a room of {} boxes, the first {}", goal.room.size(), box);
 }
 
 }  // namespace
@@ -58,7 +59,8 @@ void CheckReport::add_path(const ClaimedPath& path, const Verdict& verdict) { pa
 std::string CheckReport::path_text() const {
   const auto& [path, verdict] = *path_;
   if (!verdict.valid) return "not valid: " + verdict.reason;
-  return fmt::format("valid, length {}, {}, clearance {}", Length(path.points).decimals(6), count_text(path.points.size(), "point"),
+  return fmt::format("valid, length {}, {}, clearance {}", Length(path.points).decimals(6),
+                     count_text(path.points.size(), "point"),
                      std::isfinite(verdict.clearance) ? number_text(verdict.clearance) : "unlimited");
 }
 
@@ -72,9 +74,12 @@ std::string CheckReport::text() const {
   if (input_.notes.unknown_walls > 0) walls += fmt::format(", {} unknown read as open", input_.notes.unknown_walls);
   row("walls", walls);
   if (!world.solids().empty()) row("obstacles", count_text(world.solids().size(), "polygon"));
-  row("boundary", fmt::format("{}, {} to {}", name_of(world.boundary()), point_text(world.box().min), point_text(world.box().max)));
+  row("boundary",
+      fmt::format("{}, {} to {}", name_of(world.boundary()), point_text(world.box().min), point_text(world.box().max)));
   if (world.boundary() == Boundary::limit)
-    row("openings", world.openings().empty() ? "none" : fmt::format("{}: {}", world.openings().size(), segments_text(world.openings(), kOpeningsNamed)));
+    row("openings", world.openings().empty() ? "none"
+                                             : fmt::format("{}: {}", world.openings().size(),
+                                                           segments_text(world.openings(), kOpeningsNamed)));
   row("start", world.start() ? point_text(*world.start()) : "not given");
   row("goal", text_of(world.goal()));
   row("free space", fmt::format("area {:.10g}, {}, {}, {}", area_, count_text(space_.component_count(), "component"),
@@ -86,7 +91,11 @@ std::string CheckReport::text() const {
 
 std::string CheckReport::json() const {
   const World& world = input_.world;
-  Json json{{"program", "taut"}, {"version", TAUT_VERSION}, {"source", input_.name}, {"format", std::string(name(input_.notes.format))}, {"valid", true}};
+  Json json{{"program", "taut"},
+            {"version", TAUT_VERSION},
+            {"source", input_.name},
+            {"format", std::string(name(input_.notes.format))},
+            {"valid", true}};
   json["walls"] = world.walls().size();
   json["dropped_walls"] = world.dropped_walls();
   json["unknown_walls"] = input_.notes.unknown_walls;

@@ -46,7 +46,8 @@ Size size_of(const std::string& text) {
 }
 
 bool biased_of(const std::string& text) {
-  if (text != "biased" && text != "backtracker") throw CLI::ValidationError("--kind: '" + text + "' is not biased or backtracker");
+  if (text != "biased" && text != "backtracker")
+    throw CLI::ValidationError("--kind: '" + text + "' is not biased or backtracker");
   return text == "biased";
 }
 
@@ -58,30 +59,36 @@ double loops_of(const std::string& text) {
 
 void add_options(CLI::App& app, GenerateOptions& options) {
   const auto add = [&](const char* name, auto& value, auto parse, const char* type, const char* description) {
-    return app.add_option_function<std::string>(name, [&value, parse](const std::string& text) { value = parse(text); }, description)
+    return app
+        .add_option_function<std::string>(
+            name, [&value, parse](const std::string& text) { value = parse(text); }, description)
         ->type_name(type)
         ->group("Maze");
   };
   add("--size", options.size, size_of, "WxH", "Width and height in cells, or one number for both")->required();
   add("--kind", options.biased, biased_of, "NAME",
-      "biased (default): a spanning tree of varied texture, open at two corners; backtracker: long corridors, closed, goal top right");
+      "biased (default): a spanning tree of varied texture, open at two corners; backtracker: long corridors, closed, "
+      "goal top right");
   add("--loops", options.loops, loops_of, "SHARE", "Take down this share of the inner walls, 0 to 1 (default: 0)");
   add("--format", options.format, format_of, "NAME", "segments (default), drawing, cells, maz, num, wkt, geojson");
-  app.add_option("-o,--output", options.file, "Write to this file instead of standard output")->type_name("FILE")->group("Maze");
+  app.add_option("-o,--output", options.file, "Write to this file instead of standard output")
+      ->type_name("FILE")
+      ->group("Maze");
 }
 
 GridMaze maze_of(const GenerateOptions& options) {
   const auto [width, height] = options.size;
   const std::uint64_t seed = options.common.seed;
-  GridMaze maze = options.biased ? generate_biased_maze(height, width, seed) : generate_backtracker(width, height, seed);
+  GridMaze maze =
+      options.biased ? generate_biased_maze(height, width, seed) : generate_backtracker(width, height, seed);
   if (options.loops > 0) open_walls(maze, options.loops, seed);
   return maze;
 }
 
 // The command that makes the same file again.
 std::string recipe(const GenerateOptions& options) {
-  std::string text = fmt::format("taut generate --size {}x{} --kind {} --seed {}", options.size.width, options.size.height,
-                                 options.biased ? "biased" : "backtracker", options.common.seed);
+  std::string text = fmt::format("taut generate --size {}x{} --kind {} --seed {}", options.size.width,
+                                 options.size.height, options.biased ? "biased" : "backtracker", options.common.seed);
   if (options.loops > 0) text += " --loops " + number_text(options.loops);
   return text;
 }

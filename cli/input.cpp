@@ -19,9 +19,10 @@ void require_ends(const Input& input) {
   const Goal& goal = input.world.goal();
   const bool start = input.world.start().has_value(), end = goal.point || !goal.room.empty();
   if (start && end) return;
-  throw InputError(input.name, 0, start  ? "says nothing about a goal; give --to X,Y"
-                                  : end ? "says nothing about a start; give --from X,Y"
-                                        : "says nothing about start and goal; give --from X,Y and --to X,Y");
+  throw InputError(input.name, 0,
+                   start ? "says nothing about a goal; give --to X,Y"
+                   : end ? "says nothing about a start; give --from X,Y"
+                         : "says nothing about start and goal; give --from X,Y and --to X,Y");
 }
 
 }  // namespace taut::cli

@@ -1,8 +1,8 @@
 // The program `taut`: parses the command line, runs a subcommand, and turns what is thrown into a line and an exit code.
+#include <fmt/format.h>
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
-#include <fmt/format.h>
 
 #include <exception>
 #include <new>
@@ -23,7 +23,8 @@ namespace taut::cli {
 namespace {
 
 constexpr const char* kFooter =
-    "Results go to standard output, everything else to stderr. Exit codes: 0 found, 1 there is no path (proven), 2 wrong usage,\n"
+    "Results go to standard output, everything else to stderr. Exit codes: 0 found, 1 there is no path (proven), 2 "
+    "wrong usage,\n"
     "3 wrong input, 4 stopped by a limit or an interrupt, 70 a defect of the program.\n\n"
     "  taut generate --size 45x45 --seed 1 | taut solve - --svg maze.svg\n";
 
@@ -31,12 +32,14 @@ constexpr const char* kFooter =
 std::string reason(const CLI::App& app, const CLI::ParseError& error) {
   if (!app.get_subcommands().empty()) return error.what();
   const std::vector<std::string> rest = app.remaining();
-  return rest.empty() ? "which of solve, check, roadmap, generate, convert?" : fmt::format("there is no subcommand or option '{}'", rest.front());
+  return rest.empty() ? "which of solve, check, roadmap, generate, convert?"
+                      : fmt::format("there is no subcommand or option '{}'", rest.front());
 }
 
 int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
-  complain(fmt::format("{}; see `taut {}--help`", reason(app, error), chosen.empty() ? "" : chosen.front()->get_name() + " "));
+  complain(fmt::format("{}; see `taut {}--help`", reason(app, error),
+                       chosen.empty() ? "" : chosen.front()->get_name() + " "));
   return kUsage;
 }
 
@@ -64,8 +67,8 @@ int run(int argc, char** argv) {
   app.set_help_flag("--help,-h", "Print this help and exit");
   app.require_subcommand(1);
   app.footer(kFooter);
-  const std::vector<Command> commands{solve_command(app), check_command(app), roadmap_command(app), generate_command(app),
-                                      convert_command(app)};
+  const std::vector<Command> commands{solve_command(app), check_command(app), roadmap_command(app),
+                                      generate_command(app), convert_command(app)};
   if (const int code = parse(app, argc, argv); code >= 0) return code;
   for (const Command& command : commands)
     if (command.app->parsed()) {

@@ -24,7 +24,8 @@ std::optional<double> number_in(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !(std::abs(value) <= World::kLargest)) return std::nullopt;
+  if (error != std::errc{} || end != text.data() + text.size() || !(std::abs(value) <= World::kLargest))
+    return std::nullopt;
   return value;
 }
 
@@ -120,18 +121,22 @@ void add_world_options(CLI::App& app, WorldOptions& options) {
       "What FILE is written in: segments, cells, drawing, maz, num, wkt, geojson (default: found out from its content)")
       ->type_name("NAME")
       ->group("World");
-  add(app, "--polygons", options.read.polygons, polygons_of, "What wkt and geojson polygons without a role are: free (default) or obstacles")
+  add(app, "--polygons", options.read.polygons, polygons_of,
+      "What wkt and geojson polygons without a role are: free (default) or obstacles")
       ->type_name("WHAT")
       ->group("World");
   const auto parse_thickness = [](const std::string& text) { return std::optional(thickness_of(text)); };
-  add(app, "--wall-thickness", options.wall_thickness, parse_thickness, "Give every wall this thickness, half of it on each side")
+  add(app, "--wall-thickness", options.wall_thickness, parse_thickness,
+      "Give every wall this thickness, half of it on each side")
       ->type_name("T")
       ->group("World");
 }
 
 void add_query_options(CLI::App& app, QueryOptions& options) {
   const auto parse_point = [](const std::string& text) { return std::optional(point_of(text)); };
-  add(app, "--from", options.from, parse_point, "Start here instead of where FILE says")->type_name("X,Y")->group("Query");
+  add(app, "--from", options.from, parse_point, "Start here instead of where FILE says")
+      ->type_name("X,Y")
+      ->group("Query");
   add(app, "--to", options.to, parse_point, "Go here instead of where FILE says")->type_name("X,Y")->group("Query");
   add(app, "--robot", options.robot, footprint_of, "Who moves: point (default), disc:R, or square:R of half side R")
       ->type_name("SHAPE")
@@ -140,20 +145,26 @@ void add_query_options(CLI::App& app, QueryOptions& options) {
 
 void add_output_options(CLI::App& app, OutputOptions& options) {
   app.add_option("--svg", options.svg, "Write a picture; - is standard output")->type_name("FILE")->group("Output");
-  app.add_option("--json", options.json, "Write everything as JSON; - is standard output")->type_name("FILE")->group("Output");
+  app.add_option("--json", options.json, "Write everything as JSON; - is standard output")
+      ->type_name("FILE")
+      ->group("Output");
   app.add_flag("--stats", options.stats, "Say on stderr what each stage took")->group("Output");
   app.add_flag("--quiet,-q", options.quiet, "No line on standard output")->group("Output");
   app.callback([&options] {
-    if (options.svg == "-" && options.json == "-") throw CLI::ValidationError("--svg - and --json - cannot both have standard output");
+    if (options.svg == "-" && options.json == "-")
+      throw CLI::ValidationError("--svg - and --json - cannot both have standard output");
   });
 }
 
 void add_common_options(CLI::App& app, CommonOptions& options) {
-  add(app, "--max-seconds", options.limits.seconds, [](const std::string& text) { return std::optional(seconds_of(text)); },
-      "Stop after this time, with exit code 4")
+  add(
+      app, "--max-seconds", options.limits.seconds,
+      [](const std::string& text) { return std::optional(seconds_of(text)); }, "Stop after this time, with exit code 4")
       ->type_name("S")
       ->group("Limits");
-  add(app, "--max-memory", options.limits.memory, [](const std::string& text) { return std::optional(memory_of(text)); },
+  add(
+      app, "--max-memory", options.limits.memory,
+      [](const std::string& text) { return std::optional(memory_of(text)); },
       "Stop when more is needed, with exit code 4: 500M, 2G")
       ->type_name("SIZE")
       ->group("Limits");

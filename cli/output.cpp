@@ -124,7 +124,8 @@ void write_file(const std::string& path, std::string_view bytes) {
   require_writable(path);
   struct stat old {};
   const bool exists = ::stat(path.c_str(), &old) == 0;
-  if (!exists || S_ISREG(old.st_mode)) return replace(resolved(path), path, bytes, exists ? old.st_mode & 07777 : usual_permissions());
+  if (!exists || S_ISREG(old.st_mode))
+    return replace(resolved(path), path, bytes, exists ? old.st_mode & 07777 : usual_permissions());
   OpenFile file(::open(path.c_str(), O_WRONLY | O_CLOEXEC), path);
   write_all(file.file(), bytes, path);
   file.close();

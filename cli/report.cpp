@@ -32,7 +32,8 @@ std::vector<Segment> oriented(const std::vector<Constraint>& chain) {
   for (std::size_t i = 0; i < chain.size(); ++i) {
     Segment s{chain[i].a, chain[i].b};
     const bool follows = i > 0 && (result.back().b == s.a || result.back().b == s.b);
-    const bool flip = follows ? s.b == result.back().b : i + 1 < chain.size() && (s.a == chain[i + 1].a || s.a == chain[i + 1].b);
+    const bool flip =
+        follows ? s.b == result.back().b : i + 1 < chain.size() && (s.a == chain[i + 1].a || s.a == chain[i + 1].b);
     if (flip) std::swap(s.a, s.b);
     result.push_back(s);
   }
@@ -40,7 +41,8 @@ std::vector<Segment> oriented(const std::vector<Constraint>& chain) {
 }
 
 bool on_side(const Constraint& c, const Box& box) {
-  return (c.a.x == c.b.x && (c.a.x == box.min.x || c.a.x == box.max.x)) || (c.a.y == c.b.y && (c.a.y == box.min.y || c.a.y == box.max.y));
+  return (c.a.x == c.b.x && (c.a.x == box.min.x || c.a.x == box.max.x)) ||
+         (c.a.y == c.b.y && (c.a.y == box.min.y || c.a.y == box.max.y));
 }
 
 // Beginning after a gap, where there is one.
@@ -49,7 +51,8 @@ std::vector<Constraint> without_border(std::vector<Constraint> chain, const Box&
   if (gap == chain.end()) return chain;
   std::rotate(chain.begin(), gap, chain.end());
   std::vector<Constraint> rest;
-  std::remove_copy_if(chain.begin(), chain.end(), std::back_inserter(rest), [&](const Constraint& c) { return on_side(c, border); });
+  std::remove_copy_if(chain.begin(), chain.end(), std::back_inserter(rest),
+                      [&](const Constraint& c) { return on_side(c, border); });
   return rest.empty() ? chain : rest;
 }
 
@@ -96,8 +99,10 @@ std::string peak_memory_text() {
 std::vector<Segment> joined_walls(const std::vector<Constraint>& chain, const Box& border) {
   std::vector<Segment> joined;
   for (const Segment& s : oriented(without_border(without_dead_ends(chain), border))) {
-    if (!joined.empty() && goes_on(joined.back(), s)) joined.back().b = s.b;
-    else joined.push_back(s);
+    if (!joined.empty() && goes_on(joined.back(), s))
+      joined.back().b = s.b;
+    else
+      joined.push_back(s);
   }
   if (joined.size() > 1 && goes_on(joined.back(), joined.front())) {
     joined.front().a = joined.back().a;

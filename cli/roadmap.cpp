@@ -35,7 +35,8 @@ void add_options(CLI::App& app, RoadmapOptions& options) {
          "visibility (default)")
       ->type_name("NAME")
       ->group("Roadmap");
-  app.add_flag("--full", options.full, "All pairs that see each other, not only those a shortest path can use")->group("Roadmap");
+  app.add_flag("--full", options.full, "All pairs that see each other, not only those a shortest path can use")
+      ->group("Roadmap");
   add_output_options(app, options.output);
 }
 
@@ -51,17 +52,19 @@ int run(const RoadmapOptions& options) {
   begin_stage("write");
   const Roadmap& roadmap = graph.roadmap();
   const std::string kind = options.full ? "full visibility graph" : "reduced visibility graph";
-  const std::vector<std::string> facts{kind, count_text(roadmap.vertex_count(), "vertex", "vertices"), count_text(roadmap.edge_count(), "edge"),
-                                       seconds_text(roadmap_seconds)};
+  const std::vector<std::string> facts{kind, count_text(roadmap.vertex_count(), "vertex", "vertices"),
+                                       count_text(roadmap.edge_count(), "edge"), seconds_text(roadmap_seconds)};
   SvgPicture picture{title_of(input.name), facts, &roadmap, nullptr, {}, input.world.start(), input.world.goal()};
   const std::string drawing = options.output.svg.empty() ? "" : svg(space, picture);
   const std::string json = options.output.json.empty() ? "" : roadmap_json(roadmap, kind, input.name, roadmap_seconds);
   finish();
   write_file(options.output.svg, drawing);
   write_file(options.output.json, json);
-  if (!options.output.quiet && !options.output.stdout_taken()) print(fmt::format("{}: {}\n", input.name, fmt::join(facts, ", ")));
+  if (!options.output.quiet && !options.output.stdout_taken())
+    print(fmt::format("{}: {}\n", input.name, fmt::join(facts, ", ")));
   if (options.output.stats)
-    note(fmt::format("read {:.4f} s, free space {:.4f} s, roadmap {:.4f} s, peak memory {}", read, build, roadmap_seconds, peak_memory_text()));
+    note(fmt::format("read {:.4f} s, free space {:.4f} s, roadmap {:.4f} s, peak memory {}", read, build,
+                     roadmap_seconds, peak_memory_text()));
   return kFound;
 }
 

@@ -42,7 +42,8 @@ void add_options(CLI::App& app, SolveOptions& options) {
   app.add_option_function<std::string>(
          "--algorithm",
          [&options](const std::string& text) {
-           if (text != "astar" && text != "dijkstra") throw CLI::ValidationError("--algorithm: '" + text + "' is not astar or dijkstra");
+           if (text != "astar" && text != "dijkstra")
+             throw CLI::ValidationError("--algorithm: '" + text + "' is not astar or dijkstra");
            options.algorithm = text == "astar" ? GraphAlgorithm::astar : GraphAlgorithm::dijkstra;
          },
          "astar (default) or dijkstra; the path is the same length")
@@ -66,7 +67,8 @@ class Solver {
     prepare_last_words();
     const Input input = timed("read", result_.seconds.read, [&] { return read_input(options_.world, options_.query); });
     read_ends(input);
-    const FreeSpace space = timed("space", result_.seconds.space, [&] { return FreeSpace(input.world, options_.query.robot); });
+    const FreeSpace space =
+        timed("space", result_.seconds.space, [&] { return FreeSpace(input.world, options_.query.robot); });
     result_.displacement = space.report().displacement;
     require_free(space, *result_.start, "start");
     if (result_.goal.point) require_free(space, *result_.goal.point, "goal");
@@ -105,7 +107,8 @@ class Solver {
     require_ends(input);
     result_.start = input.world.start();
     result_.goal = input.world.goal();
-    for (const Wall& wall : input.world.walls()) result_.wall_thickness = std::max(result_.wall_thickness, wall.thickness);
+    for (const Wall& wall : input.world.walls())
+      result_.wall_thickness = std::max(result_.wall_thickness, wall.thickness);
     prepare_last_words();
   }
 
@@ -119,8 +122,8 @@ class Solver {
   }
 
   void verify_answer(const FreeSpace& space) {
-    const Verdict verdict =
-        timed("verify", result_.seconds.verify, [&] { return verify(result_.path, space, *result_.start, result_.goal); });
+    const Verdict verdict = timed("verify", result_.seconds.verify,
+                                  [&] { return verify(result_.path, space, *result_.start, result_.goal); });
     if (!verdict.valid) throw std::logic_error("the path found does not pass its own check: " + verdict.reason);
     result_.verified = true;
     result_.clearance = verdict.clearance;
@@ -130,7 +133,8 @@ class Solver {
   std::vector<Segment> separation(const FreeSpace& space) const {
     std::vector<Point> goals;
     if (result_.goal.point) goals.push_back(*result_.goal.point);
-    for (const Box& b : result_.goal.room) goals.push_back({b.min.x + (b.max.x - b.min.x) / 2, b.min.y + (b.max.y - b.min.y) / 2});
+    for (const Box& b : result_.goal.room)
+      goals.push_back({b.min.x + (b.max.x - b.min.x) / 2, b.min.y + (b.max.y - b.min.y) / 2});
     for (const Point& goal : goals) {
       if (space.locate(goal).kind == Location::Kind::outside) continue;
       const std::vector<Segment> walls = joined_walls(space.separation(*result_.start, goal), space.world().box());
@@ -172,8 +176,9 @@ class Solver {
     if (result_.status == SearchStatus::found) return fmt::format("{}", fmt::join(facts(), ", "));
     if (result_.separation.empty()) return "no path";
     return fmt::format("no path: {} start and goal: {}",
-                       result_.separation.size() == 1 ? "this wall separates"
-                                                      : fmt::format("these {} walls separate", result_.separation.size()),
+                       result_.separation.size() == 1
+                           ? "this wall separates"
+                           : fmt::format("these {} walls separate", result_.separation.size()),
                        segments_text(result_.separation, kWallsNamed));
   }
 
@@ -189,15 +194,20 @@ class Solver {
     const auto row = [](const char* stage, double seconds, const std::string& what) {
       note(fmt::format("{:<12}{:>9.4f} s   {}", stage, seconds, what));
     };
-    row("read", s.read, fmt::format("{}, {}", name(input.notes.format), count_text(input.world.walls().size(), "wall")));
+    row("read", s.read,
+        fmt::format("{}, {}", name(input.notes.format), count_text(input.world.walls().size(), "wall")));
     row("free space", s.space,
         fmt::format("{} (union {:.4f} s, triangulation {:.4f} s), displacement {:.3g}",
-                    count_text(space.triangulation().triangles.size(), "triangle"), report.seconds_union, report.seconds_triangulation,
-                    report.displacement));
+                    count_text(space.triangulation().triangles.size(), "triangle"), report.seconds_union,
+                    report.seconds_triangulation, report.displacement));
     row("roadmap", s.roadmap,
-        count_text(graph.roadmap().vertex_count(), "vertex", "vertices") + ", " + count_text(graph.roadmap().edge_count(), "edge"));
-    row("search", s.search, fmt::format("{} expanded ({})", result_.expanded, options_.algorithm == GraphAlgorithm::astar ? "astar" : "dijkstra"));
-    row("verify", s.verify, result_.verified ? fmt::format("valid, clearance {:.6g}", result_.clearance.value_or(0)) : "not done");
+        count_text(graph.roadmap().vertex_count(), "vertex", "vertices") + ", " +
+            count_text(graph.roadmap().edge_count(), "edge"));
+    row("search", s.search,
+        fmt::format("{} expanded ({})", result_.expanded,
+                    options_.algorithm == GraphAlgorithm::astar ? "astar" : "dijkstra"));
+    row("verify", s.verify,
+        result_.verified ? fmt::format("valid, clearance {:.6g}", result_.clearance.value_or(0)) : "not done");
     row("total", s.total, "peak memory " + peak_memory_text());
   }
 
@@ -211,7 +221,8 @@ int run(const SolveOptions& options) { return Solver(options).run(); }
 }  // namespace
 
 Command solve_command(CLI::App& app) {
-  return command<SolveOptions>(app, "solve", "Find the shortest path from start to goal, or the walls that leave none", add_options, run);
+  return command<SolveOptions>(app, "solve", "Find the shortest path from start to goal, or the walls that leave none",
+                               add_options, run);
 }
 
 }  // namespace taut::cli

@@ -124,7 +124,8 @@ void limit_memory(std::size_t bytes) {
   shared().reserve = std::make_unique<char[]>(1 << 20);
   mp_set_memory_functions(gmp_allocate, gmp_reallocate, gmp_free);
   const rlimit limit{bytes, bytes};
-  if (setrlimit(RLIMIT_AS, &limit) != 0) throw std::system_error(errno, std::generic_category(), "cannot limit the memory");
+  if (setrlimit(RLIMIT_AS, &limit) != 0)
+    throw std::system_error(errno, std::generic_category(), "cannot limit the memory");
 }
 
 }  // namespace
@@ -165,7 +166,8 @@ void stop(const char* reason) noexcept {
   s.reserve.reset();
   try {
     const std::string stage = s.stage.load();
-    complain(stage.empty() ? fmt::format("stopped: {}", reason) : fmt::format("stopped in stage `{}`: {}", stage, reason));
+    complain(stage.empty() ? fmt::format("stopped: {}", reason)
+                           : fmt::format("stopped in stage `{}`: {}", stage, reason));
     const std::lock_guard lock(s.mutex);
     if (s.last_words) s.last_words({reason, stage});
   } catch (...) {

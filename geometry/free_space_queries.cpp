@@ -27,10 +27,11 @@ class NearestConstraint {
     for (std::size_t k = 0; k < open_.size(); ++k)
       for (int i = 0; i < 3; ++i) leave(open_[k], i);
     if (best_ == kNone) return {std::numeric_limits<double>::infinity(), kNone};
-    // Others can meet the best one at its nearest point without being seen from p.
-    const Constraint nearest = space_.constraints()[best_];
-    for (const Point end : {nearest.a, nearest.b})
-      if (detail::compare_segment_distances(here(), {end, end}, here(), side(best_)) == 0) consider_around(end);
+    // At a nearest point that is an end, others can meet without being seen from p.
+    const std::uint32_t nearest = best_;
+    for (const std::uint32_t piece : std::vector(considered_))
+      for (const Point end : {space_.constraints()[piece].a, space_.constraints()[piece].b})
+        if (is_equal({end, end}, side(nearest))) consider_around(end);
     return {detail::segment_distance(here(), side(best_)), best_};
   }
 
@@ -48,7 +49,10 @@ class NearestConstraint {
     if (detail::segment_distance_interval(here(), {a, b}).lo <= least_.hi) reach(tri_.neighbours[t][i]);
   }
 
+  bool is_equal(const Segment& s, const Segment& t) const { return detail::compare_segment_distances(here(), s, here(), t) == 0; }
+
   void consider(std::uint32_t piece) {
+    considered_.push_back(piece);
     const Interval distance = detail::segment_distance_interval(here(), side(piece));
     if (best_ == kNone || is_better(piece, distance)) {
       best_ = piece;
@@ -84,6 +88,7 @@ class NearestConstraint {
   Point p_;
   std::vector<std::uint32_t> open_;
   std::unordered_set<std::uint32_t> seen_;
+  std::vector<std::uint32_t> considered_;
   Interval least_{0, std::numeric_limits<double>::infinity()};
   std::uint32_t best_ = kNone;
 };

@@ -21,7 +21,8 @@ double coordinate_of(const Json& json, const std::string& source) {
 }
 
 Point point_of(const Json& json, const std::string& source) {
-  if (json.kind != Json::Kind::array || json.items.size() != 2) Place{source, json.line}.fail("a point is not written as [x, y]");
+  if (json.kind != Json::Kind::array || json.items.size() != 2)
+    Place{source, json.line}.fail("a point is not written as [x, y]");
   return {coordinate_of(json.items[0], source), coordinate_of(json.items[1], source)};
 }
 
@@ -32,7 +33,8 @@ ClaimedPath read_json(std::string_view bytes, const std::string& source) {
   if (points->kind != Json::Kind::array) Place{source, points->line}.fail("the points are not a list");
   ClaimedPath path;
   for (const Json& item : points->items) path.points.push_back(point_of(item, source));
-  if (const Json* length = json.find("length"); length && length->kind == Json::Kind::number) path.length = length->number;
+  if (const Json* length = json.find("length"); length && length->kind == Json::Kind::number)
+    path.length = length->number;
   return path;
 }
 

@@ -48,9 +48,7 @@ void add_outcome(Json& json, const PlanResult& result) {
   switch (result.status) {
     case SearchStatus::found: return add_path(json, result);
     case SearchStatus::none: json["separation"] = detail::json_of(result.separation); return;
-    case SearchStatus::stopped:
-      json["reason"] = result.reason;
-      json["stage"] = result.stage;
+    case SearchStatus::stopped: json["reason"] = result.reason; json["stage"] = result.stage;
   }
 }
 
@@ -61,7 +59,8 @@ const char* name(SearchStatus status) {
 }
 
 std::string result_json(const PlanResult& result) {
-  Json json{{"program", "taut"}, {"version", result.version}, {"source", result.source}, {"status", name(result.status)}};
+  Json json{
+      {"program", "taut"}, {"version", result.version}, {"source", result.source}, {"status", name(result.status)}};
   add_outcome(json, result);
   json["start"] = result.start ? json_of(*result.start) : Json(nullptr);
   json["goal"] = goal_of(result.goal);

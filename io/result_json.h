@@ -27,8 +27,8 @@ struct PlanResult {
   std::string source;   ///< the file's name
   std::string version;  ///< of the program
   SearchStatus status = SearchStatus::none;
-  std::string reason;   ///< when stopped: `interrupted`, `--max-seconds 2`, ...
-  std::string stage;    ///< when stopped: the stage it happened in, named as in StageSeconds
+  std::string reason;  ///< when stopped: `interrupted`, `--max-seconds 2`, ...
+  std::string stage;   ///< when stopped: the stage it happened in, named as in StageSeconds
   Path path;
   std::vector<Segment> separation;  ///< when none: the walls in between, in order around the one or the other
   std::optional<double> clearance;  ///< when verified

@@ -19,8 +19,9 @@ std::string quoted(const std::string& text) {
 std::string roadmap_json(const Roadmap& roadmap, const std::string& kind, const std::string& source, double seconds) {
   fmt::memory_buffer out;
   const auto put = std::back_inserter(out);
-  fmt::format_to(put, "{{\n  \"program\": \"taut\",\n  \"kind\": {},\n  \"source\": {},\n  \"seconds\": {},\n  \"vertices\": [", quoted(kind),
-                 quoted(source), seconds);
+  fmt::format_to(
+      put, "{{\n  \"program\": \"taut\",\n  \"kind\": {},\n  \"source\": {},\n  \"seconds\": {},\n  \"vertices\": [",
+      quoted(kind), quoted(source), seconds);
   const char* separator = "\n    ";
   for (const Point& p : roadmap.points()) {
     fmt::format_to(put, "{}[{}, {}]", separator, p.x, p.y);

@@ -26,7 +26,12 @@ bool same(const Ring& a, const Ring& b) { return std::is_permutation(a.begin(), 
 class Picture {
  public:
   Picture(const FreeSpace& space, const SvgPicture& what)
-      : space_(space), world_(space.world()), what_(what), box_(frame(world_)), extent_(longer_side(box_)), keys_(keys()) {
+      : space_(space),
+        world_(space.world()),
+        what_(what),
+        box_(frame(world_)),
+        extent_(longer_side(box_)),
+        keys_(keys()) {
     const Point aspect{(box_.max.x - box_.min.x) / extent_, (box_.max.y - box_.min.y) / extent_};
     page_ = detail::page_for(aspect, corridor_width(space) / extent_, keys_);
     const int decimals = std::clamp(static_cast<int>(std::ceil(std::log10(60 / page_.corridor))), 1, 4);
@@ -62,16 +67,19 @@ class Picture {
   void begin() {
     const auto px = [](double v) { return detail::svg_number(v); };
     out_ = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"taut\" role=\"img\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\">\n"
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"taut\" role=\"img\" width=\"{0}\" height=\"{1}\" "
+        "viewBox=\"0 0 {0} {1}\">\n"
         "<title>{2}</title>\n<desc>{3}</desc>\n",
-        px(page_.width), px(page_.height), detail::xml_text(what_.title), detail::xml_text(fmt::format("{}", fmt::join(facts(), ", "))));
+        px(page_.width), px(page_.height), detail::xml_text(what_.title),
+        detail::xml_text(fmt::format("{}", fmt::join(facts(), ", "))));
     out_ += detail::style(page_);
     out_ += fmt::format("<rect class=\"page\" width=\"{}\" height=\"{}\"/>\n", px(page_.width), px(page_.height));
     // An inner <svg> cuts off what reaches beyond the world.
     constexpr double kRim = 16;
-    out_ += fmt::format("<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\">\n", px(page_.map.min.x - kRim),
-                        px(page_.map.min.y - kRim), px(page_.map.max.x - page_.map.min.x + 2 * kRim),
-                        px(page_.map.max.y - page_.map.min.y + 2 * kRim));
+    out_ +=
+        fmt::format("<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\">\n",
+                    px(page_.map.min.x - kRim), px(page_.map.min.y - kRim),
+                    px(page_.map.max.x - page_.map.min.x + 2 * kRim), px(page_.map.max.y - page_.map.min.y + 2 * kRim));
   }
 
   std::vector<std::string> keys() const {
@@ -88,7 +96,8 @@ class Picture {
 
   std::vector<std::string> facts() const {
     std::vector<std::string> facts = what_.facts;
-    if (what_.roadmap && !roadmap_is_drawn()) facts.push_back(fmt::format("roadmap of {} edges not drawn", what_.roadmap->edge_count()));
+    if (what_.roadmap && !roadmap_is_drawn())
+      facts.push_back(fmt::format("roadmap of {} edges not drawn", what_.roadmap->edge_count()));
     return facts;
   }
 
@@ -121,9 +130,12 @@ class Picture {
   void solid() {
     if (all_is_free()) return;
     SvgPath path(*scale_);
-    if (world_.boundary() == Boundary::walled) path.ring(ring_of(box_));
-    else if (world_.areas().size() == 1) path.polygon(world_.areas()[0].polygon);
-    else path.ring(ring_of(world_.box()));
+    if (world_.boundary() == Boundary::walled)
+      path.ring(ring_of(box_));
+    else if (world_.areas().size() == 1)
+      path.polygon(world_.areas()[0].polygon);
+    else
+      path.ring(ring_of(world_.box()));
     group("solid", path);
   }
 
@@ -150,14 +162,16 @@ class Picture {
 
   void walls() {
     std::map<double, SvgPath> by_thickness;
-    for (const Wall& wall : world_.walls()) by_thickness.try_emplace(wall.thickness, *scale_).first->second.segment({wall.a, wall.b});
+    for (const Wall& wall : world_.walls())
+      by_thickness.try_emplace(wall.thickness, *scale_).first->second.segment({wall.a, wall.b});
     SvgPath solids(*scale_);
     for (const Area& solid : world_.solids()) solids.polygon(solid.polygon);
     if (by_thickness.empty() && solids.empty()) return;
     out_ += "<g class=\"walls\">";
     if (!solids.empty()) out_ += fmt::format("<path class=\"area\" d=\"{}\"/>", solids.text());
     for (const auto& [thickness, path] : by_thickness) {
-      const std::string bar = fmt::format(" class=\"bar\" style=\"stroke-width:{}\"", detail::svg_number(scale_->length(thickness)));
+      const std::string bar =
+          fmt::format(" class=\"bar\" style=\"stroke-width:{}\"", detail::svg_number(scale_->length(thickness)));
       out_ += fmt::format("<path{} d=\"{}\"/>", thickness > 0 ? bar : "", path.text());
     }
     out_ += "</g>\n";
@@ -168,7 +182,8 @@ class Picture {
     SvgPath line(*scale_);
     line.chain(what_.path->points);
     if (line.empty()) return;
-    out_ += fmt::format("<g class=\"path\"><path class=\"casing\" d=\"{0}\"/><path class=\"line\" d=\"{0}\"/></g>\n", line.text());
+    out_ += fmt::format("<g class=\"path\"><path class=\"casing\" d=\"{0}\"/><path class=\"line\" d=\"{0}\"/></g>\n",
+                        line.text());
   }
 
   void marker(const char* kind, const std::optional<Point>& at) {
@@ -188,7 +203,8 @@ class Picture {
 
 double ring_length(const Ring& ring) {
   double sum = 0;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) sum += std::hypot(ring[i].x - ring[j].x, ring[i].y - ring[j].y);
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+    sum += std::hypot(ring[i].x - ring[j].x, ring[i].y - ring[j].y);
   return sum;
 }
 

@@ -95,7 +95,7 @@ class Expansion {
     return ray.away ? -s : s;
   }
 
-  bool shows(const Ray& ray, int side) const { return side != 0 || ray.away || !visitor_.hides(ray.vertex); }
+  bool hides(const Ray& ray) const { return !ray.away && visitor_.hides(ray.vertex); }
 
   /// Into triangle t, whose corner k lies beyond the side it is entered by.
   void advance(std::uint32_t t, int k, const Ray& right, const Ray& left) {
@@ -105,9 +105,11 @@ class Expansion {
     const int l = side(left, apex);
     if (l > 0) return enter(t, Triangulation::ccw(k), right, left);
     const Ray middle{apex, tri_.triangles[t][k], false};
-    if (l < 0) enter(t, Triangulation::cw(k), middle, left);
-    if (r > 0) enter(t, Triangulation::ccw(k), right, middle);
-    if (shows(right, r) && shows(left, l)) visitor_.vertex(t, k);
+    // An apex on a bounding ray, behind a vertex that hides it, leaves that vertex in charge.
+    const bool on_right = r == 0 && hides(right), on_left = l == 0 && hides(left);
+    if (l < 0) enter(t, Triangulation::cw(k), on_right ? right : middle, left);
+    if (r > 0) enter(t, Triangulation::ccw(k), right, on_left ? left : middle);
+    if (!on_right && !on_left) visitor_.vertex(t, k);
   }
 
   const Triangulation& tri_;

@@ -38,7 +38,12 @@ std::string indented(const Json& json, const std::string& indent) {
   if (!json.is_object()) return flat(json);
   std::string out = "{";
   for (const auto& [key, value] : json.items())
-    out.append(out.size() > 1 ? ",\n" : "\n").append(indent).append("  \"").append(key).append("\": ").append(indented(value, indent + "  "));
+    out.append(out.size() > 1 ? ",\n" : "\n")
+        .append(indent)
+        .append("  \"")
+        .append(key)
+        .append("\": ")
+        .append(indented(value, indent + "  "));
   return out.append("\n").append(indent).append("}");
 }
 

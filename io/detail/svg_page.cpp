@@ -60,8 +60,8 @@ std::string sample(const std::string& key, double x, double y) {
   const double middle = x + kSample / 2;
   if (key == "start" || key == "goal") return marker(key, {middle, y}, 7, 100);
   if (key == "rooms" || key == "solid")
-    return fmt::format(R"(<g class="{}"><rect x="{}" y="{}" width="{}" height="14" rx="2"/></g>)", key, svg_number(x + 3),
-                       svg_number(y - 7), svg_number(kSample - 6));
+    return fmt::format(R"(<g class="{}"><rect x="{}" y="{}" width="{}" height="14" rx="2"/></g>)", key,
+                       svg_number(x + 3), svg_number(y - 7), svg_number(kSample - 6));
   const std::string line = fmt::format("M{} {}h{}", svg_number(x + 1), svg_number(y), svg_number(kSample - 2));
   const std::string casing = key == "path" ? fmt::format(R"(<path class="casing" d="{}"/>)", line) : "";
   return fmt::format(R"(<g class="{0} sample">{1}<path class="line" d="{2}"/></g>)", key, casing, line);
@@ -130,7 +130,8 @@ std::string style(const SvgPage& page) {
   const auto px = [](double v) { return svg_number(v); };
   return fmt::format(
       "<style>{}"
-      ".taut .roadmap,.taut .openings,.taut .walls,.taut .separation,.taut .path{{fill:none;stroke-linecap:round;stroke-linejoin:round}}\n"
+      ".taut .roadmap,.taut .openings,.taut .walls,.taut .separation,.taut "
+      ".path{{fill:none;stroke-linecap:round;stroke-linejoin:round}}\n"
       ".taut .roadmap{{stroke-width:{}}}\n"
       ".taut .openings{{stroke-width:{};stroke-dasharray:{}}}\n"
       ".taut .walls{{stroke-width:{}}}\n"
@@ -145,9 +146,9 @@ std::string style(const SvgPage& page) {
       ".taut text{{font:{}px system-ui,'Segoe UI',Roboto,Helvetica,Arial,sans-serif}}\n"
       ".taut .title{{font-size:{}px;font-weight:600}}\n"
       "</style>\n",
-      kColours, px(page.roadmap_stroke()), px(0.6 * page.wall_stroke()), px(std::max(2.0, 2 * page.wall_stroke())), px(page.wall_stroke()),
-      px(std::max(1.7 * page.wall_stroke(), page.path_stroke())), px(page.path_stroke()), px(page.path_stroke() * 1.5 + 0.4), kTextSize,
-      kTitleSize);
+      kColours, px(page.roadmap_stroke()), px(0.6 * page.wall_stroke()), px(std::max(2.0, 2 * page.wall_stroke())),
+      px(page.wall_stroke()), px(std::max(1.7 * page.wall_stroke(), page.path_stroke())), px(page.path_stroke()),
+      px(page.path_stroke() * 1.5 + 0.4), kTextSize, kTitleSize);
 }
 
 std::string legend(const SvgPage& page, const std::string& title, const std::vector<std::string>& facts,
@@ -164,7 +165,8 @@ std::string legend(const SvgPage& page, const std::string& title, const std::vec
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const double y = page.legend_top + 11 + (2 + places[i].row) * kRow;
     out += sample(keys[i], places[i].x, y);
-    out += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", svg_number(places[i].x + kSample + 8), svg_number(y + 5), label(keys[i]));
+    out += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>\n", svg_number(places[i].x + kSample + 8), svg_number(y + 5),
+                       label(keys[i]));
   }
   return out + "</g>\n";
 }
@@ -180,7 +182,8 @@ std::string marker(const std::string& kind, Point at, double radius, double corr
   if (2 * radius <= 0.75 * corridor) {
     out += shape(R"(class="rim" stroke-width="3")", radius) + shape(R"(stroke="none")", radius);
   } else {
-    out += shape(R"(class="rim" stroke-width="5")", radius) + shape(R"(fill="none" style="fill:none" stroke-width="2.2")", radius) +
+    out += shape(R"(class="rim" stroke-width="5")", radius) +
+           shape(R"(fill="none" style="fill:none" stroke-width="2.2")", radius) +
            shape(R"(stroke="none")", std::min(0.3 * radius, 0.4 * corridor));
   }
   return out + "</g>\n";

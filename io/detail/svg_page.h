@@ -12,9 +12,9 @@ namespace taut::detail {
 struct SvgPage {
   double width = 0;
   double height = 0;
-  Box map;             ///< where the world's box is drawn (y down)
+  Box map;  ///< where the world's box is drawn (y down)
   double legend_top = 0;
-  double corridor = 0; ///< the mean width of a corridor
+  double corridor = 0;  ///< the mean width of a corridor
 
   double wall_stroke() const;
   double path_stroke() const;

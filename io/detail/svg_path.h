@@ -42,9 +42,9 @@ class SvgPath {
  public:
   explicit SvgPath(const SvgScale& scale) : scale_(scale) {}
 
-  void segment(const Segment& s);      ///< a zero-length one draws its caps
-  void chain(const Ring& points);      ///< open
-  void ring(const Ring& ring);         ///< closed
+  void segment(const Segment& s);  ///< a zero-length one draws its caps
+  void chain(const Ring& points);  ///< open
+  void ring(const Ring& ring);     ///< closed
   void polygon(const Polygon& polygon);
 
   const std::string& text() const { return text_; }

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
+std::string in_quotes(const fs::path& path) { return "'" + path.string() + "'"; }
 
 int wait_for(pid_t child) {
   int status = 0;
@@ -51,12 +51,14 @@ std::string contents(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-Run run_taut(const std::string& arguments, std::string_view input, double interrupt_after) {
+Outcome run_taut(const std::string& arguments, std::string_view input, double interrupt_after) {
+  return run_script("exec \"$taut\" " + arguments, input, interrupt_after);
+}
+
+Outcome run_script(const std::string& script, std::string_view input, double interrupt_after) {
   const Folder folder;
-  const std::string in = folder.file("in", input);
-  // Redirections among the arguments come last and win.
-  const std::string line = "exec " + quoted(program().value()) + " <" + quoted(in) + " >" + quoted(folder / "out") + " 2>" +
-                           quoted(folder / "err") + " " + arguments;
+  const std::string line = "exec <" + in_quotes(folder.file("in", input)) + " >" + in_quotes(folder / "out") + " 2>" +
+                           in_quotes(folder / "err") + "\ntaut=" + in_quotes(program().value()) + "\n" + script;
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("cannot fork");
   if (child == 0) {

@@ -25,14 +25,17 @@ class Folder {
   std::filesystem::path path_;
 };
 
-struct Run {
+struct Outcome {
   int code = -1;  ///< exit code; 128 + n when ended by signal n
   std::string out;
   std::string err;
 };
 
 /// `taut ARGUMENTS`, words separated and quoted as in a shell; redirections work. SIGINT is sent after `interrupt_after` seconds when > 0.
-Run run_taut(const std::string& arguments, std::string_view input = {}, double interrupt_after = 0);
+Outcome run_taut(const std::string& arguments, std::string_view input = {}, double interrupt_after = 0);
+
+/// A script for /bin/sh, in which "$taut" is the program.
+Outcome run_script(const std::string& script, std::string_view input = {}, double interrupt_after = 0);
 
 std::string contents(const std::filesystem::path& file);
 

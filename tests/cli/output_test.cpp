@@ -1,0 +1,112 @@
+// Files written whole or not at all.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <iterator>
+#include <string>
+
+#include "support/paths.h"
+#include "support/run_program.h"
+
+namespace taut::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+constexpr const char* kRoom = "0 0 4 0\n4 0 4 4\n4 4 0 4\n0 4 0 0\n2 0 2 3\nstart 1 2\ngoal 3 2\n";
+
+class Output : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!program()) GTEST_SKIP() << "the program is not built";
+  }
+  std::ptrdiff_t files() const { return std::distance(fs::directory_iterator(folder.path()), {}); }
+  Folder folder;
+};
+
+TEST_F(Output, IsWrittenBesideTheLine) {
+  const Outcome run =
+      run_taut("solve - --svg " + (folder / "a.svg").string() + " --json " + (folder / "a.json").string(), kRoom);
+  EXPECT_EQ(run.code, 0);
+  EXPECT_THAT(run.out, StartsWith("<stdin>: length"));
+  EXPECT_THAT(contents(folder / "a.svg"), StartsWith("<svg "));
+  EXPECT_THAT(contents(folder / "a.json"), HasSubstr("\"status\": \"found\""));
+  EXPECT_EQ(files(), 2);
+}
+
+TEST_F(Output, TakesThePlaceOfTheLineOnStandardOutput) {
+  EXPECT_THAT(run_taut("solve - --json -", kRoom).out, StartsWith("{\n"));
+  EXPECT_THAT(run_taut("solve - --svg -", kRoom).out, StartsWith("<svg "));
+  EXPECT_THAT(run_taut("solve - -q --svg /dev/stdout | cat", kRoom).out, StartsWith("<svg "));
+  EXPECT_EQ(run_taut("solve - --quiet", kRoom).out, "");
+}
+
+TEST_F(Output, LeavesTheOldFileAloneWhenTheInputIsWrong) {
+  const std::string old = folder.file("a.svg", "old");
+  for (const char* bytes : {"", "0 0 1 nan\n", "hello\n"}) {
+    EXPECT_EQ(run_taut("solve - --svg " + old + " --json " + old, bytes).code, 3);
+    EXPECT_EQ(run_taut("convert - --to wkt " + old, bytes).code, 3);
+    EXPECT_EQ(contents(old), "old");
+  }
+  EXPECT_EQ(run_taut("generate --size 5 --format maz -o " + old).code, 2);
+  EXPECT_EQ(contents(old), "old");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(Output, LeavesTheOldFileAloneWhenStopped) {
+  const std::string old = folder.file("a.svg", "old"), endless = (folder / "endless").string();
+  ASSERT_EQ(mkfifo(endless.c_str(), 0600), 0);
+  EXPECT_EQ(run_taut("solve - --max-seconds 0.1 --svg " + old + " <>" + endless).code, 4);
+  EXPECT_EQ(contents(old), "old");
+}
+
+TEST_F(Output, LeavesTheOldFileAloneWhenTheDiskIsFull) {
+  const std::string old = folder.file("a.svg", "old");
+  const std::string maze = folder.file("maze.txt", run_taut("generate --size 40").out);
+  // A limit on the size of files, of 512 or 1024 bytes, stands for a full disk.
+  const Outcome run = run_script("trap '' XFSZ; ulimit -f 1; exec \"$taut\" solve -q " + maze + " --svg " + old);
+  EXPECT_EQ(run.code, 4);
+  EXPECT_THAT(run.err, HasSubstr("a.svg: cannot write"));
+  EXPECT_EQ(contents(old), "old");
+  EXPECT_EQ(files(), 2);
+}
+
+TEST_F(Output, ReplacesAnOldFileAndKeepsItsPermissions) {
+  const std::string old = folder.file("a.svg", "old");
+  fs::permissions(old, fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(run_taut("solve - --svg " + old, kRoom).code, 0);
+  EXPECT_THAT(contents(old), StartsWith("<svg "));
+  EXPECT_EQ(fs::status(old).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(Output, FollowsLinks) {
+  const std::string target = folder.file("target", "old");
+  fs::create_symlink("target", folder / "link");
+  EXPECT_EQ(run_taut("solve - --svg " + (folder / "link").string(), kRoom).code, 0);
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_THAT(contents(target), StartsWith("<svg "));
+}
+
+TEST_F(Output, IsRefusedBeforeTheWorkBeginsWhenItCannotBeMade) {
+  for (const std::string& target :
+       {folder.path().string(), (folder / "no/such/a.svg").string(), folder.path().string() + "/"}) {
+    const Outcome run = run_taut("solve - --svg " + target, kRoom);
+    EXPECT_EQ(run.code, 3);
+    EXPECT_EQ(run.out, "");
+    EXPECT_THAT(run.err, StartsWith("taut: " + target + ": cannot write"));
+  }
+}
+
+TEST_F(Output, GoesToDevicesDirectly) {
+  EXPECT_EQ(run_taut("solve - --svg /dev/null", kRoom).code, 0);
+  EXPECT_FALSE(fs::is_regular_file("/dev/null"));
+  EXPECT_EQ(run_taut("solve - --svg /dev/full", kRoom).code, 4);
+}
+
+}  // namespace
+}  // namespace taut::test

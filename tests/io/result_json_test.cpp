@@ -1,0 +1,141 @@
+#include <taut/io/result_json.h>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include <taut/geometry/errors.h>
+#include <taut/io/read_path.h>
+
+namespace taut {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+PlanResult found() {
+  PlanResult result;
+  result.source = "room.txt";
+  result.version = "1.2.3";
+  result.status = SearchStatus::found;
+  result.path.points = {{1, 2}, {2, 3}, {3, 2}};
+  result.path.length = Length(result.path.points);
+  result.clearance = 0.5;
+  result.verified = true;
+  result.start = Point{1, 2};
+  result.goal.point = Point{3, 2};
+  return result;
+}
+
+TEST(ResultJson, SaysWhatWasFound) {
+  const json answer = json::parse(result_json(found()));
+  EXPECT_EQ(answer["program"], "taut");
+  EXPECT_EQ(answer["version"], "1.2.3");
+  EXPECT_EQ(answer["status"], "found");
+  EXPECT_DOUBLE_EQ(answer["length"].get<double>(), std::sqrt(8));
+  EXPECT_EQ(answer["length_text"], "2.828427124746190");
+  EXPECT_LE(answer["length_interval"][0], answer["length"]);
+  EXPECT_GE(answer["length_interval"][1], answer["length"]);
+  EXPECT_EQ(answer["points"], json::parse("[[1, 2], [2, 3], [3, 2]]"));
+  EXPECT_EQ(answer["corners"], 1);
+  EXPECT_EQ(answer["clearance"], 0.5);
+  EXPECT_EQ(answer["start"], json::parse("[1, 2]"));
+  EXPECT_EQ(answer["goal"], json::parse(R"({"point": [3, 2]})"));
+  EXPECT_EQ(answer["robot"], json::parse(R"({"kind": "point"})"));
+  for (const char* stage : {"read", "space", "roadmap", "search", "verify", "total"})
+    EXPECT_TRUE(answer["seconds"].contains(stage));
+  EXPECT_FALSE(answer.contains("separation"));
+}
+
+TEST(ResultJson, HasNoClearanceWhereThereIsNoObstacleOrNoCheck) {
+  PlanResult result = found();
+  result.clearance = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(json::parse(result_json(result))["clearance"], nullptr);
+  result.clearance.reset();
+  EXPECT_EQ(json::parse(result_json(result))["clearance"], nullptr);
+}
+
+TEST(ResultJson, NamesTheWallsWhenThereIsNone) {
+  PlanResult result = found();
+  result.status = SearchStatus::none;
+  result.separation = {{{0, 0}, {1, 0}}};
+  const json answer = json::parse(result_json(result));
+  EXPECT_EQ(answer["status"], "none");
+  EXPECT_EQ(answer["separation"], json::parse("[[[0, 0], [1, 0]]]"));
+  EXPECT_FALSE(answer.contains("points"));
+}
+
+TEST(ResultJson, SaysWhyItStopped) {
+  PlanResult result;
+  result.status = SearchStatus::stopped;
+  result.reason = "interrupted";
+  result.stage = "search";
+  const json answer = json::parse(result_json(result));
+  EXPECT_EQ(answer["status"], "stopped");
+  EXPECT_EQ(answer["reason"], "interrupted");
+  EXPECT_EQ(answer["stage"], "search");
+  EXPECT_EQ(answer["start"], nullptr);
+  EXPECT_EQ(answer["goal"], nullptr);
+}
+
+TEST(ResultJson, DescribesRoomsAndRobots) {
+  PlanResult result = found();
+  result.goal = {{}, {{{7, 7}, {8, 8}}}};
+  result.robot = Footprint::disc(0.25);
+  const json answer = json::parse(result_json(result));
+  EXPECT_EQ(answer["goal"], json::parse(R"({"room": [[7, 7, 8, 8]]})"));
+  EXPECT_EQ(answer["robot"], json::parse(R"({"kind": "disc", "radius": 0.25})"));
+}
+
+TEST(ResultJson, SurvivesFileNamesThatAreNoText) {
+  PlanResult result = found();
+  result.source = "a\xff\"\n";
+  EXPECT_EQ(json::parse(result_json(result))["source"], "a\xEF\xBF\xBD\"\n");
+}
+
+TEST(ResultJson, KeepsLinesShort) {
+  PlanResult result = found();
+  result.path.points.assign(1000, Point{0.1, 1.0 / 3});
+  std::size_t longest = 0, line = 0;
+  for (const char c : result_json(result)) longest = std::max(longest, line = c == '\n' ? 0 : line + 1);
+  EXPECT_LE(longest, 120U);
+}
+
+TEST(ReadPath, ReadsWhatResultJsonWrites) {
+  const ClaimedPath path = read_path(result_json(found()));
+  EXPECT_EQ(path.points, found().path.points);
+  EXPECT_DOUBLE_EQ(path.length.value(), std::sqrt(8));
+}
+
+TEST(ReadPath, ReadsListsAndLines) {
+  const std::vector<Point> points{{0, 1}, {2.5, -3}};
+  EXPECT_EQ(read_path("[[0, 1], [2.5, -3]]").points, points);
+  EXPECT_EQ(read_path("# comment\n0 1\r\n\n2.5,-3 # end").points, points);
+  EXPECT_EQ(read_path("{\"points\": []}").points.size(), 0U);
+}
+
+TEST(ReadPath, NamesTheLineOfWhatIsWrong) {
+  const auto message = [](std::string_view bytes) {
+    try {
+      read_path(bytes, "p");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_EQ(message(""), "p: file is empty");
+  EXPECT_THAT(message("0 1\n2\n"), HasSubstr("p:2: "));
+  EXPECT_THAT(message("0 1\n2 3 4\n"), HasSubstr("p:2: "));
+  EXPECT_THAT(message("0 nan\n"), HasSubstr("p:1: "));
+  EXPECT_THAT(message("[[0, 1],\n [2]]"), HasSubstr("p:2: "));
+  EXPECT_THAT(message("[[0, \"1\"]]"), HasSubstr("no number"));
+  EXPECT_THAT(message("[[0, 1e80]]"), HasSubstr("beyond"));
+  EXPECT_THAT(message("{\"status\": \"none\"}"), HasSubstr("no path"));
+  EXPECT_THAT(message("[[0, 1"), HasSubstr("p:1: "));
+}
+
+}  // namespace
+}  // namespace taut
