@@ -22,8 +22,10 @@ namespace taut::cli {
 ///  box               [xmin, ymin, xmax, ymax]
 ///  openings          [[[x1, y1], [x2, y2]], ...]
 ///  start, goal       [x, y] or null; {"point": ...}, {"room": ...} or null
-///  free_space        {"area", "components", "polygons", "holes", "corners", "reflex_corners", "triangles", "displacement"}
-///  path              null, or {"valid", "reason", "leg", "length", "points", "clearance"} of the path to check; points: their number
+///  free_space        {"area", "components", "polygons", "holes", "corners", "reflex_corners", "triangles",
+///                    "displacement"}
+///  path              null, or {"valid", "reason", "leg", "length", "points", "clearance"} of the path to check;
+///                    points: their number
 class CheckReport {
  public:
   CheckReport(const Input& input, const FreeSpace& space);

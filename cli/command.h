@@ -10,8 +10,8 @@
 
 namespace taut::cli {
 
-/// A subcommand that was added to the program. `run` does its work after the command line was read and gives the exit code; it throws InputError,
-/// WriteError or std::bad_alloc where that is what happened.
+/// A subcommand that was added to the program. `run` does its work after the command line was read and gives the exit
+/// code; it throws InputError, WriteError or std::bad_alloc where that is what happened.
 struct Command {
   CLI::App* app = nullptr;
   std::shared_ptr<CommonOptions> common;
@@ -24,8 +24,8 @@ Command roadmap_command(CLI::App& app);
 Command generate_command(CLI::App& app);
 Command convert_command(CLI::App& app);
 
-/// Adds a subcommand whose options live as long as the parser: `add` fills the parser, `run` does the work, both with the same Options,
-/// which has a member `common`.
+/// Adds a subcommand whose options live as long as the parser: `add` fills the parser, `run` does the work, both with
+/// the same Options, which has a member `common`.
 template <typename Options>
 Command command(CLI::App& app, const char* name, const char* description, void (*add)(CLI::App&, Options&),
                 int (*run)(const Options&)) {

@@ -1,4 +1,4 @@
-// The program `taut`: parses the command line, runs a subcommand, and turns what is thrown into a line and an exit code.
+// The program `taut`: parses the command line, runs a subcommand, turns what is thrown into a line and an exit code.
 #include <fmt/format.h>
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>

@@ -5,8 +5,8 @@
 
 namespace taut::cli {
 
-/// Writes `taut: message` and a line end to stderr in one piece, "taut:" in red on a terminal unless NO_COLOR is set. Control characters
-/// (of file names) become `?`. Allocates nothing.
+/// Writes `taut: message` and a line end to stderr in one piece, "taut:" in red on a terminal unless NO_COLOR is set.
+/// Control characters (of file names) become `?`. Allocates nothing.
 void complain(std::string_view message) noexcept;
 
 /// Writes a line of information to stderr.

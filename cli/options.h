@@ -45,8 +45,8 @@ struct CommonOptions {
   std::uint64_t seed = 1;
 };
 
-// Each adds its options, in a group of their own in --help. A value that cannot be read is a CLI::ValidationError (exit 2). The struct must outlive
-// the parsing.
+// Each adds its options, in a group of their own in --help. A value that cannot be read is a CLI::ValidationError
+// (exit 2). The struct must outlive the parsing.
 void add_world_options(CLI::App& app, WorldOptions& options);
 void add_query_options(CLI::App& app, QueryOptions& options);
 void add_output_options(CLI::App& app, OutputOptions& options);

@@ -12,13 +12,14 @@ struct WriteError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Can a file of this name be made? Found out before the work begins, without touching anything. Throws InputError when not: a folder,
-/// no such folder, no permission. `-` and an empty name are fine.
+/// Can a file of this name be made? Found out before the work begins, without touching anything. Throws InputError
+/// when not: a folder, no such folder, no permission. `-` and an empty name are fine.
 void require_writable(const std::string& path);
 
-/// Replaces the file at once: written beside it under another name, then renamed, so that nobody ever sees half of it and a failure
-/// leaves the old one. Keeps an old file's permissions and follows links; what is no regular file (/dev/null, a pipe) is written directly; `-`
-/// is stdout; an empty name is nothing at all. Throws InputError when it cannot be made, WriteError when writing fails.
+/// Replaces the file at once: written beside it under another name, then renamed, so that nobody ever sees half of it
+/// and a failure leaves the old one. Keeps an old file's permissions and follows links; what is no regular file
+/// (/dev/null, a pipe) is written directly; `-` is stdout; an empty name is nothing at all. Throws InputError when it
+/// cannot be made, WriteError when writing fails.
 void write_file(const std::string& path, std::string_view bytes);
 
 /// Writes to stdout. Throws WriteError.

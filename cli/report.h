@@ -32,8 +32,8 @@ std::string title_of(const std::string& source);
 /// The most memory this process ever had, `12.3 MB`.
 std::string peak_memory_text();
 
-/// A closed chain of pieces as walls people know: pieces that the chain passes on both sides are dead ends and go, so do those on the sides of
-/// `border` unless all are (nobody gets out there anyway); pieces in a line are joined.
+/// A closed chain of pieces as walls people know: pieces that the chain passes on both sides are dead ends and go, so
+/// do those on the sides of `border` unless all are (nobody gets out there anyway); pieces in a line are joined.
 std::vector<Segment> joined_walls(const std::vector<Constraint>& chain, const Box& border);
 
 }  // namespace taut::cli

@@ -19,19 +19,20 @@ struct Stop {
   std::string stage;   ///< the last one begun, may be empty
 };
 
-/// From now on SIGINT, SIGTERM and the end of the seconds stop the program: a thread of its own waits for them, so no computation has to ask.
-/// Memory that cannot be had is std::bad_alloc; GMP, which would abort, stops the program as well. Call once, before any work.
+/// From now on SIGINT, SIGTERM and the end of the seconds stop the program: a thread of its own waits for them, so no
+/// computation has to ask. Memory that cannot be had is std::bad_alloc; GMP, which would abort, stops the program as
+/// well. Call once, before any work.
 void start_watch(const Limits& limits);
 
 /// Names what is being done, for messages. `stage` must live for ever.
 void begin_stage(const char* stage) noexcept;
 
-/// What else to do when stopped, say write a result that says so; replaces the one before. It runs in the watching thread and must
-/// hold copies of all it needs. Its exceptions are swallowed.
+/// What else to do when stopped, say write a result that says so; replaces the one before. It runs in the watching
+/// thread and must hold copies of all it needs. Its exceptions are swallowed.
 void on_stop(std::function<void(const Stop&)> last_words);
 
-/// The work is done, results will be written: the seconds no longer count, and the last words are dropped. Does not return when the program is being
-/// stopped already.
+/// The work is done, results will be written: the seconds no longer count, and the last words are dropped. Does not
+/// return when the program is being stopped already.
 void finish();
 
 /// Says so on stderr, speaks the last words and exits with code 4.

@@ -16,8 +16,9 @@ struct ClaimedPath {
   std::optional<double> length;  ///< what the file says it measures
 };
 
-/// Reads a path: JSON, either a list of points `[[x, y], ...]` or an object with such a list under "points" and perhaps a number under
-/// "length" (what result_json writes); or text, a point `x y` or `x,y` a line, `#` starts a comment. Any number of points.
+/// Reads a path: JSON, either a list of points `[[x, y], ...]` or an object with such a list under "points" and
+/// perhaps a number under "length" (what result_json writes); or text, a point `x y` or `x,y` a line, `#` starts a
+/// comment. Any number of points.
 /// Throws InputError with the line; on a JSON result without points (its status is not "found") too.
 ClaimedPath read_path(std::string_view bytes, const std::string& source = {});
 

@@ -42,30 +42,36 @@ struct PlanResult {
   StageSeconds seconds;
 };
 
-/// One JSON object, indented, with a final newline. Keys are stable: none will be renamed or change its meaning within a major version,
-/// new ones may come. Numbers read back as the same double. Keys, in this order:
+/// One JSON object, indented, with a final newline. Keys are stable: none will be renamed or change its meaning within
+/// a major version, new ones may come. Numbers read back as the same double. Keys, in this order:
 ///
 ///  program         "taut"
 ///  version         "0.1.0"
 ///  source          the input file as named on the command line; "<stdin>"
-///  status          "found", "none" (proven: there is no path) or "stopped" (by a limit or an interrupt: nothing is known)
-///  length          number, within one ulp of the exact length                               found
-///  length_text     the exact length, correctly rounded to 15 decimals                       found
-///  length_interval [lo, hi], doubles that enclose the exact length                          found
-///  points          [[x, y], ...] from start to goal                                         found
-///  corners         number of points between start and goal                                  found
-///  clearance       least distance of the path to an obstacle, 0 when it touches one; null when it was not verified or there is no obstacle
-///                                                                                           found
-///  verified        true when the independent check accepted the path                        found
-///  separation      [[[x1, y1], [x2, y2]], ...] the walls between start and goal, in order   none
-///  reason, stage   what stopped it, and in which stage (a key of `seconds`)                 stopped
+///  status          "found", "none" (proven: there is no path) or "stopped" (by a limit or an interrupt: nothing is
+///                  known)
+/// when found:
+///  length          number, within one ulp of the exact length
+///  length_text     the exact length, correctly rounded to 15 decimals
+///  length_interval [lo, hi], doubles that enclose the exact length
+///  points          [[x, y], ...] from start to goal
+///  corners         number of points between start and goal
+///  clearance       least distance of the path to an obstacle, 0 when it touches one; null when it was not verified or
+///                  there is no obstacle
+///  verified        true when the independent check accepted the path
+/// when none:
+///  separation      [[[x1, y1], [x2, y2]], ...] the walls between start and goal, in order around one of them
+/// when stopped:
+///  reason          what stopped it: "interrupted", "--max-seconds 2", "out of memory"
+///  stage           in which stage: a key of `seconds`, or "write"
+/// always:
 ///  start           [x, y]; null when not known yet
 ///  goal            {"point": [x, y]}, {"room": [[xmin, ymin, xmax, ymax], ...]} or null
 ///  robot           {"kind": "point" | "disc" | "polygon", "radius": r (disc and square only)}
 ///  wall_thickness  the largest thickness of a wall
 ///  displacement    how far rounding moved any constructed point at most
 ///  expanded        vertices the search took from its queue for good
-///  seconds         {"read", "space", "roadmap", "search", "verify", "total"}
+///  seconds         {"read", "space", "roadmap", "search", "verify", "total"}, 0 for what was not done
 /// Bytes of names that are no UTF-8 become U+FFFD.
 std::string result_json(const PlanResult& result);
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include <taut/geometry/errors.h>
@@ -29,15 +31,47 @@ double step(double from, int ulps) {
   return from;
 }
 
-std::vector<Point> surroundings(const ExactPoint& exact) {
-  const Point centre = nearest_point(exact);
-  std::vector<Point> points;
+/// How many binary places after the point the coordinates have at most; negative when they all end in zeros.
+int common_scale(std::initializer_list<Point> points) {
+  int scale = std::numeric_limits<int>::min();
+  for (const Point p : points)
+    for (const double c : {p.x, p.y}) {
+      if (c == 0) continue;
+      int exponent = 0;
+      std::frexp(c, &exponent);
+      scale = std::max(scale, 53 - exponent);
+    }
+  return scale == std::numeric_limits<int>::min() ? 0 : scale;
+}
+
+/// c * 2^scale, an integer.
+mpz_class scaled(double c, int scale) {
+  int exponent = 0;
+  mpz_class result(std::ldexp(std::frexp(c, &exponent), 53));
+  if (c != 0) result <<= static_cast<mp_bitcnt_t>(exponent - 53 + scale);
+  return result;
+}
+
+/// numerator / denominator / 2^scale in lowest terms.
+mpq_class ratio(mpz_class numerator, mpz_class denominator, int scale) {
+  (scale >= 0 ? denominator : numerator) <<= static_cast<mp_bitcnt_t>(std::abs(scale));
+  mpq_class result(numerator, denominator);
+  result.canonicalize();
+  return result;
+}
+
+/// Doubles around an exact point, the nearer ones first (as far as doubles can tell).
+std::vector<Point> surroundings(const ExactPoint& exact, Point centre) {
+  const double off_x = mpq_class(exact.x - centre.x).get_d(), off_y = mpq_class(exact.y - centre.y).get_d();
+  std::vector<std::pair<double, Point>> by_distance;
   for (int i = -2; i <= 2; ++i)
-    for (int j = -2; j <= 2; ++j) points.push_back({step(centre.x, i), step(centre.y, j)});
-  std::sort(points.begin(), points.end(), [&](Point a, Point b) {
-    const mpq_class da = squared_distance(exact, a), db = squared_distance(exact, b);
-    return da != db ? da < db : a < b;
-  });
+    for (int j = -2; j <= 2; ++j) {
+      const Point p{step(centre.x, i), step(centre.y, j)};
+      by_distance.emplace_back(std::hypot(p.x - centre.x - off_x, p.y - centre.y - off_y), p);
+    }
+  std::sort(by_distance.begin(), by_distance.end());
+  std::vector<Point> points;
+  for (const auto& [distance, p] : by_distance) points.push_back(p);
   return points;
 }
 
@@ -56,10 +90,12 @@ Point free_direction(std::span<const Segment> edges) {
 }  // namespace
 
 ExactPoint line_crossing(const Segment& s, const Segment& t) {
-  const ExactPoint a(s.a), b(s.b), c(t.a), d(t.b);
-  const mpq_class sx = b.x - a.x, sy = b.y - a.y, tx = d.x - c.x, ty = d.y - c.y;
-  const mpq_class along = ((c.x - a.x) * ty - (c.y - a.y) * tx) / (sx * ty - sy * tx);
-  return {a.x + along * sx, a.y + along * sy};
+  // Doubles are integers over a power of two; as such they need no common divisors on the way.
+  const int scale = common_scale({s.a, s.b, t.a, t.b});
+  const mpz_class ax = scaled(s.a.x, scale), ay = scaled(s.a.y, scale), sx = scaled(s.b.x, scale) - ax, sy = scaled(s.b.y, scale) - ay;
+  const mpz_class cx = scaled(t.a.x, scale), cy = scaled(t.a.y, scale), tx = scaled(t.b.x, scale) - cx, ty = scaled(t.b.y, scale) - cy;
+  const mpz_class along = (cx - ax) * ty - (cy - ay) * tx, whole = sx * ty - sy * tx;
+  return {ratio(ax * whole + along * sx, whole, scale), ratio(ay * whole + along * sy, whole, scale)};
 }
 
 double nearest_double(const mpq_class& q) {
@@ -77,9 +113,10 @@ double displacement(const ExactPoint& exact, Point rounded) {
 }
 
 Point round_outward(const ExactPoint& exact, std::span<const Segment> edges) {
-  for (const Point p : surroundings(exact))
+  const Point centre = nearest_point(exact);
+  for (const Point p : surroundings(exact, centre))
     if (on_free_side(p, edges)) return p;
-  const Point centre = nearest_point(exact), direction = free_direction(edges);
+  const Point direction = free_direction(edges);
   double limit = kInfinity;
   for (const Segment& e : edges) limit = std::min(limit, std::hypot(e.b.x - e.a.x, e.b.y - e.a.y) / 1000);
   const double ulp = step(std::max(std::abs(centre.x), std::abs(centre.y)), 1) - std::max(std::abs(centre.x), std::abs(centre.y));

@@ -25,7 +25,8 @@ struct SvgPage {
 inline constexpr double kMapPixels = 960;  ///< the longer side of the world
 inline constexpr double kMargin = 24;
 
-/// `aspect` is the size of the world's box with the longer side 1, `corridor` as a part of the longer side; `keys` as legend() gets them.
+/// `aspect` is the size of the world's box with the longer side 1, `corridor` as a part of the longer side; `keys` as
+/// legend() gets them.
 SvgPage page_for(Point aspect, double corridor, const std::vector<std::string>& keys);
 
 /// The <style> block.
@@ -35,7 +36,8 @@ std::string style(const SvgPage& page);
 std::string legend(const SvgPage& page, const std::string& title, const std::vector<std::string>& facts,
                    const std::vector<std::string>& keys);
 
-/// A start (disc) or goal (diamond), `kind` being the class; where corridors are narrow only a ring around a dot, so that nothing is hidden.
+/// A start (disc) or goal (diamond), `kind` being the class; where corridors are narrow only a ring around a dot, so
+/// that nothing is hidden.
 std::string marker(const std::string& kind, Point at, double radius, double corridor);
 
 }  // namespace taut::detail

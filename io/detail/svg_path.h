@@ -36,8 +36,8 @@ class SvgScale {
   double ticks_;  // 10^decimals
 };
 
-/// The value of a `d` attribute, built with relative commands; a chain that goes on where the last one ended needs no new move. A leg that
-/// is too short to see is left out.
+/// The value of a `d` attribute, built with relative commands; a chain that goes on where the last one ended needs no
+/// new move. A leg that is too short to see is left out.
 class SvgPath {
  public:
   explicit SvgPath(const SvgScale& scale) : scale_(scale) {}
@@ -64,7 +64,8 @@ class SvgPath {
 /// Short decimal text of a pixel length: at most 3 places.
 std::string svg_number(double value);
 
-/// Text as XML content or attribute value: markup escaped, control characters dropped, invalid UTF-8 replaced by U+FFFD.
+/// Text as XML content or attribute value: markup escaped, control characters dropped, invalid UTF-8 replaced by
+/// U+FFFD.
 std::string xml_text(const std::string& text);
 
 }  // namespace taut::detail

@@ -31,7 +31,8 @@ struct Outcome {
   std::string err;
 };
 
-/// `taut ARGUMENTS`, words separated and quoted as in a shell; redirections work. SIGINT is sent after `interrupt_after` seconds when > 0.
+/// `taut ARGUMENTS`, words separated and quoted as in a shell; redirections work. SIGINT is sent after
+/// `interrupt_after` seconds when > 0.
 Outcome run_taut(const std::string& arguments, std::string_view input = {}, double interrupt_after = 0);
 
 /// A script for /bin/sh, in which "$taut" is the program.
