@@ -26,6 +26,12 @@ namespace {
 constexpr std::size_t kWallsNamed = 4;
 constexpr std::size_t kEdgesInBackground = 20'000;  // more would hide the path; `taut roadmap --svg` shows them
 
+// Six decimals, where they say something.
+std::string length_text(const Length& length) {
+  const double value = length.value();
+  return value == 0 || (value >= 1e-3 && value < 1e12) ? length.decimals(6) : fmt::format("{:.9g}", value);
+}
+
 struct SolveOptions {
   WorldOptions world;
   QueryOptions query;
@@ -168,7 +174,7 @@ class Solver {
   std::vector<std::string> facts() const {
     if (result_.status == SearchStatus::none) return {"no path", seconds_text(result_.seconds.total)};
     const std::size_t points = result_.path.points.size();
-    return {"length " + result_.path.length.decimals(6), count_text(points > 2 ? points - 2 : 0, "corner"),
+    return {"length " + length_text(result_.path.length), count_text(points > 2 ? points - 2 : 0, "corner"),
             seconds_text(result_.seconds.total)};
   }
 
