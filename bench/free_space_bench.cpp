@@ -76,4 +76,3 @@ BENCHMARK(BM_FreeSpaceTurned)->Arg(100)->Arg(300)->Unit(benchmark::kMillisecond)
 
 }  // namespace
 
-BENCHMARK_MAIN();

@@ -70,7 +70,8 @@ const Csr& csr() {
         edges.emplace_back(v, w);
         weights.push_back(std::hypot(map().point(v).x - map().point(w).x, map().point(v).y - map().point(w).y));
       }
-    return Csr(boost::edges_are_sorted, edges.begin(), edges.end(), weights.begin(), map().vertex_count());
+    return Csr(boost::edges_are_sorted, edges.begin(), edges.end(), weights.begin(),
+               static_cast<Vertex>(map().vertex_count()));
   }();
   return graph;
 }

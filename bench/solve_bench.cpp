@@ -53,4 +53,3 @@ BENCHMARK(BM_QueryDijkstra)->Arg(45)->Arg(100)->Arg(300)->Unit(benchmark::kMilli
 
 }  // namespace
 
-BENCHMARK_MAIN();

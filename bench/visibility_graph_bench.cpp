@@ -81,4 +81,3 @@ BENCHMARK(BM_CgalRegionsHalfOpen)->Arg(45)->Unit(benchmark::kMillisecond);
 
 }  // namespace
 
-BENCHMARK_MAIN();

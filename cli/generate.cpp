@@ -1,6 +1,7 @@
 // taut generate: mazes from a seed.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <memory>
 #include <utility>
@@ -70,7 +71,9 @@ void add_options(CLI::App& app, GenerateOptions& options) {
       "biased (default): a spanning tree of varied texture, open at two corners; backtracker: long corridors, closed, "
       "goal top right");
   add("--loops", options.loops, loops_of, "SHARE", "Take down this share of the inner walls, 0 to 1 (default: 0)");
-  add("--format", options.format, format_of, "NAME", "segments (default), drawing, cells, maz, num, wkt, geojson");
+  add("--format", options.format, format_of, "NAME",
+      "segments (default), drawing, cells, maz, num, wkt, geojson; in cells, maz and num the goal is the room in the "
+      "middle");
   app.add_option("-o,--output", options.file, "Write to this file instead of standard output")
       ->type_name("FILE")
       ->group("Maze");
@@ -82,6 +85,9 @@ GridMaze maze_of(const GenerateOptions& options) {
   GridMaze maze =
       options.biased ? generate_biased_maze(height, width, seed) : generate_backtracker(width, height, seed);
   if (options.loops > 0) open_walls(maze, options.loops, seed);
+  const auto formats_of_mice = {Format::cell_values, Format::maz, Format::num};
+  if (!maze.goal.empty() && std::ranges::find(formats_of_mice, options.format) != formats_of_mice.end())
+    open_centre_room(maze);
   return maze;
 }
 

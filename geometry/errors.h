@@ -16,8 +16,10 @@ class InputError : public std::runtime_error {
 
  private:
   static std::string prefix(const std::string& source, int line) {
-    if (source.empty()) return line > 0 ? "line " + std::to_string(line) + ": " : "";
-    return line > 0 ? source + ":" + std::to_string(line) + ": " : source + ": ";
+    std::string text = source;
+    if (line > 0) text.append(text.empty() ? "line " : ":").append(std::to_string(line));
+    if (!text.empty()) text.append(": ");
+    return text;
   }
 };
 

@@ -39,4 +39,11 @@ const std::uint8_t& GridMaze::slot(Cell c, Side side) const {
   return horizontal_[0];
 }
 
+std::vector<Cell> centre_room(int width, int height) {
+  std::vector<Cell> room;
+  for (int x = (width - 1) / 2; x <= width / 2; ++x)
+    for (int y = (height - 1) / 2; y <= height / 2; ++y) room.push_back({x, y});
+  return room;
+}
+
 }  // namespace taut

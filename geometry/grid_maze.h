@@ -57,4 +57,7 @@ class GridMaze {
   std::vector<std::uint8_t> vertical_;    // height rows of (width + 1): the west side of (x, y) is y * (width + 1) + x
 };
 
+/// The room in the middle: 2 cells wide in an even direction, 1 in an odd one.
+std::vector<Cell> centre_room(int width, int height);
+
 }  // namespace taut

@@ -216,4 +216,13 @@ void open_walls(GridMaze& maze, double share, std::uint64_t seed) {
   });
 }
 
+void open_centre_room(GridMaze& maze) {
+  maze.goal = centre_room(maze.width(), maze.height());
+  for (const Cell c : maze.goal)
+    for (const Side side : kSides) {
+      const Cell n = GridMaze::neighbour(c, side);
+      if (std::find(maze.goal.begin(), maze.goal.end(), n) != maze.goal.end()) maze.set_wall(c, side, false);
+    }
+}
+
 }  // namespace taut

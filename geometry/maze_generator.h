@@ -29,4 +29,7 @@ GridMaze generate_backtracker(int width, int height, std::uint64_t seed);
 /// Throws InputError unless 0 <= share <= 1.
 void open_walls(GridMaze& maze, double share, std::uint64_t seed);
 
+/// Makes the room in the middle the goal, as in micromouse mazes: no wall is left between its cells. O(1).
+void open_centre_room(GridMaze& maze);
+
 }  // namespace taut

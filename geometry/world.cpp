@@ -151,7 +151,13 @@ Box roomy_box(const WorldParts& parts) {
   return wide;
 }
 
-// The bounding box of the walls, when walls cover at least half its outline.
+// Does an end lie beyond the box?
+bool ends_beyond(const WorldParts& parts, const Box& box) {
+  const auto beyond = [&](const std::optional<Point>& p) { return p && !box.contains(*p); };
+  return beyond(parts.start) || beyond(parts.goal.point);
+}
+
+// The bounding box of the walls, when walls cover at least half its outline; of a box with a bare side only when both ends lie in it.
 std::optional<Box> walled_box(const WorldParts& parts) {
   Bounds bounds;
   for (const Wall& wall : parts.walls) {
@@ -160,11 +166,16 @@ std::optional<Box> walled_box(const WorldParts& parts) {
   }
   const Box& b = bounds.box();
   if (bounds.empty() || !(b.min.x < b.max.x && b.min.y < b.max.y)) return std::nullopt;
+  const double width = b.max.x - b.min.x, height = b.max.y - b.min.y;
   double open = 0;
+  bool bare = false;
   const std::vector<Area> areas{{{ring_of(b), {}}, 0}};
-  for (const Segment& s : detail::open_pieces(detail::outline(areas), parts.walls, false))
-    open += std::abs(s.b.x - s.a.x) + std::abs(s.b.y - s.a.y);
-  if (open > (b.max.x - b.min.x) + (b.max.y - b.min.y)) return std::nullopt;
+  for (const Segment& s : detail::open_pieces(detail::outline(areas), parts.walls, false)) {
+    const double dx = std::abs(s.b.x - s.a.x), dy = std::abs(s.b.y - s.a.y);
+    open += dx + dy;
+    bare = bare || dx >= width || dy >= height;
+  }
+  if (open > width + height || (bare && ends_beyond(parts, b))) return std::nullopt;
   return b;
 }
 
@@ -222,8 +233,10 @@ World World::with_wall_thickness(double thickness) const {
 }
 
 void World::fit_area() {
-  if (!implied_area_ || parts_.boundary != Boundary::open || bounds_of_everything(parts_).empty()) return;
-  parts_.areas.front().polygon.outer = ring_of(roomy_box(parts_));
+  if (!implied_area_ || (parts_.boundary == Boundary::limit && !ends_beyond(parts_, box_))) return;
+  if (parts_.boundary == Boundary::limit) imply_area(parts_);
+  else if (!bounds_of_everything(parts_).empty()) parts_.areas.front().polygon.outer = ring_of(roomy_box(parts_));
+  if (parts_.boundary == Boundary::open) openings_.clear();
   box_ = box_of(parts_.areas);
 }
 

@@ -48,13 +48,6 @@ GridMaze agreed(const CellWalls& cells, bool closed, const std::string& source) 
   return maze;
 }
 
-std::vector<Cell> centre_room(int width, int height) {
-  std::vector<Cell> room;
-  for (int x = (width - 1) / 2; x <= width / 2; ++x)
-    for (int y = (height - 1) / 2; y <= height / 2; ++y) room.push_back({x, y});
-  return room;
-}
-
 int count_openings(const GridMaze& maze) {
   int open = 0;
   for (int x = 0; x < maze.width(); ++x)

@@ -23,7 +23,7 @@ void check_unmarked_ends(const GridMaze& maze, const char* format) {
   std::sort(goal.begin(), goal.end());
   const bool openings = detail::count_openings(maze) == 2;
   if (openings && !goal.empty()) fail(format, "a goal room beside two openings of the border");
-  if (!openings && goal != detail::centre_room(maze.width(), maze.height()))
+  if (!openings && goal != centre_room(maze.width(), maze.height()))
     fail(format, "a goal other than the room in the middle");
 }
 

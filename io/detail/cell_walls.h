@@ -44,8 +44,6 @@ class CellWalls {
 /// error too. Start and goal are left as GridMaze sets them.
 GridMaze agreed(const CellWalls& cells, bool closed, const std::string& source);
 
-/// The room in the middle: 2 cells wide in an even direction, 1 in an odd one.
-std::vector<Cell> centre_room(int width, int height);
 
 /// How many sides of the border are open.
 int count_openings(const GridMaze& maze);

@@ -25,8 +25,8 @@ class SearchState {
   using Vertex = Roadmap::Vertex;
   using Id = Labels::Id;
 
-  explicit SearchState(const QueryGraph& graph)
-      : graph(graph),
+  explicit SearchState(const QueryGraph& query_graph)
+      : graph(query_graph),
         labels(graph.roadmap(), graph.query().start.point, goal_points(graph.query())),
         colors(graph.vertex_count()),
         vertices_(static_cast<PerVertex*>(std::calloc(graph.vertex_count(), sizeof(PerVertex)))) {

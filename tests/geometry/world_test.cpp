@@ -126,6 +126,16 @@ TEST(World, DoesNotMoveALimitWhenEndsLieBeyondIt) {
   EXPECT_EQ(world.goal().point, (Point{4, 2.5}));
 }
 
+TEST(World, IsOpenAroundATrapWhenAnEndLiesBeyondItsBareSide) {
+  WorldParts parts;
+  parts.walls = {{{0, 0}, {4, 0}, 0, 0}, {{4, 0}, {4, 4}, 0, 0}, {{4, 4}, {0, 4}, 0, 0}};
+  parts.start = Point{2, 2};
+  EXPECT_EQ(World(parts).boundary(), Boundary::limit);
+  EXPECT_EQ(World(parts).with_ends(std::nullopt, Point{6, 2}).boundary(), Boundary::open);
+  parts.goal.point = Point{6, 2};
+  EXPECT_EQ(World(parts).boundary(), Boundary::open);
+}
+
 TEST(World, WidensTheOpenBoxByTheSmallestStepWhereDoublesAreCoarse) {
   WorldParts parts;
   const double huge = 0x1p70;

@@ -101,7 +101,7 @@ RC_GTEST_PROP(WriteWkt, ReadsBackTheSameWorld, ()) {
 GridMaze any_maze(int width, int height) {
   GridMaze maze = generate_backtracker(width, height, *rc::gen::arbitrary<std::uint64_t>());
   open_walls(maze, 0.3, *rc::gen::arbitrary<std::uint64_t>());
-  maze.goal = detail::centre_room(width, height);
+  maze.goal = centre_room(width, height);
   return maze;
 }
 
@@ -176,7 +176,7 @@ std::string refusal(const std::function<std::string()>& write) {
 
 TEST(WriteWorld, RefusesWhatAFormatCannotHold) {
   GridMaze twenty(20, 20, true);
-  twenty.goal = detail::centre_room(20, 20);
+  twenty.goal = centre_room(20, 20);
   EXPECT_EQ(refusal([&] { return write_maz(twenty); }), "maz cannot hold a maze of 20 x 20, only 16 x 16 and 32 x 32");
   EXPECT_EQ(refusal([&] { return write_cell_values(GridMaze(5, 5, true)); }),
             "cells cannot hold a maze of 5 x 5, only squares of even size up to 256");
