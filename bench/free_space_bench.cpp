@@ -75,4 +75,3 @@ BENCHMARK(BM_FreeSpaceThick)->Arg(100)->Arg(300)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_FreeSpaceTurned)->Arg(100)->Arg(300)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-

@@ -27,14 +27,22 @@ void solve(benchmark::State& state, double opened) {
       state.SkipWithError("no valid path");
   }
   state.counters["walls"] = static_cast<double>(world.walls().size());
-  state.counters["walls/s"] = benchmark::Counter(static_cast<double>(world.walls().size()), benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["walls/s"] =
+      benchmark::Counter(static_cast<double>(world.walls().size()), benchmark::Counter::kIsIterationInvariantRate);
   state.SetComplexityN(static_cast<benchmark::IterationCount>(world.walls().size()));
 }
 
 void BM_SolvePerfect(benchmark::State& state) { solve(state, 0); }
 void BM_SolveHalfOpen(benchmark::State& state) { solve(state, 0.5); }
 
-BENCHMARK(BM_SolvePerfect)->Arg(100)->Arg(200)->Arg(400)->Arg(700)->Arg(1000)->Unit(benchmark::kMillisecond)->Complexity();
+BENCHMARK(BM_SolvePerfect)
+    ->Arg(100)
+    ->Arg(200)
+    ->Arg(400)
+    ->Arg(700)
+    ->Arg(1000)
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity();
 BENCHMARK(BM_SolveHalfOpen)->Arg(45)->Arg(100)->Arg(200)->Unit(benchmark::kMillisecond);
 
 /// Queries on a finished graph.
@@ -52,4 +60,3 @@ BENCHMARK(BM_QueryAstar)->Arg(45)->Arg(100)->Arg(300)->Unit(benchmark::kMillisec
 BENCHMARK(BM_QueryDijkstra)->Arg(45)->Arg(100)->Arg(300)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-

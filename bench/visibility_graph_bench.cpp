@@ -33,7 +33,8 @@ void build(benchmark::State& state, double opened, VisibilityKind kind) {
   }
   state.counters["vertices"] = static_cast<double>(vertices);
   state.counters["edges"] = static_cast<double>(edges);
-  state.counters["edges/s"] = benchmark::Counter(static_cast<double>(edges), benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["edges/s"] =
+      benchmark::Counter(static_cast<double>(edges), benchmark::Counter::kIsIterationInvariantRate);
 }
 
 void BM_ReducedPerfect(benchmark::State& state) { build(state, 0, VisibilityKind::reduced); }
@@ -80,4 +81,3 @@ BENCHMARK(BM_CgalRegionsPerfect)->Arg(45)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_CgalRegionsHalfOpen)->Arg(45)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-

@@ -13,7 +13,8 @@ namespace taut {
 namespace {
 
 double checked_radius(double r) {
-  if (!(r > 0) || r > World::kLargest) throw InputError({}, 0, "a robot's radius must be positive and finite, not " + std::to_string(r));
+  if (!(r > 0) || r > World::kLargest)
+    throw InputError({}, 0, "a robot's radius must be positive and finite, not " + std::to_string(r));
   return r;
 }
 
@@ -60,7 +61,8 @@ Footprint Footprint::polygon(Ring ring) {
     if (!(std::abs(p.x) <= World::kLargest && std::abs(p.y) <= World::kLargest))
       throw InputError({}, 0, "a footprint's coordinates must be finite");
   if (!is_convex_around_origin(ring))
-    throw InputError({}, 0, "a footprint must be a strictly convex, counter-clockwise polygon around its reference point (0, 0)");
+    throw InputError(
+        {}, 0, "a footprint must be a strictly convex, counter-clockwise polygon around its reference point (0, 0)");
   Footprint f;
   f.kind_ = Kind::polygon;
   f.ring_ = std::move(ring);

@@ -24,7 +24,7 @@ class Footprint {
   static constexpr double kDiscExcess = 0.00121;  // 1 / cos(pi / 64) - 1, rounded up
 
   Kind kind() const { return kind_; }
-  double radius() const { return radius_; }  ///< disc radius or half side; 0 for a point or a general polygon
+  double radius() const { return radius_; }   ///< disc radius or half side; 0 for a point or a general polygon
   const Ring& ring() const { return ring_; }  ///< the polygon the free space is built for; empty for a point
 
  private:

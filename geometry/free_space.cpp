@@ -109,8 +109,17 @@ FreeSpace::FreeSpace(World world, Footprint footprint) {
   detail::Locator locator(mesh.triangulation);
   report.seconds_triangulation = seconds_since(start);
 
-  impl_.reset(new Impl{std::move(world), std::move(footprint), report, std::move(classified.constraints), std::move(mesh.triangulation),
-                       std::move(mesh.edge_of), std::move(components), count, std::move(locator), {}, {}});
+  impl_.reset(new Impl{std::move(world),
+                       std::move(footprint),
+                       report,
+                       std::move(classified.constraints),
+                       std::move(mesh.triangulation),
+                       std::move(mesh.edge_of),
+                       std::move(components),
+                       count,
+                       std::move(locator),
+                       {},
+                       {}});
 }
 
 const World& FreeSpace::world() const { return impl_->world; }

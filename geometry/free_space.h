@@ -18,8 +18,8 @@ namespace taut {
 struct Constraint {
   Point a;
   Point b;
-  bool solid_left = false;   ///< to the left of a -> b lies an obstacle's inside
-  bool solid_right = false;  ///< likewise; never both
+  bool solid_left = false;     ///< to the left of a -> b lies an obstacle's inside
+  bool solid_right = false;    ///< likewise; never both
   std::uint32_t wall = kNone;  ///< a World wall it came from, when one is known
 
   bool is_wall() const { return !solid_left && !solid_right; }
@@ -52,8 +52,8 @@ struct VisibilityPolygon {
 
 /// What building a FreeSpace did to the numbers.
 struct FreeSpaceReport {
-  std::size_t crossings = 0;   ///< points constructed because pieces crossed or touched
-  double displacement = 0;     ///< the largest distance between a constructed point and its exact position
+  std::size_t crossings = 0;  ///< points constructed because pieces crossed or touched
+  double displacement = 0;    ///< the largest distance between a constructed point and its exact position
   double seconds_union = 0;
   double seconds_triangulation = 0;
 };

@@ -22,8 +22,10 @@ class NearestConstraint {
       : space_(space), tri_(space.triangulation()), piece_of_(piece_of), p_(p) {}
 
   Clearance search(const Location& at) {
-    if (at.kind == Location::Kind::vertex) each_around(tri_.triangles[at.triangle][at.index], [&](std::uint32_t t) { reach(t); });
-    else reach(at.triangle);
+    if (at.kind == Location::Kind::vertex)
+      each_around(tri_.triangles[at.triangle][at.index], [&](std::uint32_t t) { reach(t); });
+    else
+      reach(at.triangle);
     for (std::size_t k = 0; k < open_.size(); ++k)
       for (int i = 0; i < 3; ++i) leave(open_[k], i);
     if (best_ == kNone) return {std::numeric_limits<double>::infinity(), kNone};
@@ -49,7 +51,9 @@ class NearestConstraint {
     if (detail::segment_distance_interval(here(), {a, b}).lo <= least_.hi) reach(tri_.neighbours[t][i]);
   }
 
-  bool is_equal(const Segment& s, const Segment& t) const { return detail::compare_segment_distances(here(), s, here(), t) == 0; }
+  bool is_equal(const Segment& s, const Segment& t) const {
+    return detail::compare_segment_distances(here(), s, here(), t) == 0;
+  }
 
   void consider(std::uint32_t piece) {
     considered_.push_back(piece);
@@ -79,7 +83,8 @@ class NearestConstraint {
 
   /// Every free triangle at a vertex.
   void each_around(std::uint32_t v, const auto& visit) {
-    for (const Tri::Sector& sector : tri_.sectors_at(v)) each_triangle(tri_, sector, [&](std::uint32_t t, int) { visit(t); });
+    for (const Tri::Sector& sector : tri_.sectors_at(v))
+      each_triangle(tri_, sector, [&](std::uint32_t t, int) { visit(t); });
   }
 
   const FreeSpace& space_;
@@ -111,7 +116,8 @@ class Outline {
   }
 
   void out_of(std::uint32_t t, int i) {
-    expansion_.spread(origin_, t, i, expansion_.ray(tri_.triangles[t][Tri::ccw(i)]), expansion_.ray(tri_.triangles[t][Tri::cw(i)]));
+    expansion_.spread(origin_, t, i, expansion_.ray(tri_.triangles[t][Tri::ccw(i)]),
+                      expansion_.ray(tri_.triangles[t][Tri::cw(i)]));
   }
 
   void add(Point p) {
@@ -165,8 +171,10 @@ VisibilityPolygon FreeSpace::visibility_polygon(Point p) const {
   } else if (at.kind == Location::Kind::side) {
     const std::uint32_t n = tri.neighbours[at.triangle][at.index];
     outline.triangle(at.triangle, at.index);
-    if (n != kNone && tri.free[n]) outline.triangle(n, tri.mirror(at.triangle, at.index));
-    else outline.add(p);
+    if (n != kNone && tri.free[n])
+      outline.triangle(n, tri.mirror(at.triangle, at.index));
+    else
+      outline.add(p);
   } else if (at.kind == Location::Kind::vertex) {
     for (const Tri::Sector& sector : tri.sectors_at(tri.triangles[at.triangle][at.index])) {
       each_triangle(tri, sector, [&](std::uint32_t t, int i) { outline.out_of(t, i); });

@@ -25,7 +25,8 @@ class Loops {
     std::vector<Loop> loops;
     for (std::uint32_t t = 0; t < tri_.triangles.size(); ++t)
       for (int i = 0; i < 3; ++i)
-        if (component_[t] == component && piece_of_[3 * t + i] != kNone && !done_[3 * t + i]) loops.push_back(trace(t, i));
+        if (component_[t] == component && piece_of_[3 * t + i] != kNone && !done_[3 * t + i])
+          loops.push_back(trace(t, i));
     return loops;
   }
 

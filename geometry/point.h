@@ -29,9 +29,7 @@ struct Box {
 
   friend bool operator==(const Box&, const Box&) = default;
 
-  bool contains(Point p) const {
-    return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y;
-  }
+  bool contains(Point p) const { return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y; }
 };
 
 /// A closed chain of at least three vertices; the first is not repeated at the end.

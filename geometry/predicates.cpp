@@ -47,8 +47,10 @@ int ring_orientation(const Ring& ring) {
   const Point p = ring[least];
   // Neighbours that differ from p and are not collinear with it: a simple ring has them.
   std::ptrdiff_t i = least, j = least;
-  do i = (i + n - 1) % n; while (ring[i] == p && i != least);
-  do j = (j + 1) % n; while (ring[j] == p && j != least);
+  do i = (i + n - 1) % n;
+  while (ring[i] == p && i != least);
+  do j = (j + 1) % n;
+  while (ring[j] == p && j != least);
   return orientation(ring[i], p, ring[j]);
 }
 

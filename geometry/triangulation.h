@@ -52,7 +52,8 @@ struct Triangulation {
   /// The sectors at vertex v, in order; the index of the first is `sectors_at(v).data() - sectors.data()`. O(log n).
   std::span<const Sector> sectors_at(std::uint32_t v) const {
     const auto [first, last] =
-        std::equal_range(sectors.begin(), sectors.end(), Sector{v, kNone, kNone, kNone, false, false}, [](const Sector& a, const Sector& b) { return a.vertex < b.vertex; });
+        std::equal_range(sectors.begin(), sectors.end(), Sector{v, kNone, kNone, kNone, false, false},
+                         [](const Sector& a, const Sector& b) { return a.vertex < b.vertex; });
     return {first, last};
   }
 
@@ -65,9 +66,7 @@ struct Triangulation {
     return back[0] == t ? 0 : back[1] == t ? 1 : 2;
   }
   /// The corner of t at vertex v. Precondition: there is one.
-  int corner(std::uint32_t t, std::uint32_t v) const {
-    return triangles[t][0] == v ? 0 : triangles[t][1] == v ? 1 : 2;
-  }
+  int corner(std::uint32_t t, std::uint32_t v) const { return triangles[t][0] == v ? 0 : triangles[t][1] == v ? 1 : 2; }
   /// The next triangle counter-clockwise around corner i of t, across the side that bounds t there; kNone outside the hull.
   std::uint32_t ccw_triangle(std::uint32_t t, int i) const { return neighbours[t][ccw(i)]; }
   std::uint32_t cw_triangle(std::uint32_t t, int i) const { return neighbours[t][cw(i)]; }

@@ -234,8 +234,10 @@ World World::with_wall_thickness(double thickness) const {
 
 void World::fit_area() {
   if (!implied_area_ || (parts_.boundary == Boundary::limit && !ends_beyond(parts_, box_))) return;
-  if (parts_.boundary == Boundary::limit) imply_area(parts_);
-  else if (!bounds_of_everything(parts_).empty()) parts_.areas.front().polygon.outer = ring_of(roomy_box(parts_));
+  if (parts_.boundary == Boundary::limit)
+    imply_area(parts_);
+  else if (!bounds_of_everything(parts_).empty())
+    parts_.areas.front().polygon.outer = ring_of(roomy_box(parts_));
   if (parts_.boundary == Boundary::open) openings_.clear();
   box_ = box_of(parts_.areas);
 }

@@ -43,11 +43,11 @@ enum class Boundary {
 
 /// The parts of a World, unchecked. Readers fill this in.
 struct WorldParts {
-  std::string source;          ///< file name for messages; may be empty
-  std::vector<Area> areas;     ///< the union of these is where the world is; empty: `bounding_area` of the rest
+  std::string source;       ///< file name for messages; may be empty
+  std::vector<Area> areas;  ///< the union of these is where the world is; empty: a box, see guarantee 3 of World
   Boundary boundary = Boundary::limit;  ///< of `areas`; World decides between `limit` and `open` when areas is empty
   std::vector<Wall> walls;
-  std::vector<Area> solids;    ///< may touch and overlap each other and the boundary; holes are free
+  std::vector<Area> solids;  ///< may touch and overlap each other and the boundary; holes are free
   std::optional<Point> start;
   Goal goal;
   std::shared_ptr<const GridMaze> grid;  ///< the grid it came from, when there was one

@@ -19,7 +19,11 @@ class View {
   using Place = typename Coordinates::Place;
 
   View(const Tri& tri, VisibilityKind kind, const std::vector<Vertex>& vertex_of_sector, const std::vector<bool>& bends)
-      : tri_(tri), reduced_(kind == VisibilityKind::reduced), vertex_of_sector_(vertex_of_sector), bends_(bends), expansion_(tri, *this) {}
+      : tri_(tri),
+        reduced_(kind == VisibilityKind::reduced),
+        vertex_of_sector_(vertex_of_sector),
+        bends_(bends),
+        expansion_(tri, *this) {}
 
   /// Appends the vertices that the sector is joined to, ascending, each once.
   void from_sector(std::uint32_t sector, std::vector<Vertex>& row) {
@@ -80,9 +84,7 @@ class View {
   }
 
   /// Does the line from the origin have the obstacle at the sector's vertex on one side?
-  bool tangent_at(const Tri::Sector& s) const {
-    return side(s.vertex, s.right) * side(s.vertex, s.left) >= 0;
-  }
+  bool tangent_at(const Tri::Sector& s) const { return side(s.vertex, s.right) * side(s.vertex, s.left) >= 0; }
 
   /// The vertices behind one that is seen, on the same ray.
   void behind(std::uint32_t sector) {
@@ -106,7 +108,9 @@ class View {
   void from_side(const Location& at, std::optional<Point> towards) {
     const std::uint32_t n = tri_.neighbours[at.triangle][at.index];
     const auto& corners = tri_.triangles[at.triangle];
-    const int turn = towards ? orientation(tri_.points[corners[Tri::ccw(at.index)]], tri_.points[corners[Tri::cw(at.index)]], *towards) : 0;
+    const int turn = towards ? orientation(tri_.points[corners[Tri::ccw(at.index)]],
+                                           tri_.points[corners[Tri::cw(at.index)]], *towards)
+                             : 0;
     if (turn >= 0) around(at.triangle, at.index);
     if (turn <= 0 && n != kNone && tri_.free[n]) around(n, tri_.mirror(at.triangle, at.index));
   }
@@ -144,7 +148,9 @@ class View {
   }
 
   /// Would a path along this direction have its obstacle on both sides of the line?
-  bool useless(std::uint32_t v) const { return side(origin_sector_->left, v) < 0 && side(origin_sector_->right, v) > 0; }
+  bool useless(std::uint32_t v) const {
+    return side(origin_sector_->left, v) < 0 && side(origin_sector_->right, v) > 0;
+  }
 
   const Tri& tri_;
   bool reduced_;
@@ -166,8 +172,8 @@ std::vector<bool> bending_vertices(const Tri& tri) {
 }
 
 template <class Coordinates>
-Roadmap build(const Tri& tri, VisibilityKind kind, const std::vector<std::uint32_t>& sectors, const std::vector<Vertex>& vertex_of_sector,
-              const std::vector<bool>& bends) {
+Roadmap build(const Tri& tri, VisibilityKind kind, const std::vector<std::uint32_t>& sectors,
+              const std::vector<Vertex>& vertex_of_sector, const std::vector<bool>& bends) {
   View<Coordinates> view(tri, kind, vertex_of_sector, bends);
   std::vector<Point> points;
   std::vector<std::uint64_t> offsets{0};
@@ -184,7 +190,8 @@ Roadmap build(const Tri& tri, VisibilityKind kind, const std::vector<std::uint32
 
 }  // namespace
 
-VisibilityGraph::VisibilityGraph(FreeSpace space, VisibilityKind kind) : space_(std::move(space)), kind_(kind), bends_(bending_vertices(space_.triangulation())) {
+VisibilityGraph::VisibilityGraph(FreeSpace space, VisibilityKind kind)
+    : space_(std::move(space)), kind_(kind), bends_(bending_vertices(space_.triangulation())) {
   const Tri& tri = space_.triangulation();
   vertex_of_sector_.assign(tri.sectors.size(), kNone);
   for (std::uint32_t s = 0; s < tri.sectors.size(); ++s) {

@@ -43,10 +43,10 @@ struct GraphQuery {
 
 struct GraphSearchResult {
   SearchStatus status = SearchStatus::none;
-  Path path;                   ///< when found; when stopped the best so far, if any. Consecutive equal points are merged
-  std::size_t goal = 0;        ///< which goal it ends in, when found
-  std::size_t expanded = 0;    ///< vertices taken from the queue and looked around from, the start included, goals not
-  std::size_t generated = 0;   ///< vertices that ever got a length, start and goals included
+  Path path;                  ///< when found; when stopped the best so far, if any. Consecutive equal points are merged
+  std::size_t goal = 0;       ///< which goal it ends in, when found
+  std::size_t expanded = 0;   ///< vertices taken from the queue and looked around from, the start included, goals not
+  std::size_t generated = 0;  ///< vertices that ever got a length, start and goals included
 };
 
 /// The shortest way through the graph, exactly: labels are intervals; two that overlap are compared as the exact sums of

@@ -46,8 +46,10 @@ void require_free(const FreeSpace& space, Point p, std::string_view role) {
   if (!(std::abs(p.x) <= World::kLargest && std::abs(p.y) <= World::kLargest))
     throw InputError(world.source(), 0, fmt::format("{} ({}, {}) is not a point", role, p.x, p.y));
   if (space.locate(p).kind != Location::Kind::outside) return;
-  if (!in_world(world, p)) throw InputError(world.source(), 0, fmt::format("{} ({}, {}) lies outside the world", role, p.x, p.y));
-  const char* robot = space.footprint().kind() == Footprint::Kind::point ? "lies inside" : "is too near for the robot to";
+  if (!in_world(world, p))
+    throw InputError(world.source(), 0, fmt::format("{} ({}, {}) lies outside the world", role, p.x, p.y));
+  const char* robot =
+      space.footprint().kind() == Footprint::Kind::point ? "lies inside" : "is too near for the robot to";
   throw InputError(world.source(), 0, fmt::format("{} ({}, {}) {} {}", role, p.x, p.y, robot, culprit(world, p)));
 }
 

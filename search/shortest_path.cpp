@@ -38,12 +38,14 @@ GraphQuery to_room(const VisibilityGraph& graph, Point from, const std::vector<B
 }
 
 bool starts_in_room(const FreeSpace& space, Point from, const std::vector<Box>& room) {
-  return std::any_of(room.begin(), room.end(), [&](const Box& b) { return b.contains(from) && space.sees(from, detail::middle(b)); });
+  return std::any_of(room.begin(), room.end(),
+                     [&](const Box& b) { return b.contains(from) && space.sees(from, detail::middle(b)); });
 }
 
 }  // namespace
 
-GraphSearchResult shortest_path(const VisibilityGraph& graph, Point from, const Goal& to, GraphAlgorithm algorithm, const SearchLimits& limits) {
+GraphSearchResult shortest_path(const VisibilityGraph& graph, Point from, const Goal& to, GraphAlgorithm algorithm,
+                                const SearchLimits& limits) {
   require_free(graph.space(), from, "start");
   if (to.point) require_free(graph.space(), *to.point, "goal");
   if (!to.point && starts_in_room(graph.space(), from, to.room)) {
@@ -52,7 +54,8 @@ GraphSearchResult shortest_path(const VisibilityGraph& graph, Point from, const 
     result.path.points = {from};
     return result;
   }
-  return graph_search(graph.roadmap(), to.point ? to_point(graph, from, *to.point) : to_room(graph, from, to.room), algorithm, limits);
+  return graph_search(graph.roadmap(), to.point ? to_point(graph, from, *to.point) : to_room(graph, from, to.room),
+                      algorithm, limits);
 }
 
 std::optional<Path> shortest_path(const FreeSpace& space, Point from, const Goal& to) {
@@ -61,7 +64,9 @@ std::optional<Path> shortest_path(const FreeSpace& space, Point from, const Goal
   return std::move(result.path);
 }
 
-std::optional<Path> shortest_path(const FreeSpace& space, Point from, Point to) { return shortest_path(space, from, Goal{to, {}}); }
+std::optional<Path> shortest_path(const FreeSpace& space, Point from, Point to) {
+  return shortest_path(space, from, Goal{to, {}});
+}
 
 ShortestPathTree::ShortestPathTree(std::shared_ptr<const VisibilityGraph> graph, Point from)
     : graph_((require_free(graph->space(), from, "start"), std::move(graph))),

@@ -12,9 +12,11 @@ namespace taut {
 /// What verify() found.
 struct Verdict {
   bool valid = false;
-  std::string reason;    ///< empty when valid, else one line: `leg 3, (1, 2) to (4, 2), crosses the wall (3, 0) to (3, 5)`
-  std::size_t leg = 0;   ///< the first offending leg, from 0
-  double clearance = 0;  ///< least distance of the path to an obstacle, to the nearest double; 0 when it touches. Infinite when there is none
+  /// Empty when valid, else one line: `leg 3, (1, 2) to (4, 2), crosses the wall (3, 0) to (3, 5)`.
+  std::string reason;
+  std::size_t leg = 0;  ///< the first offending leg, from 0
+  /// Least distance of the path to an obstacle, to the nearest double: 0 when it touches, infinite when there is no obstacle.
+  double clearance = 0;
   std::uint32_t nearest = kNone;  ///< the constraint where that is
 };
 

@@ -92,8 +92,10 @@ Point free_direction(std::span<const Segment> edges) {
 ExactPoint line_crossing(const Segment& s, const Segment& t) {
   // Doubles are integers over a power of two; as such they need no common divisors on the way.
   const int scale = common_scale({s.a, s.b, t.a, t.b});
-  const mpz_class ax = scaled(s.a.x, scale), ay = scaled(s.a.y, scale), sx = scaled(s.b.x, scale) - ax, sy = scaled(s.b.y, scale) - ay;
-  const mpz_class cx = scaled(t.a.x, scale), cy = scaled(t.a.y, scale), tx = scaled(t.b.x, scale) - cx, ty = scaled(t.b.y, scale) - cy;
+  const mpz_class ax = scaled(s.a.x, scale), ay = scaled(s.a.y, scale), sx = scaled(s.b.x, scale) - ax,
+                  sy = scaled(s.b.y, scale) - ay;
+  const mpz_class cx = scaled(t.a.x, scale), cy = scaled(t.a.y, scale), tx = scaled(t.b.x, scale) - cx,
+                  ty = scaled(t.b.y, scale) - cy;
   const mpz_class along = (cx - ax) * ty - (cy - ay) * tx, whole = sx * ty - sy * tx;
   return {ratio(ax * whole + along * sx, whole, scale), ratio(ay * whole + along * sy, whole, scale)};
 }
@@ -119,13 +121,15 @@ Point round_outward(const ExactPoint& exact, std::span<const Segment> edges) {
   const Point direction = free_direction(edges);
   double limit = kInfinity;
   for (const Segment& e : edges) limit = std::min(limit, std::hypot(e.b.x - e.a.x, e.b.y - e.a.y) / 1000);
-  const double ulp = step(std::max(std::abs(centre.x), std::abs(centre.y)), 1) - std::max(std::abs(centre.x), std::abs(centre.y));
+  const double ulp =
+      step(std::max(std::abs(centre.x), std::abs(centre.y)), 1) - std::max(std::abs(centre.x), std::abs(centre.y));
   for (double reach = 3 * ulp; reach < limit; reach *= 1.5) {
     const Point p{centre.x + direction.x * reach, centre.y + direction.y * reach};
     if (on_free_side(p, edges)) return p;
   }
-  throw InputError({}, 0, "two obstacles meet at (" + std::to_string(centre.x) + ", " + std::to_string(centre.y) +
-                              ") at an angle too sharp for double coordinates");
+  throw InputError({}, 0,
+                   "two obstacles meet at (" + std::to_string(centre.x) + ", " + std::to_string(centre.y) +
+                       ") at an angle too sharp for double coordinates");
 }
 
 }  // namespace taut::detail

@@ -19,7 +19,8 @@ class LatticeCoordinates {
   Place at(std::uint32_t v) const { return points_[v]; }
   static int side(Place a, Place b, Place c) {
     // Differences below 2^30, products below 2^60.
-    const std::int64_t left = std::int64_t{b[0] - a[0]} * (c[1] - a[1]), right = std::int64_t{b[1] - a[1]} * (c[0] - a[0]);
+    const std::int64_t left = std::int64_t{b[0] - a[0]} * (c[1] - a[1]),
+                       right = std::int64_t{b[1] - a[1]} * (c[0] - a[0]);
     return (left > right) - (left < right);
   }
 

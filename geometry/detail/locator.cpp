@@ -46,7 +46,8 @@ Locator::Locator(const Tri& tri) {
     box_.min = {std::min(box_.min.x, p.x), std::min(box_.min.y, p.y)};
     box_.max = {std::max(box_.max.x, p.x), std::max(box_.max.y, p.y)};
   }
-  const double width = box_.max.x - box_.min.x, height = box_.max.y - box_.min.y, cells = 1 + static_cast<double>(tri.triangles.size()) / 2;
+  const double width = box_.max.x - box_.min.x, height = box_.max.y - box_.min.y,
+               cells = 1 + static_cast<double>(tri.triangles.size()) / 2;
   columns_ = static_cast<std::uint32_t>(std::clamp(std::sqrt(cells * (width / height)), 1.0, cells));
   rows_ = static_cast<std::uint32_t>(std::clamp(cells / columns_, 1.0, cells));
   per_x_ = columns_ / width;

@@ -59,9 +59,8 @@ std::vector<Edge> merge_runs(std::vector<Edge> pieces) {
 
 /// Equal pieces become one.
 std::vector<Edge> unite_equal(std::vector<Edge> pieces) {
-  std::sort(pieces.begin(), pieces.end(), [](const Edge& c, const Edge& d) {
-    return std::tie(c.a, c.b, c.wall) < std::tie(d.a, d.b, d.wall);
-  });
+  std::sort(pieces.begin(), pieces.end(),
+            [](const Edge& c, const Edge& d) { return std::tie(c.a, c.b, c.wall) < std::tie(d.a, d.b, d.wall); });
   std::vector<Edge> united;
   united.reserve(pieces.size());
   for (const Edge& c : pieces) {
@@ -95,9 +94,8 @@ class Splitting {
   }
 
   std::vector<Edge> split() {
-    std::sort(cuts_.begin(), cuts_.end(), [&](const Cut& c, const Cut& d) {
-      return c.first != d.first ? c.first < d.first : along(c) < along(d);
-    });
+    std::sort(cuts_.begin(), cuts_.end(),
+              [&](const Cut& c, const Cut& d) { return c.first != d.first ? c.first < d.first : along(c) < along(d); });
     cuts_.erase(std::unique(cuts_.begin(), cuts_.end()), cuts_.end());
     std::vector<Edge> result;
     result.reserve(pieces_.size() + cuts_.size());

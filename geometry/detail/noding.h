@@ -20,9 +20,9 @@ struct Edge {
 
 /// Segments that meet only at end points, and what it took.
 struct Noded {
-  std::vector<Edge> edges;         ///< ordered by (a, b), a < b
-  std::size_t crossings = 0;       ///< points constructed
-  double displacement = 0;         ///< the largest distance of one from its exact place
+  std::vector<Edge> edges;    ///< ordered by (a, b), a < b
+  std::size_t crossings = 0;  ///< points constructed
+  double displacement = 0;    ///< the largest distance of one from its exact place
 };
 
 /// Splits edges wherever they cross, touch or overlap; of edges on one another the turns are added up.

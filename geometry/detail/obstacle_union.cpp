@@ -19,16 +19,17 @@ bool axis_parallel(const Segment& s) { return s.a.x == s.b.x || s.a.y == s.b.y; 
 
 /// A position on a directed line: a point with double coordinates, or where another line crosses.
 struct Cut {
-  Point point;                     // the exact place unless `line` is set
+  Point point;  // the exact place unless `line` is set
   std::optional<Segment> line;
-  double lo = 0, hi = 0;           // encloses the coordinate along the line
+  double lo = 0, hi = 0;  // encloses the coordinate along the line
 };
 
 /// The side of a piece, as an axis for cuts.
 class Axis {
  public:
   explicit Axis(const Segment& side)
-      : side_(side), by_x_(std::abs(side.b.x - side.a.x) >= std::abs(side.b.y - side.a.y)),
+      : side_(side),
+        by_x_(std::abs(side.b.x - side.a.x) >= std::abs(side.b.y - side.a.y)),
         forward_(by_x_ ? side.a.x < side.b.x : side.a.y < side.b.y) {}
 
   Cut at(Point p) const {
@@ -42,7 +43,8 @@ class Axis {
     using Interval = CGAL::Interval_nt<true>;
     const Interval sx = Interval(side_.b.x) - side_.a.x, sy = Interval(side_.b.y) - side_.a.y;
     const Interval tx = Interval(line.b.x) - line.a.x, ty = Interval(line.b.y) - line.a.y;
-    const Interval along = ((Interval(line.a.x) - side_.a.x) * ty - (Interval(line.a.y) - side_.a.y) * tx) / (sx * ty - sy * tx);
+    const Interval along =
+        ((Interval(line.a.x) - side_.a.x) * ty - (Interval(line.a.y) - side_.a.y) * tx) / (sx * ty - sy * tx);
     const Interval c = by_x_ ? Interval(side_.a.x) + along * sx : Interval(side_.a.y) + along * sy;
     return {{}, line, forward_ ? c.inf() : -c.sup(), forward_ ? c.sup() : -c.inf()};
   }
@@ -106,8 +108,10 @@ class Cover {
     std::array<Cut, 2> cuts;
     std::size_t count = 0;
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size() && count < 2; j = i++) {
-      if (signs_[i] == 0) cuts[count++] = axis_.at(ring[i]);
-      else if (signs_[i] * signs_[j] < 0) cuts[count++] = axis_.crossing({ring[j], ring[i]});
+      if (signs_[i] == 0)
+        cuts[count++] = axis_.at(ring[i]);
+      else if (signs_[i] * signs_[j] < 0)
+        cuts[count++] = axis_.crossing({ring[j], ring[i]});
     }
     return ordered(cuts[0], cuts[1]);
   }
@@ -133,7 +137,8 @@ struct Incidence {
 
 class Union {
  public:
-  Union(const std::vector<ConvexPiece>& pieces, const Box& within) : pieces_(pieces), within_(within), index_(boxes(pieces)) {}
+  Union(const std::vector<ConvexPiece>& pieces, const Box& within)
+      : pieces_(pieces), within_(within), index_(boxes(pieces)) {}
 
   Outline run() {
     for (std::uint32_t p = 0; p < pieces_.size(); ++p)
@@ -259,8 +264,9 @@ std::vector<Edge> join_collinear(const std::vector<Edge>& edges) {
   for (std::size_t s = 0, e = 0; s < edges.size(); ++s) {
     const Point p = edges[by_start[s]].a;
     while (e < edges.size() && edges[by_end[e]].b < p) ++e;
-    const bool alone = e < edges.size() && edges[by_end[e]].b == p && (e + 1 == edges.size() || edges[by_end[e + 1]].b != p) &&
-                       (s == 0 || edges[by_start[s - 1]].a != p) && (s + 1 == edges.size() || edges[by_start[s + 1]].a != p);
+    const bool alone =
+        e < edges.size() && edges[by_end[e]].b == p && (e + 1 == edges.size() || edges[by_end[e + 1]].b != p) &&
+        (s == 0 || edges[by_start[s - 1]].a != p) && (s + 1 == edges.size() || edges[by_start[s + 1]].a != p);
     if (!alone || orientation(edges[by_end[e]].a, p, edges[by_start[s]].b) != 0) continue;
     following[by_end[e]] = by_start[s];
     continues[by_start[s]] = true;

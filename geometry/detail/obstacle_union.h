@@ -17,8 +17,8 @@ struct ConvexPiece {
 
 struct Outline {
   std::vector<Edge> edges;    ///< turn 1: the solid to the left; collinear neighbours joined
-  std::size_t crossings = 0;      ///< points constructed and rounded
-  double displacement = 0;        ///< the largest distance of one from its exact place
+  std::size_t crossings = 0;  ///< points constructed and rounded
+  double displacement = 0;    ///< the largest distance of one from its exact place
 };
 
 /// The outline of the regularised union of `pieces`, as far as it lies in the box `within`.

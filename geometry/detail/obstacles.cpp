@@ -31,8 +31,9 @@ double magnitude(const Ring& ring) {
 
 /// Is the ring an axis-parallel rectangle (of positive or zero extent)?
 bool is_box(const Ring& ring) {
-  return ring.size() == 4 && ((ring[0].x == ring[1].x && ring[2].x == ring[3].x && ring[0].y == ring[3].y && ring[1].y == ring[2].y) ||
-                              (ring[0].y == ring[1].y && ring[2].y == ring[3].y && ring[0].x == ring[3].x && ring[1].x == ring[2].x));
+  return ring.size() == 4 &&
+         ((ring[0].x == ring[1].x && ring[2].x == ring[3].x && ring[0].y == ring[3].y && ring[1].y == ring[2].y) ||
+          (ring[0].y == ring[1].y && ring[2].y == ring[3].y && ring[0].x == ring[3].x && ring[1].x == ring[2].x));
 }
 
 Box bounds(const Ring& ring) {
@@ -98,13 +99,16 @@ class Builder {
     const double slack = kUlp * (16 * (magnitude({wall.a, wall.b}) + h));
     note(2 * slack);
     const double ux = dx / length * (h + slack), uy = dy / length * (h + slack);
-    return convex_hull({{wall.a.x - ux + uy, wall.a.y - uy - ux}, {wall.b.x + ux + uy, wall.b.y + uy - ux},
-                        {wall.b.x + ux - uy, wall.b.y + uy + ux}, {wall.a.x - ux - uy, wall.a.y - uy + ux}});
+    return convex_hull({{wall.a.x - ux + uy, wall.a.y - uy - ux},
+                        {wall.b.x + ux + uy, wall.b.y + uy - ux},
+                        {wall.b.x + ux - uy, wall.b.y + uy + ux},
+                        {wall.a.x - ux - uy, wall.a.y - uy + ux}});
   }
 
   /// The Minkowski sum of the convex hull of `points` with the reflected footprint.
   void add_summed(const Ring& points, std::uint32_t wall) {
-    if (footprint_is_box_ && (points.size() == 2 ? points[0].x == points[1].x || points[0].y == points[1].y : is_box(points))) {
+    if (footprint_is_box_ &&
+        (points.size() == 2 ? points[0].x == points[1].x || points[0].y == points[1].y : is_box(points))) {
       const Box box = bounds(points), f = bounds(reflected_);
       note(std::max(widening_error(box, f.max.x), widening_error(box, f.max.y)));
       result_.pieces.push_back({corners(widened(box, -f.min.x, -f.min.y, f.max.x, f.max.y)), wall});
@@ -114,7 +118,8 @@ class Builder {
     for (const Point p : points)
       for (const Point f : reflected_) exact = exact && sum_is_exact(p.x, f.x) && sum_is_exact(p.y, f.y);
     // Widening the footprint moves every side outwards by more than rounding can move it back.
-    const double slack = exact ? 0 : 2 * kUlp * (magnitude(points) + magnitude(reflected_)), factor = 1 + slack / inradius();
+    const double slack = exact ? 0 : 2 * kUlp * (magnitude(points) + magnitude(reflected_)),
+                 factor = 1 + slack / inradius();
     note(slack * magnitude(reflected_) / inradius() * 2);
     std::vector<Point> sums;
     for (const Point p : points)
@@ -133,8 +138,10 @@ class Builder {
   }
 
   void add_convex(Ring ring, bool summed) {
-    if (summed) add_summed(ring, kNone);
-    else result_.pieces.push_back({std::move(ring), kNone});
+    if (summed)
+      add_summed(ring, kNone);
+    else
+      result_.pieces.push_back({std::move(ring), kNone});
   }
 
   void add_polygon(const Polygon& polygon) {
@@ -152,10 +159,12 @@ class Builder {
   /// What lies outside the areas. Only walled outlines hold a footprint back by more than its reference point.
   void add_outside() {
     const Box box = world_.box();
-    const double margin = std::max({box.max.x - box.min.x, box.max.y - box.min.y, 1e-300}) / 4 + magnitude(corners(box)) * kUlp * 64;
+    const double margin =
+        std::max({box.max.x - box.min.x, box.max.y - box.min.y, 1e-300}) / 4 + magnitude(corners(box)) * kUlp * 64;
     const Box frame{{box.min.x - margin, box.min.y - margin}, {box.max.x + margin, box.max.y + margin}};
     const bool grows = !is_point() && world_.boundary() == Boundary::walled;
-    if (world_.areas().size() == 1 && world_.areas()[0].polygon.holes.empty() && is_box(world_.areas()[0].polygon.outer))
+    if (world_.areas().size() == 1 && world_.areas()[0].polygon.holes.empty() &&
+        is_box(world_.areas()[0].polygon.outer))
       return add_frame(box, frame, grows);
     std::vector<const Polygon*> polygons;
     for (const Area& area : world_.areas()) polygons.push_back(&area.polygon);

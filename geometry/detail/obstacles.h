@@ -12,7 +12,8 @@ namespace taut::detail {
 /// Convex pieces that together cover exactly the obstacles of `world` for `footprint`, or a little more.
 struct Obstacles {
   std::vector<ConvexPiece> pieces;
-  double excess = 0;  ///< how far a piece reaches at most beyond the exact one; 0 when every corner is a pair of doubles
+  /// How far a piece reaches at most beyond the exact one; 0 when every corner is a pair of doubles.
+  double excess = 0;
 };
 
 /// Solids are cut into triangles unless convex; what lies outside the areas is cut into triangles out to a frame around `box()`; walls with a

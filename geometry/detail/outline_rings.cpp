@@ -14,7 +14,8 @@ using Chain = std::vector<std::uint32_t>;  // vertices
 
 class Tracer {
  public:
-  explicit Tracer(const Tri& tri) : tri_(tri), region_(tri.triangles.size(), kNone), done_(3 * tri.triangles.size(), false) {}
+  explicit Tracer(const Tri& tri)
+      : tri_(tri), region_(tri.triangles.size(), kNone), done_(3 * tri.triangles.size(), false) {}
 
   std::vector<Polygon> run() {
     for (std::uint32_t t = 0; t < tri_.triangles.size(); ++t)
@@ -29,7 +30,9 @@ class Tracer {
   }
 
  private:
-  bool on_outline(std::uint32_t t, int i) const { return tri_.neighbours[t][i] == kNone || !tri_.free[tri_.neighbours[t][i]]; }
+  bool on_outline(std::uint32_t t, int i) const {
+    return tri_.neighbours[t][i] == kNone || !tri_.free[tri_.neighbours[t][i]];
+  }
 
   void flood(std::uint32_t first) {
     Chain open{first};
@@ -93,8 +96,10 @@ class Tracer {
     }
     if (ring.size() < 3) return;
     std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
-    if (ring_orientation(ring) > 0) polygons_[region].outer = std::move(ring);
-    else polygons_[region].holes.push_back(std::move(ring));
+    if (ring_orientation(ring) > 0)
+      polygons_[region].outer = std::move(ring);
+    else
+      polygons_[region].holes.push_back(std::move(ring));
   }
 
   const Tri& tri_;

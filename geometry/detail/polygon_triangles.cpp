@@ -11,12 +11,14 @@ namespace taut::detail {
 namespace {
 
 void add_ring(const Ring& ring, int turn, std::vector<Edge>& edges) {
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) edges.push_back({ring[j], ring[i], turn, kNone});
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+    edges.push_back({ring[j], ring[i], turn, kNone});
 }
 
 bool contains(const Polygon& polygon, Point p) {
   return side_of_ring(p, polygon.outer) > 0 &&
-         std::none_of(polygon.holes.begin(), polygon.holes.end(), [p](const Ring& hole) { return side_of_ring(p, hole) >= 0; });
+         std::none_of(polygon.holes.begin(), polygon.holes.end(),
+                      [p](const Ring& hole) { return side_of_ring(p, hole) >= 0; });
 }
 
 /// The parts of a triangulation that no edge divides, told apart by one point each.
@@ -60,7 +62,8 @@ class Regions {
       const auto [a, b, c] = corners(t);
       const Point m{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
       if (orientation(a, b, m) <= 0 || orientation(b, c, m) <= 0 || orientation(c, a, m) <= 0) continue;
-      const bool covered = std::any_of(polygons_.begin(), polygons_.end(), [m](const Polygon* p) { return contains(*p, m); });
+      const bool covered =
+          std::any_of(polygons_.begin(), polygons_.end(), [m](const Polygon* p) { return contains(*p, m); });
       for (const std::uint32_t u : region) covered_[u] = covered;
       return;
     }

@@ -77,8 +77,10 @@ RayWalk::End RayWalk::from_side(std::uint32_t t, int i, std::optional<Point> tow
   const End end = arrive(t, ahead(p_, b) ? Tri::cw(i) : Tri::ccw(i));
   if (end != End::vertex || !there) return end;
   const std::uint32_t beyond = tri_.sector_of[3 * n + tri_.corner(n, stand_.vertex)];
-  if (here) stand_.sectors[1] = beyond;
-  else stand_.sectors[0] = beyond;
+  if (here)
+    stand_.sectors[1] = beyond;
+  else
+    stand_.sectors[0] = beyond;
   return end;
 }
 

@@ -35,9 +35,9 @@ class RayWalk {
   const Stand& stand() const { return stand_; }
 
  private:
-  int side(Point x) const;           ///< of the ray: +1 left
+  int side(Point x) const;                ///< of the ray: +1 left
   bool ahead(Point from, Point x) const;  ///< x on the line, beyond `from`
-  bool ends_by(Point x) const;       ///< q is not beyond x; both on the line
+  bool ends_by(Point x) const;            ///< q is not beyond x; both on the line
   Point corner(std::uint32_t t, int i) const { return tri_.points[tri_.triangles[t][i]]; }
 
   End in_triangle(std::uint32_t t);

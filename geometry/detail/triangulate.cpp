@@ -5,8 +5,8 @@
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <CGAL/property_map.h>
 #include <CGAL/hilbert_sort.h>
+#include <CGAL/property_map.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,8 @@ struct LatticeTraits : Epick {
       const auto sx = integer(s.x()), sy = integer(s.y());
       const auto px = integer(p.x()) - sx, py = integer(p.y()) - sy, qx = integer(q.x()) - sx, qy = integer(q.y()) - sy,
                  rx = integer(r.x()) - sx, ry = integer(r.y()) - sy;
-      const auto largest = std::max({std::abs(px), std::abs(py), std::abs(qx), std::abs(qy), std::abs(rx), std::abs(ry)});
+      const auto largest =
+          std::max({std::abs(px), std::abs(py), std::abs(qx), std::abs(qy), std::abs(rx), std::abs(ry)});
       return largest < (1 << 14) ? side<std::int64_t>(px, py, qx, qy, rx, ry) : side<Int128>(px, py, qx, qy, rx, ry);
     }
 
@@ -66,7 +67,9 @@ std::vector<Point> ends_of(std::span<const Edge> edges) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   std::vector<std::pair<Epick::Point_2, std::size_t>> order(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) order[i] = {{points[i].x, points[i].y}, i};
-  using Traits = CGAL::Spatial_sort_traits_adapter_2<Epick, CGAL::First_of_pair_property_map<std::pair<Epick::Point_2, std::size_t>>>;
+  using Traits =
+      CGAL::Spatial_sort_traits_adapter_2<Epick,
+                                          CGAL::First_of_pair_property_map<std::pair<Epick::Point_2, std::size_t>>>;
   CGAL::hilbert_sort(order.begin(), order.end(), Traits());
   std::vector<Point> sorted(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) sorted[i] = points[order[i].second];
@@ -91,7 +94,8 @@ std::vector<Ends> index_pairs(std::span<const Edge> edges, std::span<const Point
 template <class Traits>
 void triangulate_with(Triangulation& out, std::span<const Ends> pairs, double scale) {
   using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Traits>;
-  using Face = CGAL::Triangulation_face_base_with_info_2<std::uint32_t, Traits, CGAL::Constrained_triangulation_face_base_2<Traits>>;
+  using Face = CGAL::Triangulation_face_base_with_info_2<std::uint32_t, Traits,
+                                                         CGAL::Constrained_triangulation_face_base_2<Traits>>;
   using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Traits, CGAL::Triangulation_data_structure_2<Vertex, Face>,
                                                          CGAL::No_constraint_intersection_tag>;
   Cdt cdt;
@@ -135,7 +139,8 @@ std::vector<std::uint32_t> edges_along_sides(const Triangulation& tri, std::span
   for (std::uint32_t t = 0; t < tri.triangles.size(); ++t)
     for (int i = 0; i < 3; ++i) {
       if (!tri.is_constrained(t, i)) continue;
-      const auto [low, high] = std::minmax(tri.triangles[t][Triangulation::ccw(i)], tri.triangles[t][Triangulation::cw(i)]);
+      const auto [low, high] =
+          std::minmax(tri.triangles[t][Triangulation::ccw(i)], tri.triangles[t][Triangulation::cw(i)]);
       for (auto row = first[low]; row != first[low + 1]; ++row)
         if (rows[row].first == high) edge_of[3 * t + i] = rows[row].second;
     }
@@ -145,7 +150,7 @@ std::vector<std::uint32_t> edges_along_sides(const Triangulation& tri, std::span
 }  // namespace
 
 std::optional<int> lattice_scale(std::span<const Point> points) {
-  int lowest = 0;       // the exponent of the lowest bit in use, at most 0
+  int lowest = 0;  // the exponent of the lowest bit in use, at most 0
   double largest = 0;
   for (const Point& p : points)
     for (const double c : {p.x, p.y}) {

@@ -44,7 +44,6 @@ class CellWalls {
 /// error too. Start and goal are left as GridMaze sets them.
 GridMaze agreed(const CellWalls& cells, bool closed, const std::string& source);
 
-
 /// How many sides of the border are open.
 int count_openings(const GridMaze& maze);
 

@@ -26,13 +26,16 @@ std::vector<Point> meeting_points(const Segment& side, const Constraint& c) {
   // One of the doubles next to it lies in the free space; the other is dropped as no place to be.
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const double towards : {-kInfinity, kInfinity})
-    points.push_back(vertical(side) ? Point{p.x, std::nextafter(p.y, towards)} : Point{std::nextafter(p.x, towards), p.y});
+    points.push_back(vertical(side) ? Point{p.x, std::nextafter(p.y, towards)}
+                                    : Point{std::nextafter(p.x, towards), p.y});
   return points;
 }
 
 }  // namespace
 
-Point middle(const Box& box) { return {box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2}; }
+Point middle(const Box& box) {
+  return {box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
+}
 
 std::optional<Point> RoomSide::foot(Point p) const {
   const Point q = vertical(side) ? Point{side.a.x, p.y} : Point{p.x, side.a.y};
@@ -57,8 +60,8 @@ std::vector<RoomEntry> room_entries(const FreeSpace& space, const std::vector<Bo
   for (const RoomSide& side : room_sides(room)) {
     std::vector<Point> points{side.side.a, side.side.b};
     for (const Constraint& c : space.constraints()) {
-      if (std::max(c.a.x, c.b.x) < side.side.a.x || std::min(c.a.x, c.b.x) > side.side.b.x || std::max(c.a.y, c.b.y) < side.side.a.y ||
-          std::min(c.a.y, c.b.y) > side.side.b.y)
+      if (std::max(c.a.x, c.b.x) < side.side.a.x || std::min(c.a.x, c.b.x) > side.side.b.x ||
+          std::max(c.a.y, c.b.y) < side.side.a.y || std::min(c.a.y, c.b.y) > side.side.b.y)
         continue;
       const std::vector<Point> met = meeting_points(side.side, c);
       points.insert(points.end(), met.begin(), met.end());

@@ -22,15 +22,21 @@ std::vector<detail::Edge> outline(std::vector<Ring> rings) {
   return detail::outline_of_union(pieces, kWhole).edges;
 }
 
-TEST(OutlineOfUnion, HasNoSeamBetweenAdjacentBlocks) { EXPECT_EQ(outline({box(0, 0, 1, 1), box(1, 0, 2, 1)}).size(), 4u); }
+TEST(OutlineOfUnion, HasNoSeamBetweenAdjacentBlocks) {
+  EXPECT_EQ(outline({box(0, 0, 1, 1), box(1, 0, 2, 1)}).size(), 4u);
+}
 
-TEST(OutlineOfUnion, CountsASharedSideOnce) { EXPECT_EQ(outline({box(0, 0, 2, 1), box(0, 0, 1, 1), box(0, 0, 2, 1)}).size(), 4u); }
+TEST(OutlineOfUnion, CountsASharedSideOnce) {
+  EXPECT_EQ(outline({box(0, 0, 2, 1), box(0, 0, 1, 1), box(0, 0, 2, 1)}).size(), 4u);
+}
 
 TEST(OutlineOfUnion, KeepsTheHoleOfAFrame) {
   EXPECT_EQ(outline({box(0, 0, 3, 1), box(0, 2, 3, 3), box(0, 0, 1, 3), box(2, 0, 3, 3)}).size(), 8u);
 }
 
-TEST(OutlineOfUnion, KeepsBothBlocksThatTouchInAPoint) { EXPECT_EQ(outline({box(0, 0, 1, 1), box(1, 1, 2, 2)}).size(), 8u); }
+TEST(OutlineOfUnion, KeepsBothBlocksThatTouchInAPoint) {
+  EXPECT_EQ(outline({box(0, 0, 1, 1), box(1, 1, 2, 2)}).size(), 8u);
+}
 
 TEST(OutlineOfUnion, RoundsCrossingsToTheFreeSide) {
   const std::vector<Ring> rings = {{{0, 0}, {3, 1}, {0, 1}}, {{1, -1}, {2, 2}, {0.7, 2}}};
@@ -50,7 +56,8 @@ MessyWorld messy_world(std::uint64_t seed) {
   const auto unit = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
   const bool lattice = below(2) == 0;
   const auto point = [&] {
-    const double x = lattice ? static_cast<double>(below(11)) : unit() * 10, y = lattice ? static_cast<double>(below(11)) : unit() * 10;
+    const double x = lattice ? static_cast<double>(below(11)) : unit() * 10,
+                 y = lattice ? static_cast<double>(below(11)) : unit() * 10;
     return Point{x, y};
   };
   MessyWorld world;
@@ -92,7 +99,8 @@ TEST(Obstacles, CoverATiltedWallWhollyAndLittleMore) {
   const World world(parts);
   const auto obstacles = detail::obstacles_of(world, Footprint::point());
   const Ring& ring = obstacles.pieces[0].ring;
-  for (const Point corner : {Point{-0.6 + 0.8, -0.8 - 0.6}, Point{-0.6 - 0.8, -0.8 + 0.6}, Point{3.6 + 0.8, 4.8 - 0.6}, Point{3.6 - 0.8, 4.8 + 0.6}})
+  for (const Point corner : {Point{-0.6 + 0.8, -0.8 - 0.6}, Point{-0.6 - 0.8, -0.8 + 0.6}, Point{3.6 + 0.8, 4.8 - 0.6},
+                             Point{3.6 - 0.8, 4.8 + 0.6}})
     EXPECT_GE(side_of_ring(corner, ring), 0) << corner.x << ' ' << corner.y;
   EXPECT_NEAR(ring_area(ring) / 2, 7 * 2, 1e-12);
   EXPECT_LE(obstacles.excess, 1e-12);

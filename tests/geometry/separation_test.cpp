@@ -15,12 +15,17 @@ using test::SmallWorld;
 /// Each piece starts where one before it ended.
 void expect_closed(const std::vector<Constraint>& chain) {
   ASSERT_FALSE(chain.empty());
-  const auto share_an_end = [](const Constraint& c, const Constraint& d) { return c.a == d.a || c.a == d.b || c.b == d.a || c.b == d.b; };
-  for (std::size_t i = 0; i < chain.size(); ++i) EXPECT_TRUE(share_an_end(chain[i], chain[(i + 1) % chain.size()])) << i;
+  const auto share_an_end = [](const Constraint& c, const Constraint& d) {
+    return c.a == d.a || c.a == d.b || c.b == d.a || c.b == d.b;
+  };
+  for (std::size_t i = 0; i < chain.size(); ++i)
+    EXPECT_TRUE(share_an_end(chain[i], chain[(i + 1) % chain.size()])) << i;
 }
 
 TEST(Separation, IsTheClosedChainAroundAPen) {
-  const FreeSpace space = SmallWorld{.walls = {{{3, 3}, {6, 3}}, {{6, 3}, {6, 6}}, {{6, 6}, {3, 6}}, {{3, 6}, {3, 3}}}, .solids = {}}.space();
+  const FreeSpace space = SmallWorld{
+      .walls = {{{3, 3}, {6, 3}}, {{6, 3}, {6, 6}}, {{6, 6}, {3, 6}}, {{3, 6}, {3, 3}}},
+      .solids = {}}.space();
   for (const auto& chain : {space.separation({1, 1}, {5, 5}), space.separation({5, 5}, {1, 1})}) {
     expect_closed(chain);
     EXPECT_EQ(chain.size(), 4u);

@@ -87,7 +87,8 @@ TEST(ShortestPath, EndsWhereItEntersTheRoom) {
                    "o   o   o   o\n"
                    "|           |\n"
                    "o---o---o---o\n"),
-            "1.707107") << "around the wall's end, then straight to the room's nearest point";
+            "1.707107")
+      << "around the wall's end, then straight to the room's nearest point";
 }
 
 TEST(ShortestPath, DoesNotEnterARoomThroughItsWall) {
@@ -96,7 +97,8 @@ TEST(ShortestPath, DoesNotEnterARoomThroughItsWall) {
                    "o   o   o\n"
                    "|       |\n"
                    "o---o---o\n"),
-            "0.707107") << "to the wall's end, where the room's open side begins";
+            "0.707107")
+      << "to the wall's end, where the room's open side begins";
   EXPECT_EQ(solved("o---o---o\n"
                    "| S | G |\n"
                    "o   o---o\n"
@@ -152,7 +154,8 @@ TEST(ShortestPath, IsFoundAndValidInEveryMouseMazeThatConnectsStartAndGoal) {
 }
 
 TEST(ShortestPathTree, GivesThePathsOfSingleQueries) {
-  const SmallWorld world{.walls = {{{5, 0}, {5, 6}}, {{2, 6}, {5, 6}}, {{7, 3}, {7, 10}}}, .solids = {box_ring(1, 1, 3, 3)}};
+  const SmallWorld world{.walls = {{{5, 0}, {5, 6}}, {{2, 6}, {5, 6}}, {{7, 3}, {7, 10}}},
+                         .solids = {box_ring(1, 1, 3, 3)}};
   const auto graph = std::make_shared<VisibilityGraph>(world.space());
   const ShortestPathTree tree(graph, {4, 1});
   for (const Point to : {Point{4, 5}, Point{8, 8}, Point{6, 1}, Point{1, 9}, Point{5, 3}}) {
@@ -238,7 +241,8 @@ RC_GTEST_PROP(ShortestPath, IsValidOptimalInTheFullGraphAndAbsentOnlyBetweenComp
   for (const Point p : {q.from, q.to}) RC_PRE(space.locate(p).kind != Location::Kind::outside);
   const Goal goal{q.to, {}};
   const GraphSearchResult reduced = shortest_path(VisibilityGraph(space), q.from, goal);
-  const GraphSearchResult full = shortest_path(VisibilityGraph(space, VisibilityKind::full), q.from, goal, GraphAlgorithm::dijkstra);
+  const GraphSearchResult full =
+      shortest_path(VisibilityGraph(space, VisibilityKind::full), q.from, goal, GraphAlgorithm::dijkstra);
   RC_ASSERT(reduced.status == full.status);
   RC_ASSERT(reduced.path.length == full.path.length);
   if (reduced.status == SearchStatus::found) {

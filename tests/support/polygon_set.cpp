@@ -32,7 +32,8 @@ double area(const Set& set) {
 
 }  // namespace
 
-UnionOpinion opinion_of_cgal(const std::vector<detail::ConvexPiece>& pieces, const Box& within, const std::vector<Polygon>& claimed) {
+UnionOpinion opinion_of_cgal(const std::vector<detail::ConvexPiece>& pieces, const Box& within,
+                             const std::vector<Polygon>& claimed) {
   std::vector<Ring2> rings;
   for (const auto& piece : pieces) rings.push_back(ring_of(piece.ring));
   Set solid;
