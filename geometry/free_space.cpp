@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include <taut/geometry/detail/exact.h>
 #include <taut/geometry/detail/free_space_impl.h>
 #include <taut/geometry/detail/noding.h>
 #include <taut/geometry/detail/obstacles.h>
@@ -19,7 +20,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 /// The outlines of the obstacles and the zero-thickness walls, split where they meet.
-detail::Noded noded_edges(const World& world, const Footprint& footprint) {
+detail::Noded noded_edges(const World& world, const Footprint& footprint) try {
   const detail::Obstacles obstacles = detail::obstacles_of(world, footprint);
   detail::Outline outline = detail::outline_of_union(obstacles.pieces, world.box());
   std::vector<detail::Edge> edges = std::move(outline.edges);
@@ -30,6 +31,8 @@ detail::Noded noded_edges(const World& world, const Footprint& footprint) {
   noded.crossings += outline.crossings;
   noded.displacement = std::max({noded.displacement, outline.displacement, obstacles.excess});
   return noded;
+} catch (const detail::TooFine& error) {
+  throw InputError(world.source(), 0, error.what());
 }
 
 /// What stops a path: the edges that border free triangles, and whether there were others.

@@ -68,7 +68,7 @@ struct FreeSpaceReport {
 ///     not connected there.
 ///  3. Zero-thickness walls of a point robot are constraints, split where they meet. A crossing that is no pair of doubles
 ///     is rounded to the nearest, so a wall may bend there by report().displacement.
-/// Throws InputError (from the gate before CGAL). O((n + k) log n) for n input edges with k contacts.
+/// Throws InputError when obstacles meet so sharply that no pair of doubles lies in the free wedge between them. O((n + k) log n) for n input edges with k contacts.
 class FreeSpace {
  public:
   explicit FreeSpace(World world, Footprint footprint = Footprint::point());

@@ -51,7 +51,7 @@ class View {
   void vertex(std::uint32_t t, int k) {
     const std::uint32_t sector = tri_.sector_of[3 * t + k];
     add(sector);
-    if (!reduced_) behind(sector);
+    if (!reduced_ && lets_pass(tri_.sectors[sector])) behind(sector);
   }
 
  private:
@@ -85,6 +85,12 @@ class View {
 
   /// Does the line from the origin have the obstacle at the sector's vertex on one side?
   bool tangent_at(const Tri::Sector& s) const { return side(s.vertex, s.right) * side(s.vertex, s.left) >= 0; }
+
+  /// Can a ray that arrives in this sector go straight on in it? Then it spans half a turn at least, and the line does not leave it.
+  bool lets_pass(const Tri::Sector& s) const {
+    const int right = side(s.vertex, s.right), left = side(s.vertex, s.left);
+    return s.reflex ? right * left >= 0 : right == 0 && left == 0;
+  }
 
   /// The vertices behind one that is seen, on the same ray.
   void behind(std::uint32_t sector) {

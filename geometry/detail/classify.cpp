@@ -1,8 +1,8 @@
 #include <taut/geometry/detail/triangulate.h>
 
 #include <limits>
+#include <stdexcept>
 
-#include <taut/geometry/errors.h>
 #include <taut/geometry/predicates.h>
 
 namespace taut::detail {
@@ -46,7 +46,7 @@ class Winding {
       winding_[t] = winding;
       open_.push_back(t);
     } else if (winding_[t] != winding) {
-      throw InputError({}, 0, "the outlines of the obstacles are not closed");
+      throw std::logic_error("the outlines of the obstacles are not closed");
     }
   }
 

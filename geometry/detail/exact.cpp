@@ -1,5 +1,7 @@
 #include <taut/geometry/detail/exact.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -7,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include <taut/geometry/errors.h>
 #include <taut/geometry/predicates.h>
 
 namespace taut::detail {
@@ -127,9 +128,8 @@ Point round_outward(const ExactPoint& exact, std::span<const Segment> edges) {
     const Point p{centre.x + direction.x * reach, centre.y + direction.y * reach};
     if (on_free_side(p, edges)) return p;
   }
-  throw InputError({}, 0,
-                   "two obstacles meet at (" + std::to_string(centre.x) + ", " + std::to_string(centre.y) +
-                       ") at an angle too sharp for double coordinates");
+  throw TooFine(
+      fmt::format("two obstacles meet at ({}, {}) at an angle too sharp for double coordinates", centre.x, centre.y));
 }
 
 }  // namespace taut::detail

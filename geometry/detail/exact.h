@@ -4,10 +4,17 @@
 #include <gmpxx.h>
 
 #include <span>
+#include <stdexcept>
 
 #include <taut/geometry/point.h>
 
 namespace taut::detail {
+
+/// The input is sound, but too fine for double coordinates: what is built from it can't be rounded. One readable line.
+class TooFine : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// A point with rational coordinates.
 struct ExactPoint {
@@ -35,7 +42,7 @@ double displacement(const ExactPoint& exact, Point rounded);
 
 /// A point with double coordinates near `exact`, not to the left of any of `edges` (directed, solid on the left; `exact` lies on
 /// all of them): what is solid stays so. The nearest of the 25 pairs of doubles around it that does; failing that, the first found going
-/// out along the middle of the free wedge. Precondition: the edges leave a free wedge at `exact`. Throws InputError when no
+/// out along the middle of the free wedge. Precondition: the edges leave a free wedge at `exact`. Throws TooFine when no
 /// double lies in it within a thousandth of the shortest edge.
 Point round_outward(const ExactPoint& exact, std::span<const Segment> edges);
 

@@ -8,7 +8,6 @@
 
 #include <taut/geometry/detail/box_index.h>
 #include <taut/geometry/detail/exact.h>
-#include <taut/geometry/errors.h>
 #include <taut/geometry/predicates.h>
 
 namespace taut::detail {
@@ -194,7 +193,7 @@ Noded node(std::vector<Edge> edges) {
       return result;
     }
   }
-  throw InputError({}, 0, "walls meet at angles too sharp for double coordinates");
+  throw TooFine("walls meet at angles too sharp for double coordinates");
 }
 
 }  // namespace taut::detail

@@ -30,7 +30,7 @@ struct Noded {
 /// A crossing is constructed exactly, then rounded: to the nearest doubles between walls, else to the side of lower winding numbers.
 /// Rounding can make edges meet anew; the splitting is repeated until nothing meets. Closed chains stay closed, so winding
 /// numbers stay defined. Walls on one axis-parallel line are merged first into maximal runs. O((n + k) log n), n edges
-/// with k contacts. Throws InputError when 32 rounds are not enough.
+/// with k contacts. Throws TooFine when 32 rounds are not enough.
 Noded node(std::vector<Edge> edges);
 
 }  // namespace taut::detail

@@ -22,7 +22,7 @@ struct Mesh {
 Mesh triangulate(std::span<const Edge> edges);
 
 /// Tells free from solid: outside the hull the winding number is 1, it changes by an edge's turn across it, and a triangle is free where it
-/// is 0. Finds the sectors. Throws InputError when the edges' turns do not form closed chains (which noding excludes).
+/// is 0. Finds the sectors. Precondition: the edges' turns form closed chains (std::logic_error otherwise).
 void classify(Mesh& mesh, std::span<const Edge> edges);
 
 /// The scale that makes all coordinates integers below 2^29 in magnitude when multiplied by 2^scale; nothing when there is none.

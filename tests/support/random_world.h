@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
 #include <rapidcheck.h>
 
 #include "support/small_world.h"
@@ -52,21 +53,19 @@ inline SmallWorld any_world(const RandomWorld& kind = {}) {
   return world;
 }
 
-inline std::string show(Point p) { return "{" + std::to_string(p.x) + ", " + std::to_string(p.y) + "}"; }
+inline std::string show(Point p) { return fmt::format("{{{}, {}}}", p.x, p.y); }
 
 /// As it can be pasted into a test.
 inline std::string show(const SmallWorld& world) {
-  std::string text = "SmallWorld{.walls = {";
-  for (const Segment& s : world.walls) text += "{" + show(s.a) + ", " + show(s.b) + "}, ";
-  text += "}, .solids = {";
+  std::string walls, solids;
+  for (const Segment& s : world.walls) walls += fmt::format("{{{}, {}}}, ", show(s.a), show(s.b));
   for (const Ring& ring : world.solids) {
-    text += "{";
-    for (const Point p : ring) text += show(p) + ", ";
-    text += "}, ";
+    std::string corners;
+    for (const Point p : ring) corners.append(show(p)).append(", ");
+    solids += fmt::format("{{{}}}, ", corners);
   }
-  text += "}, .area = box_ring(0, 0, " + std::to_string(int(world.area[2].x)) + ", " +
-          std::to_string(int(world.area[2].y)) + ")";
-  return text + ", .thickness = " + std::to_string(world.thickness) + "}";
+  return fmt::format("SmallWorld{{.walls = {{{}}}, .solids = {{{}}}, .area = box_ring(0, 0, {}, {}), .thickness = {}}}",
+                     walls, solids, world.area[2].x, world.area[2].y, world.thickness);
 }
 
 }  // namespace taut::test
