@@ -4,6 +4,7 @@
 
 #include <taut/geometry/detail/exact.h>
 #include <taut/geometry/detail/expansion.h>
+#include <taut/geometry/detail/expects.h>
 #include <taut/geometry/detail/free_space_impl.h>
 #include <taut/geometry/detail/segment_distance.h>
 #include <taut/geometry/predicates.h>
@@ -159,12 +160,14 @@ class Outline {
 
 Clearance FreeSpace::clearance(Point p) const {
   const Location at = locate(p);
+  TAUT_EXPECTS(at.kind != Location::Kind::outside);
   return NearestConstraint(*this, impl_->piece_of, p).search(at);
 }
 
 VisibilityPolygon FreeSpace::visibility_polygon(Point p) const {
   const Tri& tri = impl_->tri;
   const Location at = locate(p);
+  TAUT_EXPECTS(at.kind != Location::Kind::outside);
   Outline outline(tri, p);
   if (at.kind == Location::Kind::triangle) {
     outline.whole(at.triangle);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include <taut/geometry/detail/expects.h>
 #include <taut/geometry/detail/free_space_impl.h>
 #include <taut/geometry/predicates.h>
 
@@ -88,6 +89,7 @@ const Loop* separating(const std::vector<Loop>& loops, Point p) {
 
 std::vector<Constraint> FreeSpace::separation(Point p, Point q) const {
   const Location at_p = locate(p), at_q = locate(q);
+  TAUT_EXPECTS(at_p.kind != Location::Kind::outside && at_q.kind != Location::Kind::outside);
   const std::uint32_t cp = component(at_p.triangle), cq = component(at_q.triangle);
   std::vector<Constraint> result;
   if (cp == cq) return result;

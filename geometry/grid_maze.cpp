@@ -1,5 +1,7 @@
 #include <taut/geometry/grid_maze.h>
 
+#include <taut/geometry/detail/expects.h>
+
 namespace taut {
 
 GridMaze::GridMaze(int width, int height, bool walled)
@@ -7,6 +9,7 @@ GridMaze::GridMaze(int width, int height, bool walled)
       height_(height),
       horizontal_(static_cast<std::size_t>(width) * (height + 1), walled),
       vertical_(static_cast<std::size_t>(width + 1) * height, walled) {
+  TAUT_EXPECTS(1 <= width && width <= 20000 && 1 <= height && height <= 20000);
   for (int x = 0; x < width; ++x) {
     set_wall({x, 0}, Side::south, true);
     set_wall({x, height - 1}, Side::north, true);
@@ -28,6 +31,7 @@ Cell GridMaze::neighbour(Cell c, Side side) {
 }
 
 const std::uint8_t& GridMaze::slot(Cell c, Side side) const {
+  TAUT_EXPECTS(contains(c));
   const auto x = static_cast<std::size_t>(c.x), y = static_cast<std::size_t>(c.y);
   const auto w = static_cast<std::size_t>(width_);
   switch (side) {

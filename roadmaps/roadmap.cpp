@@ -1,7 +1,8 @@
 #include <taut/roadmaps/roadmap.h>
 
 #include <algorithm>
-#include <cassert>
+
+#include <taut/geometry/detail/expects.h>
 
 namespace taut {
 
@@ -27,7 +28,7 @@ Roadmap::Roadmap(std::vector<Point> points, std::span<const std::pair<Vertex, Ve
     : points_(std::move(points)), offsets_(points_.size() + 1, 0) {
   // Counts become row starts; filling moves each start to its row's end, which is where the next row starts.
   for (const auto& [u, v] : edges) {
-    assert(u < points_.size() && v < points_.size());
+    TAUT_EXPECTS(u < points_.size() && v < points_.size());
     if (u == v) continue;
     ++offsets_[u];
     ++offsets_[v];
@@ -47,8 +48,8 @@ Roadmap::Roadmap(std::vector<Point> points, std::span<const std::pair<Vertex, Ve
 
 Roadmap::Roadmap(std::vector<Point> points, std::vector<std::uint64_t> offsets, std::vector<Vertex> targets)
     : points_(std::move(points)), offsets_(std::move(offsets)), targets_(std::move(targets)) {
-  assert(offsets_.size() == points_.size() + 1);
-  assert(offsets_.front() == 0 && offsets_.back() == targets_.size());
+  TAUT_EXPECTS(offsets_.size() == points_.size() + 1);
+  TAUT_EXPECTS(offsets_.front() == 0 && offsets_.back() == targets_.size());
 }
 
 bool Roadmap::adjacent(Vertex u, Vertex v) const {

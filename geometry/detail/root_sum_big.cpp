@@ -4,7 +4,7 @@
 #include <gmpxx.h>
 #include <mpfr.h>
 
-#include <cassert>
+#include <taut/geometry/detail/expects.h>
 
 namespace taut::detail {
 
@@ -173,7 +173,7 @@ double nearest_by_big_numbers(std::span<const RootTerm> terms) {
 }
 
 std::string decimals_by_big_numbers(std::span<const RootTerm> terms, int places) {
-  assert(places >= 0);
+  TAUT_EXPECTS(places >= 0);
   const mpz_class scale = power_of_ten(places);
   const auto decide = [&](const Enclosure& sum) -> std::optional<mpz_class> {
     const mpz_class lo = scaled_and_rounded(sum.lo, scale, MPFR_RNDD),

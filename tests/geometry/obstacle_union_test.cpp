@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include <taut/geometry/detail/obstacle_union.h>
 #include <taut/geometry/detail/obstacles.h>
 #include <taut/geometry/free_space.h>
 #include <taut/geometry/predicates.h>
+#include "support/messy_world.h"
 #include "support/polygon_set.h"
 
 namespace taut {
@@ -44,43 +44,9 @@ TEST(OutlineOfUnion, RoundsCrossingsToTheFreeSide) {
     for (const Ring& ring : rings) EXPECT_LE(side_of_ring(e.a, ring), 0) << e.a.x << ' ' << e.a.y;
 }
 
-/// Messy worlds: walls of all angles and thicknesses, discs and squares as robots, on and off lattices.
-struct MessyWorld {
-  WorldParts parts;
-  Footprint footprint;
-};
-
-MessyWorld messy_world(std::uint64_t seed) {
-  std::mt19937_64 engine(seed);
-  const auto below = [&](std::uint64_t n) { return engine() % n; };
-  const auto unit = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
-  const bool lattice = below(2) == 0;
-  const auto point = [&] {
-    const double x = lattice ? static_cast<double>(below(11)) : unit() * 10,
-                 y = lattice ? static_cast<double>(below(11)) : unit() * 10;
-    return Point{x, y};
-  };
-  MessyWorld world;
-  world.parts.areas.push_back({Polygon{box(0, 0, 10, 10), {}}, 0});
-  for (std::uint64_t n = below(10); n > 0; --n) {
-    const Point a = point(), b = below(8) == 0 ? a : point();
-    const double thickness = lattice ? 0.25 : unit() / 2;
-    world.parts.walls.push_back({a, b, thickness, 0});
-  }
-  for (std::uint64_t n = below(3); n > 0; --n) {
-    const Point a = point();
-    const double s = 0.5 + unit();
-    world.parts.solids.push_back({Polygon{{a, {a.x + s, a.y}, {a.x + s / 2, a.y + s / 2}, {a.x, a.y + s}}, {}}, 0});
-  }
-  const std::uint64_t robot = below(3);
-  if (robot == 1) world.footprint = Footprint::disc(0.25);
-  if (robot == 2) world.footprint = Footprint::square(0.1 + unit() / 4);
-  return world;
-}
-
 TEST(FreeSpacePolygons, NeverClaimWhatCgalCallsSolidAndMissAlmostNothing) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
-    const MessyWorld messy = messy_world(seed);
+    const test::MessyWorld messy = test::messy_world(seed);
     const World world(messy.parts);
     const FreeSpace space(world, messy.footprint);
     const auto opinion =

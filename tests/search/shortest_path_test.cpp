@@ -1,6 +1,7 @@
 #include <taut/search/shortest_path.h>
 
 #include <functional>
+#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <taut/io/read_world.h>
 #include <taut/search/verify.h>
 
+#include "support/messy_world.h"
 #include "support/paths.h"
 #include "support/random_world.h"
 
@@ -164,6 +166,37 @@ TEST(ShortestPathTree, GivesThePathsOfSingleQueries) {
     ASSERT_TRUE(path);
     EXPECT_EQ(path->length, single.path.length) << to.x << ' ' << to.y;
   }
+}
+
+TEST(ShortestPath, HoldsInMessyWorldsOffAllLattices) {
+  std::size_t found = 0, none = 0;
+  for (std::uint64_t seed = 0; seed < 150; ++seed) {
+    const test::MessyWorld messy = test::messy_world(seed);
+    const FreeSpace space(World(messy.parts), messy.footprint);
+    const VisibilityGraph graph(space);
+    std::mt19937_64 engine(seed);
+    const auto place = [&] { return Point{double(engine() % 1000) / 100, double(engine() % 1000) / 100}; };
+    for (int k = 0; k < 4; ++k) {
+      const Point from = place(), to = place();
+      const Location at_from = space.locate(from), at_to = space.locate(to);
+      if (at_from.kind == Location::Kind::outside || at_to.kind == Location::Kind::outside) continue;
+      const GraphSearchResult there = shortest_path(graph, from, Goal{to, {}});
+      const GraphSearchResult back = shortest_path(graph, to, Goal{from, {}}, GraphAlgorithm::dijkstra);
+      ASSERT_EQ(there.status, back.status) << "seed " << seed;
+      ASSERT_EQ(there.path.length, back.path.length) << "seed " << seed;
+      if (there.status == SearchStatus::found) {
+        const Verdict verdict = verify(there.path, space, from, Goal{to, {}});
+        ASSERT_TRUE(verdict.valid) << "seed " << seed << ": " << verdict.reason;
+        ++found;
+      } else {
+        ASSERT_NE(space.component(at_from.triangle), space.component(at_to.triangle)) << "seed " << seed;
+        ASSERT_FALSE(space.separation(from, to).empty()) << "seed " << seed;
+        ++none;
+      }
+    }
+  }
+  EXPECT_GT(found, 200u);
+  EXPECT_GT(none, 20u);
 }
 
 /// A world, two places in it, and what becomes of both under a map of the plane.

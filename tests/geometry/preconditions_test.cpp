@@ -1,0 +1,28 @@
+#include <gtest/gtest.h>
+
+#include <taut/geometry/detail/expects.h>
+#include <taut/geometry/free_space.h>
+#include <taut/geometry/grid_maze.h>
+#include <taut/roadmaps/roadmap.h>
+
+#include "support/small_world.h"
+
+namespace taut {
+namespace {
+
+#ifdef TAUT_CHECKS
+TEST(Preconditions, AreCheckedInThisBuild) {
+  const FreeSpace space = test::SmallWorld{}.space();
+  EXPECT_THROW(space.clearance({-1, -1}), detail::PreconditionError);
+  EXPECT_THROW(space.visibility_polygon({-1, -1}), detail::PreconditionError);
+  EXPECT_THROW(space.separation({-1, -1}, {5, 5}), detail::PreconditionError);
+  EXPECT_THROW(GridMaze(2, 2, true).wall({2, 0}, Side::north), detail::PreconditionError);
+  const std::vector<std::pair<Roadmap::Vertex, Roadmap::Vertex>> beyond{{0, 7}};
+  EXPECT_THROW(Roadmap({Point{0, 0}}, beyond), detail::PreconditionError);
+}
+#else
+TEST(Preconditions, AreCheckedInThisBuild) { GTEST_SKIP() << "TAUT_CHECKS is off: presets dev, asan and tsan have it"; }
+#endif
+
+}  // namespace
+}  // namespace taut
