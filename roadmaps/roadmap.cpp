@@ -53,6 +53,7 @@ Roadmap::Roadmap(std::vector<Point> points, std::vector<std::uint64_t> offsets, 
 }
 
 bool Roadmap::adjacent(Vertex u, Vertex v) const {
+  TAUT_EXPECTS(u < vertex_count() && v < vertex_count());
   if (neighbours(v).size() < neighbours(u).size()) std::swap(u, v);
   const auto row = neighbours(u);
   return std::binary_search(row.begin(), row.end(), v);
