@@ -8,6 +8,7 @@
 
 #include <taut/geometry/detail/box_index.h>
 #include <taut/geometry/detail/exact.h>
+#include <taut/geometry/detail/quick_crossing.h>
 #include <taut/geometry/predicates.h>
 
 namespace taut::detail {
@@ -157,10 +158,17 @@ class Splitting {
     ++log_.crossings;
     if (s.a.x == s.b.x && t.a.y == t.b.y) return {s.a.x, t.a.y};
     if (t.a.x == t.b.x && s.a.y == s.b.y) return {t.a.x, s.a.y};
+    if (s.turn == 0 && t.turn == 0)
+      if (const auto quick = quick_crossing(segment(s), segment(t)))
+        return rounded_to(quick->point, quick->displacement);
     const ExactPoint exact = line_crossing(segment(s), segment(t));
     const Point p = round(exact, s, t);
-    rounded_ |= !(ExactPoint(p) == exact);
-    log_.displacement = std::max(log_.displacement, detail::displacement(exact, p));
+    return ExactPoint(p) == exact ? p : rounded_to(p, detail::displacement(exact, p));
+  }
+
+  Point rounded_to(Point p, double displacement) {
+    rounded_ = true;
+    log_.displacement = std::max(log_.displacement, displacement);
     return p;
   }
 

@@ -1,0 +1,70 @@
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/detail/quick_crossing.h>
+#include <taut/geometry/predicates.h>
+
+namespace taut {
+namespace {
+
+TEST(LineCrossing, IsExact) {
+  const detail::ExactPoint p = detail::line_crossing({{0, 0}, {3, 1}}, {{0, 1}, {3, 0}});
+  EXPECT_EQ(p, detail::ExactPoint(mpq_class(3, 2), mpq_class(1, 2)));
+  const detail::ExactPoint third = detail::line_crossing({{0, 0}, {1, 1}}, {{0, 1}, {2, -3}});
+  EXPECT_EQ(third, detail::ExactPoint(mpq_class(1, 3), mpq_class(1, 3)));
+}
+
+TEST(LineCrossing, HoldsFromTheSmallestToTheLargestNumbers) {
+  for (const double unit : {0x1p-1000, 0x1p-300, 1.0, 0x1p240}) {
+    const detail::ExactPoint p = detail::line_crossing({{0, 0}, {unit, unit}}, {{0, unit}, {2 * unit, -3 * unit}});
+    EXPECT_EQ(p.x * 3, mpq_class(unit));
+  }
+}
+
+TEST(QuickCrossing, RoundsAsRationalsDoOrSaysNothing) {
+  std::mt19937_64 engine(1);
+  const auto unit = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  std::size_t answers = 0, crossings = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const double scale = std::ldexp(1.0, static_cast<int>(engine() % 200) - 100), offset = k % 3 == 0 ? 1e6 * scale : 0;
+    const double flatness = k % 4 == 0 ? 1e-9 : 1;  // nearly parallel
+    const bool lattice = k % 5 == 0;
+    const auto point = [&] {
+      const double x = lattice ? std::floor(unit() * 100) : unit(),
+                   y = lattice ? std::floor(unit() * 100) : unit() * flatness;
+      return Point{x * scale + offset, y * scale};
+    };
+    const Segment s{point(), point()}, t{point(), point()};
+    if (!cross_properly(s, t)) continue;
+    ++crossings;
+    const auto quick = detail::quick_crossing(s, t);
+    if (!quick) continue;
+    ++answers;
+    const detail::ExactPoint exact = detail::line_crossing(s, t);
+    ASSERT_EQ(quick->point, detail::nearest_point(exact));
+    ASSERT_GE(quick->displacement, detail::displacement(exact, quick->point) * (1 - 1e-15));
+    ASSERT_FALSE(exact == detail::ExactPoint(quick->point));
+  }
+  EXPECT_GT(crossings, 3000u);
+  EXPECT_GT(answers, crossings * 8 / 10);
+}
+
+TEST(RoundOutward, StaysOffTheSolidSideOfAllEdges) {
+  std::mt19937_64 engine(2);
+  const auto unit = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  for (int k = 0; k < 2000; ++k) {
+    const Segment s{{unit(), unit()}, {unit(), unit()}}, t{{unit(), unit()}, {unit(), unit()}};
+    if (!cross_properly(s, t)) continue;
+    const detail::ExactPoint exact = detail::line_crossing(s, t);
+    const Segment edges[] = {s, t};
+    const Point p = detail::round_outward(exact, edges);
+    EXPECT_LE(orientation(s.a, s.b, p), 0);
+    EXPECT_LE(orientation(t.a, t.b, p), 0);
+  }
+}
+
+}  // namespace
+}  // namespace taut
