@@ -1,0 +1,63 @@
+#include <taut/roadmaps/detail/prm_clear.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <taut/geometry/detail/expects.h>
+#include <taut/geometry/detail/segment_distance.h>
+
+namespace taut::detail {
+
+namespace {
+
+BoxIndex boxes_of(const std::vector<Constraint>& constraints) {
+  std::vector<Box> boxes;
+  boxes.reserve(constraints.size());
+  for (const Constraint& c : constraints) boxes.push_back(box_around(c.a, c.b));
+  return BoxIndex(std::move(boxes));
+}
+
+}  // namespace
+
+PrmClear::PrmClear(const FreeSpace& space, double clearance)
+    : space_(space),
+      clearance_(clearance),
+      from_{{0, 0}, {0, 0}},
+      to_{{clearance, 0}, {clearance, 0}},
+      index_(boxes_of(space.constraints())) {
+  TAUT_EXPECTS(clearance >= 0 && clearance <= World::kLargest);
+}
+
+/// Holds every point nearer to the box than `by`, however its sides are rounded.
+Box PrmClear::widened(const Box& box, double by) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  return {{std::nextafter(box.min.x - by, -kInfinity), std::nextafter(box.min.y - by, -kInfinity)},
+          {std::nextafter(box.max.x + by, kInfinity), std::nextafter(box.max.y + by, kInfinity)}};
+}
+
+bool PrmClear::point(Point p) const { return is_untouched(p) && keeps_distance({p, p}); }
+
+bool PrmClear::leg(Point p, Point q) const { return space_.sees(p, q) && keeps_distance({p, q}); }
+
+bool PrmClear::is_untouched(Point p) const {
+  const Location at = space_.locate(p);
+  if (at.kind == Location::Kind::triangle) return true;
+  if (at.kind != Location::Kind::vertex) return false;
+  const Triangulation& tri = space_.triangulation();
+  const auto sectors = tri.sectors_at(tri.triangles[at.triangle][at.index]);
+  return std::all_of(sectors.begin(), sectors.end(), [](const Triangulation::Sector& s) { return s.full; });
+}
+
+bool PrmClear::keeps_distance(const Segment& s) const {
+  if (clearance_ == 0) return true;
+  bool keeps = true;
+  near(box_around(s.a, s.b), clearance_, [&](std::uint32_t i) {
+    const Constraint& c = space_.constraints()[i];
+    keeps = keeps && compare_segment_distances(s, {c.a, c.b}, from_, to_) >= 0;
+  });
+  return keeps;
+}
+
+}  // namespace taut::detail

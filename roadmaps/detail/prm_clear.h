@@ -1,0 +1,35 @@
+// Is a point, or a leg, far enough from every obstacle? Private.
+#pragma once
+
+#include <taut/geometry/detail/box_index.h>
+#include <taut/geometry/free_space.h>
+
+namespace taut::detail {
+
+/// The exact tests behind PrmOptions, guarantee 1: distances are compared with the clearance as exact numbers.
+class PrmClear {
+ public:
+  PrmClear(const FreeSpace& space, double clearance);
+
+  const FreeSpace& space() const { return space_; }
+  bool point(Point p) const;
+  bool leg(Point p, Point q) const;
+
+  /// Calls visit(i) for a superset of the constraints that are nearer to the box than `by`.
+  template <class Visit>
+  void near(const Box& box, double by, Visit&& visit) const {
+    index_.meeting(widened(box, by), visit);
+  }
+
+ private:
+  static Box widened(const Box& box, double by);
+  bool is_untouched(Point p) const;
+  bool keeps_distance(const Segment& s) const;
+
+  FreeSpace space_;
+  double clearance_;
+  Segment from_, to_;  // two points, as segments, that are `clearance` apart
+  BoxIndex index_;
+};
+
+}  // namespace taut::detail

@@ -1,0 +1,193 @@
+#include <taut/search/prm_planner.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <taut/roadmaps/detail/prm_growth.h>
+#include <taut/search/detail/prm_lazy.h>
+#include <taut/search/detail/room_entries.h>
+#include <taut/search/query_ends.h>
+
+namespace taut {
+
+namespace {
+
+using Vertex = Roadmap::Vertex;
+
+constexpr std::size_t kNeighbours = 8, kFirstBatch = 128, kMostSamples = 1'000'000;
+
+std::vector<Point> goal_points(const FreeSpace& space, const Goal& goal) {
+  if (goal.point) return {*goal.point};
+  std::vector<Point> points;
+  for (const Box& box : goal.room) {
+    const Point middle = detail::middle(box);
+    if (space.locate(middle).kind != Location::Kind::outside) points.push_back(middle);
+  }
+  return points;
+}
+
+bool is_in_room(const FreeSpace& space, Point p, const Goal& goal) {
+  return !goal.point && std::any_of(goal.room.begin(), goal.room.end(), [&](const Box& box) {
+    return box.contains(p) && space.sees(p, detail::middle(box));
+  });
+}
+
+/// The components of the space that a point belongs to: of one on a wall both sides.
+std::vector<std::uint32_t> components_at(const FreeSpace& space, Point p) {
+  const Triangulation& tri = space.triangulation();
+  const Location at = space.locate(p);
+  std::vector<std::uint32_t> result{space.component(at.triangle)};
+  if (at.kind == Location::Kind::side) {
+    const std::uint32_t n = tri.neighbours[at.triangle][at.index];
+    if (n != kNone && tri.free[n]) result.push_back(space.component(n));
+  }
+  if (at.kind == Location::Kind::vertex)
+    for (const Triangulation::Sector& sector : tri.sectors_at(tri.triangles[at.triangle][at.index]))
+      result.push_back(space.component(sector.triangle));
+  return result;
+}
+
+bool is_proven_apart(const FreeSpace& space, Point from, const std::vector<Point>& goals) {
+  const std::vector<std::uint32_t> here = components_at(space, from);
+  return !goals.empty() && std::none_of(goals.begin(), goals.end(), [&](Point goal) {
+    const std::vector<std::uint32_t> there = components_at(space, goal);
+    return std::find_first_of(here.begin(), here.end(), there.begin(), there.end()) != here.end();
+  });
+}
+
+bool is_clear_leg(const detail::PrmClear& clear, Point p, Point q) {
+  const bool keeps_clearance = clear.point(p) && clear.point(q);
+  return keeps_clearance ? clear.leg(p, q) : clear.space().sees(p, q);
+}
+
+/// Both ends, joined to what `joined` says a point is joined to.
+GraphQuery query_of(const detail::PrmClear& clear, Point from, const std::vector<Point>& goals, const auto& joined) {
+  GraphQuery query{{from, joined(from)}, {}, {}};
+  for (const Point goal : goals) {
+    if (is_clear_leg(clear, from, goal)) query.direct.push_back(query.goals.size());
+    query.goals.push_back({goal, joined(goal)});
+  }
+  return query;
+}
+
+/// One run of prm_path.
+class PrmRun {
+ public:
+  PrmRun(const FreeSpace& space, Point from, std::vector<Point> goals, const PrmPlan& plan)
+      : plan_(plan), from_(from), goals_(std::move(goals)), growth_(space, plan.roadmap, plan.lazy) {}
+
+  PrmResult run() {
+    result_.search.status = SearchStatus::stopped;
+    for (bool is_first = true; !solve(); is_first = false)
+      if (goals_.empty() || (!is_first && !may_go_on()) || !grow()) break;
+    finish();
+    return std::move(result_);
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
+
+  bool may_go_on() const {
+    if (plan_.progress && !plan_.progress({growth_.counts(), seconds()})) return false;
+    return seconds() < plan_.seconds;
+  }
+
+  /// False when the samples are used up.
+  bool grow() {
+    const std::size_t most = plan_.roadmap.samples.value_or(kMostSamples);
+    const std::size_t whole = plan_.roadmap.sampler == PrmSampler::lattice ? growth_.default_count() : 0;
+    const std::size_t batch = drawn_ == 0 && whole > 0 ? whole : std::max(kFirstBatch, drawn_ / 4);
+    const std::size_t draws = std::min(batch, most - drawn_);
+    growth_.add(draws);
+    drawn_ += draws;
+    return draws > 0;
+  }
+
+  bool solve() {
+    query_ = query_of(growth_.clear(), from_, goals_, [&](Point p) { return growth_.visible_from(p, kNeighbours); });
+    if (query_.direct.empty() && !may_be_joined()) return false;
+    if (!plan_.lazy) {
+      result_.search = graph_search(growth_.roadmap(), query_, plan_.algorithm);
+    } else if (auto found = detail::PrmLazySearch(growth_, query_).search(plan_.algorithm)) {
+      result_.search = std::move(*found);
+    }
+    return result_.search.status == SearchStatus::found;
+  }
+
+  bool may_be_joined() {
+    for (const Vertex v : query_.start.vertices)
+      for (const Terminal& goal : query_.goals)
+        for (const Vertex w : goal.vertices)
+          if (growth_.parts().part(v) == growth_.parts().part(w)) return true;
+    return false;
+  }
+
+  void finish() {
+    result_.roadmap = growth_.roadmap();
+    result_.counts = growth_.counts();
+    result_.coverage = coverage();
+    result_.seconds = seconds();
+  }
+
+  double coverage() const {
+    const std::size_t count = result_.roadmap.vertex_count();
+    std::vector<Vertex> open = query_.start.vertices;
+    for (const Terminal& goal : query_.goals) open.insert(open.end(), goal.vertices.begin(), goal.vertices.end());
+    std::vector<bool> reached(count);
+    std::size_t covered = 0;
+    while (!open.empty()) {
+      const Vertex v = open.back();
+      open.pop_back();
+      if (reached[v]) continue;
+      reached[v] = true;
+      ++covered;
+      for (const Vertex w : result_.roadmap.neighbours(v)) open.push_back(w);
+    }
+    return count == 0 ? 0 : static_cast<double>(covered) / static_cast<double>(count);
+  }
+
+  const PrmPlan& plan_;
+  Point from_;
+  std::vector<Point> goals_;
+  Clock::time_point begin_ = Clock::now();
+  detail::PrmGrowth growth_;
+  GraphQuery query_;
+  std::size_t drawn_ = 0;
+  PrmResult result_;
+};
+
+void require_ends(const FreeSpace& space, Point from, const Goal& to) {
+  require_free(space, from, "start");
+  if (to.point) require_free(space, *to.point, "goal");
+}
+
+}  // namespace
+
+PrmResult prm_path(const FreeSpace& space, Point from, const Goal& to, const PrmPlan& plan) {
+  require_ends(space, from, to);
+  PrmResult result;
+  if (is_in_room(space, from, to)) {
+    result.search.status = SearchStatus::found;
+    result.search.path.points = {from};
+    return result;
+  }
+  std::vector<Point> goals = goal_points(space, to);
+  if (is_proven_apart(space, from, goals)) return result;
+  return PrmRun(space, from, std::move(goals), plan).run();
+}
+
+GraphQuery prm_query(const FreeSpace& space, const Roadmap& roadmap, Point from, const Goal& to, double clearance) {
+  require_ends(space, from, to);
+  detail::PrmNearest index;
+  index.add(roadmap.points());
+  const detail::PrmClear clear(space, clearance);
+  return query_of(clear, from, goal_points(space, to),
+                  [&](Point p) { return detail::nearest_visible(clear, index, roadmap.points(), p, kNeighbours); });
+}
+
+}  // namespace taut
