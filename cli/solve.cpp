@@ -11,12 +11,11 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
+#include <taut/cli/roadmap_kinds.h>
 #include <taut/cli/timing.h>
 #include <taut/io/result_json.h>
 #include <taut/io/svg.h>
-#include <taut/roadmaps/visibility_graph.h>
 #include <taut/search/query_ends.h>
-#include <taut/search/shortest_path.h>
 #include <taut/search/verify.h>
 
 namespace taut::cli {
@@ -40,6 +39,11 @@ struct SolveOptions {
   GraphAlgorithm algorithm = GraphAlgorithm::astar;
   bool no_verify = false;
   bool path = false;
+  const RoadmapKind* kind = nullptr;  // visibility, or what --load finds
+  std::string save;
+  std::string load;
+
+  bool stdout_taken() const { return output.stdout_taken() || save == "-"; }
 };
 
 void add_options(CLI::App& app, SolveOptions& options) {
@@ -55,9 +59,22 @@ void add_options(CLI::App& app, SolveOptions& options) {
          "astar (default) or dijkstra; the path is the same length")
       ->type_name("NAME")
       ->group("Query");
+  add_roadmap_kind(app, "--roadmap", options.kind, "Roadmap");
+  app.add_option("--save", options.save, "Keep the roadmap for --load; - is standard output")
+      ->type_name("FILE")
+      ->group("Roadmap");
+  app.add_option("--load", options.load, "Take the roadmap from here instead of building it; - is standard input")
+      ->type_name("FILE")
+      ->group("Roadmap");
   app.add_flag("--no-verify", options.no_verify, "Do not check the answer independently")->group("Query");
   app.add_flag("--path", options.path, "Print the points of the path, one `x y` a line")->group("Output");
   add_output_options(app, options.output);
+  app.callback([&options] {
+    if ((options.output.svg == "-") + (options.output.json == "-") + (options.save == "-") > 1)
+      throw CLI::ValidationError("only one of --svg, --json and --save can have standard output");
+    if (options.load == "-" && options.world.file == "-")
+      throw CLI::ValidationError("FILE and --load cannot both come from standard input");
+  });
 }
 
 class Solver {
@@ -67,6 +84,7 @@ class Solver {
   int run() {
     require_writable(options_.output.svg);
     require_writable(options_.output.json);
+    require_writable(options_.save);
     result_.version = TAUT_VERSION;
     result_.source = options_.world.file == "-" ? "<stdin>" : options_.world.file;
     result_.robot = options_.query.robot;
@@ -78,15 +96,17 @@ class Solver {
     result_.displacement = space.report().displacement;
     require_free(space, *result_.start, "start");
     if (result_.goal.point) require_free(space, *result_.goal.point, "goal");
-    const VisibilityGraph graph = timed("roadmap", result_.seconds.roadmap, [&] { return VisibilityGraph(space); });
-    search(graph);
-    if (result_.status == SearchStatus::none) result_.separation = separation(space);
+    planned_ = timed("roadmap", result_.seconds.roadmap, [&] { return build_or_load(space); });
+    result_.roadmap = kind_->name;
+    result_.optimal = kind_->optimal;
+    search();
+    if (result_.status == SearchStatus::none) prove_none(space);
     if (result_.status == SearchStatus::found && !options_.no_verify) verify_answer(space);
     result_.seconds.total = total_.seconds();
     begin_stage("write");
-    write(space, graph);
-    if (options_.output.stats) stats(space, graph, input);
-    return result_.status == SearchStatus::found ? kFound : kNone;
+    write(space);
+    if (options_.output.stats) stats(space, input);
+    return result_.status == SearchStatus::found ? kFound : result_.status == SearchStatus::none ? kNone : kStopped;
   }
 
  private:
@@ -118,13 +138,33 @@ class Solver {
     prepare_last_words();
   }
 
-  void search(const VisibilityGraph& graph) {
-    GraphSearchResult found = timed("search", result_.seconds.search, [&] {
-      return shortest_path(graph, *result_.start, result_.goal, options_.algorithm);
-    });
+  PlannedRoadmap build_or_load(const FreeSpace& space) {
+    if (options_.load.empty()) {
+      if (options_.kind) kind_ = options_.kind;
+      return kind_->build(space, {options_.common.seed, result_.start, result_.goal});
+    }
+    PlannedRoadmap loaded = load_roadmap(options_.load, space, kind_);
+    if (options_.kind && options_.kind != kind_)
+      throw InputError(options_.load, 0,
+                       fmt::format("is a saved roadmap of the kind '{}', not '{}'", kind_->name, options_.kind->name));
+    return loaded;
+  }
+
+  void search() {
+    GraphSearchResult found = timed("search", result_.seconds.search,
+                                    [&] { return planned_.search(*result_.start, result_.goal, options_.algorithm); });
     result_.status = found.status;
     result_.path = std::move(found.path);
     result_.expanded = found.expanded;
+  }
+
+  // A roadmap that is not all there is says nothing about the plane: there the walls have to.
+  void prove_none(const FreeSpace& space) {
+    result_.separation = separation(space);
+    if (kind_->optimal || !result_.separation.empty()) return;
+    result_.status = SearchStatus::stopped;
+    result_.stage = "search";
+    result_.reason = fmt::format("no path in the roadmap {}, which does not prove that there is none", kind_->name);
   }
 
   void verify_answer(const FreeSpace& space) {
@@ -149,21 +189,23 @@ class Solver {
     return {};
   }
 
-  void write(const FreeSpace& space, const VisibilityGraph& graph) {
-    const std::string picture = options_.output.svg.empty() ? "" : svg(space, picture_of(graph));
+  void write(const FreeSpace& space) {
+    const std::string picture = options_.output.svg.empty() ? "" : svg(space, picture_now());
     const std::string json = options_.output.json.empty() ? "" : result_json(result_);
+    const std::string saved = options_.save.empty() ? "" : saved_text(*kind_, planned_, space);
     finish();
+    write_file(options_.save, saved);
     write_file(options_.output.svg, picture);
     write_file(options_.output.json, json);
-    if (!options_.output.quiet && !options_.output.stdout_taken()) print(result_.source + ": " + line() + "\n");
+    if (!options_.output.quiet && !options_.stdout_taken()) print(result_.source + ": " + line() + "\n");
     if (options_.path) print(points());
   }
 
-  SvgPicture picture_of(const VisibilityGraph& graph) const {
+  SvgPicture picture_now() const {
     SvgPicture picture;
     picture.title = title_of(result_.source);
     picture.facts = facts();
-    if (graph.roadmap().edge_count() <= kEdgesInBackground) picture.roadmap = &graph.roadmap();
+    if (planned_.roadmap->edge_count() <= kEdgesInBackground) picture.roadmap = planned_.roadmap.get();
     if (result_.status == SearchStatus::found) picture.path = &result_.path;
     picture.separation = result_.separation;
     picture.start = result_.start;
@@ -173,13 +215,17 @@ class Solver {
 
   std::vector<std::string> facts() const {
     if (result_.status == SearchStatus::none) return {"no path", seconds_text(result_.seconds.total)};
+    if (result_.status == SearchStatus::stopped) return {result_.reason, seconds_text(result_.seconds.total)};
     const std::size_t points = result_.path.points.size();
-    return {"length " + length_text(result_.path.length), count_text(points > 2 ? points - 2 : 0, "corner"),
+    const std::string claim =
+        kind_->optimal ? "" : fmt::format(" (shortest in the roadmap {}; not proven optimal)", kind_->name);
+    return {"length " + length_text(result_.path.length) + claim, count_text(points > 2 ? points - 2 : 0, "corner"),
             seconds_text(result_.seconds.total)};
   }
 
   std::string line() const {
     if (result_.status == SearchStatus::found) return fmt::format("{}", fmt::join(facts(), ", "));
+    if (result_.status == SearchStatus::stopped) return result_.reason;
     if (result_.separation.empty()) return "no path";
     return fmt::format("no path: {} start and goal: {}",
                        result_.separation.size() == 1
@@ -194,7 +240,7 @@ class Solver {
     return out;
   }
 
-  void stats(const FreeSpace& space, const VisibilityGraph& graph, const Input& input) const {
+  void stats(const FreeSpace& space, const Input& input) const {
     const FreeSpaceReport& report = space.report();
     const StageSeconds& s = result_.seconds;
     const auto row = [](const char* stage, double seconds, const std::string& what) {
@@ -207,8 +253,9 @@ class Solver {
                     count_text(space.triangulation().triangles.size(), "triangle"), report.seconds_union,
                     report.seconds_triangulation, report.displacement));
     row("roadmap", s.roadmap,
-        count_text(graph.roadmap().vertex_count(), "vertex", "vertices") + ", " +
-            count_text(graph.roadmap().edge_count(), "edge"));
+        count_text(planned_.roadmap->vertex_count(), "vertex", "vertices") + ", " +
+            count_text(planned_.roadmap->edge_count(), "edge") + " (" +
+            (options_.load.empty() ? kind_->title : "loaded from " + options_.load) + ")");
     row("search", s.search,
         fmt::format("{} expanded ({})", result_.expanded,
                     options_.algorithm == GraphAlgorithm::astar ? "astar" : "dijkstra"));
@@ -218,6 +265,8 @@ class Solver {
   }
 
   const SolveOptions& options_;
+  const RoadmapKind* kind_ = roadmap_kind("visibility");
+  PlannedRoadmap planned_;
   PlanResult result_;
   Stopwatch total_;
 };

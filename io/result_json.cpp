@@ -38,6 +38,7 @@ void add_path(Json& json, const PlanResult& result) {
   json["length"] = length.value();
   json["length_text"] = length.decimals(15);
   json["length_interval"] = {length.interval().lo, length.interval().hi};
+  json["optimal"] = result.optimal;
   json["points"] = detail::json_of(result.path.points);
   json["corners"] = result.path.points.size() > 2 ? result.path.points.size() - 2 : 0;
   json["clearance"] = result.clearance && std::isfinite(*result.clearance) ? Json(*result.clearance) : Json(nullptr);
@@ -65,6 +66,7 @@ std::string result_json(const PlanResult& result) {
   json["start"] = result.start ? json_of(*result.start) : Json(nullptr);
   json["goal"] = goal_of(result.goal);
   json["robot"] = robot_of(result.robot);
+  json["roadmap"] = result.roadmap;
   json["wall_thickness"] = result.wall_thickness;
   json["displacement"] = result.displacement;
   json["expanded"] = result.expanded;

@@ -16,7 +16,7 @@ namespace taut {
 struct StageSeconds {
   double read = 0;     ///< reading the file and checking the world
   double space = 0;    ///< the free space: unions and triangulation
-  double roadmap = 0;  ///< the visibility graph
+  double roadmap = 0;  ///< the roadmap, built or loaded
   double search = 0;
   double verify = 0;
   double total = 0;
@@ -36,8 +36,10 @@ struct PlanResult {
   std::optional<Point> start;
   Goal goal;
   Footprint robot;
-  double wall_thickness = 0;  ///< the largest of the world
-  double displacement = 0;    ///< FreeSpaceReport
+  std::string roadmap = "visibility";  ///< its kind
+  bool optimal = true;                 ///< does this roadmap hold the shortest path in the plane?
+  double wall_thickness = 0;           ///< the largest of the world
+  double displacement = 0;             ///< FreeSpaceReport
   std::size_t expanded = 0;
   StageSeconds seconds;
 };
@@ -54,6 +56,7 @@ struct PlanResult {
 ///  length          number, within one ulp of the exact length
 ///  length_text     the exact length, correctly rounded to 15 decimals
 ///  length_interval [lo, hi], doubles that enclose the exact length
+///  optimal         true when this is the shortest path in the plane, false when only in the roadmap
 ///  points          [[x, y], ...] from start to goal
 ///  corners         number of points between start and goal
 ///  clearance       least distance of the path to an obstacle, 0 when it touches one; null when it was not verified or
@@ -68,6 +71,7 @@ struct PlanResult {
 ///  start           [x, y]; null when not known yet
 ///  goal            {"point": [x, y]}, {"room": [[xmin, ymin, xmax, ymax], ...]} or null
 ///  robot           {"kind": "point" | "disc" | "polygon", "radius": r (disc and square only)}
+///  roadmap         the kind of roadmap it was found in: "visibility", "cells", ...
 ///  wall_thickness  the largest thickness of a wall
 ///  displacement    how far rounding moved any constructed point at most
 ///  expanded        vertices the search took from its queue for good

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <taut/geometry/detail/expansion.h>
+#include <taut/geometry/detail/expects.h>
 #include <taut/geometry/detail/ray_walk.h>
 
 namespace taut {
@@ -198,22 +199,39 @@ Roadmap build(const Tri& tri, VisibilityKind kind, const std::vector<std::uint32
 
 VisibilityGraph::VisibilityGraph(FreeSpace space, VisibilityKind kind)
     : space_(std::move(space)), kind_(kind), bends_(bending_vertices(space_.triangulation())) {
+  number_sectors();
+  const Tri& tri = space_.triangulation();
+  roadmap_ = tri.lattice.empty() ? build<detail::DoubleCoordinates>(tri, kind, sectors_, vertex_of_sector_, bends_)
+                                 : build<detail::LatticeCoordinates>(tri, kind, sectors_, vertex_of_sector_, bends_);
+}
+
+VisibilityGraph::VisibilityGraph(FreeSpace space, VisibilityKind kind, Roadmap roadmap)
+    : space_(std::move(space)), kind_(kind), bends_(bending_vertices(space_.triangulation())) {
+  number_sectors();
+  const Tri& tri = space_.triangulation();
+  const auto lies_at = [&](std::uint32_t sector, Point p) { return tri.points[tri.sectors[sector].vertex] == p; };
+  if (!std::equal(sectors_.begin(), sectors_.end(), roadmap.points().begin(), roadmap.points().end(), lies_at))
+    throw InputError(space_.world().source(), 0, "the roadmap's vertices are not the corners of this world");
+  roadmap_ = std::move(roadmap);
+}
+
+void VisibilityGraph::number_sectors() {
   const Tri& tri = space_.triangulation();
   vertex_of_sector_.assign(tri.sectors.size(), kNone);
   for (std::uint32_t s = 0; s < tri.sectors.size(); ++s) {
-    if (tri.sectors[s].full || (kind == VisibilityKind::reduced && !tri.sectors[s].reflex)) continue;
+    if (tri.sectors[s].full || (kind_ == VisibilityKind::reduced && !tri.sectors[s].reflex)) continue;
     vertex_of_sector_[s] = static_cast<Vertex>(sectors_.size());
     sectors_.push_back(s);
   }
-  roadmap_ = tri.lattice.empty() ? build<detail::DoubleCoordinates>(tri, kind, sectors_, vertex_of_sector_, bends_)
-                                 : build<detail::LatticeCoordinates>(tri, kind, sectors_, vertex_of_sector_, bends_);
 }
 
 std::vector<Vertex> VisibilityGraph::visible_from(Point p, std::optional<Point> towards) const {
   const Tri& tri = space_.triangulation();
   View<detail::DoubleCoordinates> view(tri, kind_, vertex_of_sector_, bends_);
   std::vector<Vertex> row;
-  view.from_point(p, p, space_.locate(p), towards, row);
+  const Location at = space_.locate(p);
+  TAUT_EXPECTS(at.kind != Location::Kind::outside);
+  view.from_point(p, p, at, towards, row);
   return row;
 }
 

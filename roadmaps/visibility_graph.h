@@ -27,6 +27,9 @@ enum class VisibilityKind {
 class VisibilityGraph {
  public:
   explicit VisibilityGraph(FreeSpace space, VisibilityKind kind = VisibilityKind::reduced);
+  /// From the roadmap of another VisibilityGraph of the same world, footprint and kind, as a file keeps it. Its edges are taken
+  /// on trust. Throws InputError when its vertices are not this space's. O(n).
+  VisibilityGraph(FreeSpace space, VisibilityKind kind, Roadmap roadmap);
 
   const FreeSpace& space() const { return space_; }
   VisibilityKind kind() const { return kind_; }
@@ -44,6 +47,8 @@ class VisibilityGraph {
   std::vector<Roadmap::Vertex> visible_from(Point p, std::optional<Point> towards = std::nullopt) const;
 
  private:
+  void number_sectors();
+
   FreeSpace space_;
   VisibilityKind kind_;
   Roadmap roadmap_;

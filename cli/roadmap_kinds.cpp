@@ -1,0 +1,114 @@
+#include <taut/cli/roadmap_kinds.h>
+
+#include <CLI/Error.hpp>
+#include <CLI/Option.hpp>
+
+#include <utility>
+
+#include <taut/io/read_world.h>
+#include <taut/io/roadmap_file.h>
+#include <taut/roadmaps/cell_graph.h>
+#include <taut/roadmaps/visibility_graph.h>
+#include <taut/search/cell_search.h>
+#include <taut/search/shortest_path.h>
+
+namespace taut::cli {
+
+namespace {
+
+/// `search` is shortest_path, cell_search, ...: what asks this graph.
+template <typename Graph, typename Search>
+PlannedRoadmap planned(std::shared_ptr<const Graph> graph, Search search) {
+  return {std::shared_ptr<const Roadmap>(graph, &graph->roadmap()),
+          [graph, search](Point from, const Goal& to, GraphAlgorithm algorithm) {
+            return search(*graph, from, to, algorithm);
+          }};
+}
+
+GraphSearchResult search_visibility(const VisibilityGraph& graph, Point from, const Goal& to,
+                                    GraphAlgorithm algorithm) {
+  return shortest_path(graph, from, to, algorithm);
+}
+
+GraphSearchResult search_cells(const CellGraph& graph, Point from, const Goal& to, GraphAlgorithm algorithm) {
+  return cell_search(graph, from, to, algorithm);
+}
+
+RoadmapKind visibility(const char* name, const char* title, VisibilityKind kind) {
+  return {name,
+          title,
+          true,
+          false,
+          [kind](const FreeSpace& space, const BuildRequest&) {
+            return planned(std::make_shared<const VisibilityGraph>(space, kind), search_visibility);
+          },
+          [kind](const FreeSpace& space, Roadmap roadmap) {
+            return planned(std::make_shared<const VisibilityGraph>(space, kind, std::move(roadmap)), search_visibility);
+          }};
+}
+
+RoadmapKind cells(const char* name, const char* title, CellNeighbours neighbours) {
+  return {name,
+          title,
+          false,
+          false,
+          [neighbours](const FreeSpace& space, const BuildRequest&) {
+            return planned(std::make_shared<const CellGraph>(space, neighbours), search_cells);
+          },
+          [neighbours](const FreeSpace& space, Roadmap roadmap) {
+            return planned(std::make_shared<const CellGraph>(space, neighbours, std::move(roadmap)), search_cells);
+          }};
+}
+
+}  // namespace
+
+std::span<const RoadmapKind> roadmap_kinds() {
+  static const RoadmapKind kinds[] = {
+      visibility("visibility", "reduced visibility graph", VisibilityKind::reduced),
+      visibility("full", "full visibility graph", VisibilityKind::full),
+      cells("cells", "cells with 4 neighbours", CellNeighbours::four),
+      cells("cells8", "cells with 8 neighbours", CellNeighbours::eight),
+  };
+  return kinds;
+}
+
+std::string roadmap_kind_names() {
+  std::string names;
+  for (const RoadmapKind& kind : roadmap_kinds()) names.append(names.empty() ? "" : ", ").append(kind.name);
+  return names;
+}
+
+const RoadmapKind* roadmap_kind(const std::string& name) {
+  for (const RoadmapKind& kind : roadmap_kinds())
+    if (name == kind.name) return &kind;
+  return nullptr;
+}
+
+void add_roadmap_kind(CLI::App& app, const std::string& option, const RoadmapKind*& kind, const std::string& group) {
+  const auto take = [&kind, option](const std::string& text) {
+    const RoadmapKind* named = roadmap_kind(text);
+    if (!named) throw CLI::ValidationError(option + ": '" + text + "' is not one of " + roadmap_kind_names());
+    kind = named;
+  };
+  app.add_option_function<std::string>(option, take, roadmap_kind_names() + " (default: visibility)")
+      ->type_name("NAME")
+      ->group(group);
+}
+
+std::string saved_text(const RoadmapKind& kind, const PlannedRoadmap& planned, const FreeSpace& space) {
+  return roadmap_file({kind.name, planned.how, {}, *planned.roadmap}, space);
+}
+
+PlannedRoadmap load_roadmap(const std::string& file, const FreeSpace& space, const RoadmapKind*& kind) {
+  SavedRoadmap saved = read_roadmap_file(read_bytes(file), file, space);
+  kind = roadmap_kind(saved.kind);
+  if (!kind || !kind->restore)
+    throw InputError(file, 0,
+                     "is a saved roadmap of the kind '" + saved.kind + "', which cannot be loaded; known are " +
+                         roadmap_kind_names());
+  PlannedRoadmap planned = kind->restore(space, std::move(saved.roadmap));
+  planned.how = std::move(saved.how);
+  return planned;
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,62 @@
+// The roadmaps that --kind, --roadmap and `taut compare` know by name. A further one is one more row in roadmap_kinds.cpp.
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include <taut/geometry/free_space.h>
+#include <taut/roadmaps/roadmap.h>
+#include <taut/search/graph_search.h>
+
+namespace taut::cli {
+
+/// A finished roadmap, and how it answers: from a start to a goal.
+struct PlannedRoadmap {
+  std::shared_ptr<const Roadmap> roadmap;
+  std::function<GraphSearchResult(Point, const Goal&, GraphAlgorithm)> search;
+  std::string how{};  ///< the settings it was built with, for saved files
+};
+
+/// What a builder may want to know besides the space.
+struct BuildRequest {
+  std::uint64_t seed = 1;
+  std::optional<Point>
+      from{};  ///< the ends of the first query, for builders that grow until it is solved; may be absent
+  Goal to{};
+};
+
+struct RoadmapKind {
+  const char* name;   ///< on the command line and in files, one word
+  const char* title;  ///< `reduced visibility graph`
+  bool optimal;       ///< are its paths the shortest in the plane?
+  bool random;        ///< does another seed give another roadmap?
+  /// Throws InputError where the world does not suit it.
+  std::function<PlannedRoadmap(const FreeSpace&, const BuildRequest&)> build;
+  /// The same from its vertices and edges, read from a file; empty where these are not all there is to it.
+  std::function<PlannedRoadmap(const FreeSpace&, Roadmap)> restore{};
+};
+
+std::span<const RoadmapKind> roadmap_kinds();
+
+/// `visibility, cells, ...`
+std::string roadmap_kind_names();
+
+/// nullptr when there is none of that name.
+const RoadmapKind* roadmap_kind(const std::string& name);
+
+/// --OPTION NAME, one of the kinds; anything else is a CLI::ValidationError. `kind` keeps its value when the option is not given.
+void add_roadmap_kind(CLI::App& app, const std::string& option, const RoadmapKind*& kind, const std::string& group);
+
+/// The file of a roadmap of that kind (roadmap_file).
+std::string saved_text(const RoadmapKind& kind, const PlannedRoadmap& planned, const FreeSpace& space);
+
+/// Reads a file written from saved_text and says of which kind it is. Throws InputError.
+PlannedRoadmap load_roadmap(const std::string& file, const FreeSpace& space, const RoadmapKind*& kind);
+
+}  // namespace taut::cli

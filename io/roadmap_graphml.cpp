@@ -1,0 +1,58 @@
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/graphml.hpp>
+#include <boost/property_map/dynamic_property_map.hpp>
+#include <boost/property_map/function_property_map.hpp>
+
+#include <ostream>
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include <taut/geometry/detail/text.h>
+#include <taut/geometry/length.h>
+#include <taut/io/roadmap_export.h>
+
+namespace taut {
+
+namespace {
+
+/// Boost.Graph prints doubles with six digits. These it takes for strings.
+struct Number {
+  double value;
+  friend std::ostream& operator<<(std::ostream& out, Number n) { return out << detail::text(n.value); }
+};
+
+std::string with_doubles(std::string text) {
+  constexpr std::string_view kString = "attr.type=\"string\"", kDouble = "attr.type=\"double\"";
+  for (std::size_t at = 0; (at = text.find(kString, at)) != std::string::npos;)
+    text.replace(at, kString.size(), kDouble);
+  return text;
+}
+
+}  // namespace
+
+// write_graphml wants a list of edges, each once; a Roadmap lists them from both ends.
+std::string roadmap_graphml(const Roadmap& roadmap) {
+  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::undirectedS>;
+  using Node = Graph::vertex_descriptor;
+  using Edge = Graph::edge_descriptor;
+  Graph graph(roadmap.vertex_count());
+  for (Roadmap::Vertex v = 0; v < roadmap.vertex_count(); ++v)
+    for (const Roadmap::Vertex w : roadmap.neighbours(v))
+      if (v < w) add_edge(v, w, graph);
+  const auto point = [&](Node v) { return roadmap.point(static_cast<Roadmap::Vertex>(v)); };
+  const auto x = [=](Node v) { return Number{point(v).x}; };
+  const auto y = [=](Node v) { return Number{point(v).y}; };
+  const auto length = [&](const Edge& e) {
+    return Number{distance_interval(point(source(e, graph)), point(target(e, graph))).lo};
+  };
+  boost::dynamic_properties properties;
+  properties.property("x", boost::make_function_property_map<Node>(x));
+  properties.property("y", boost::make_function_property_map<Node>(y));
+  properties.property("length", boost::make_function_property_map<Edge>(length));
+  std::ostringstream out;
+  boost::write_graphml(out, graph, properties, true);
+  return with_doubles(out.str());
+}
+
+}  // namespace taut
