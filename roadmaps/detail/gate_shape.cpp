@@ -1,0 +1,154 @@
+#include <taut/roadmaps/detail/gate_shape.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <initializer_list>
+
+#include <taut/geometry/predicates.h>
+
+namespace taut::detail {
+
+namespace {
+
+constexpr double kEps = 0x1p-53;
+
+/// a - b, and whether that is exact.
+bool exact_difference(double a, double b, double& d) {
+  d = a - b;
+  const double part = d - a;
+  return (a - (d - part)) - (b + part) == 0;
+}
+
+mpq_class dot(const mpq_class& ux, const mpq_class& uy, const mpq_class& vx, const mpq_class& vy) {
+  return ux * vx + uy * vy;
+}
+
+/// Small enough for disc_meets_integer: its largest product stays below 2^118.
+bool small_integer(double v) { return std::abs(v) < 0x1p26 && v == std::floor(v); }
+
+bool to_integers(std::initializer_list<double> values, std::int64_t* out, double scale) {
+  for (const double v : values) {
+    if (!small_integer(v * scale)) return false;
+    *out++ = static_cast<std::int64_t>(v * scale);
+  }
+  return true;
+}
+
+/// disc_meets for an exact foot, in integers: all coordinates relative to the gate's end.
+bool disc_meets_integer(const std::int64_t* v) {
+  __extension__ typedef __int128 Wide;
+  const std::int64_t qx = v[0], qy = v[1], ax = 2 * v[2] - qx, ay = 2 * v[3] - qy, bx = 2 * v[4] - qx,
+                     by = 2 * v[5] - qy;
+  const std::int64_t ux = bx - ax, uy = by - ay;
+  const Wide reach = Wide(qx) * qx + Wide(qy) * qy;  // (2 radius)^2; a and b are doubled and relative to the centre
+  const Wide along = -(Wide(ax) * ux + Wide(ay) * uy), length = Wide(ux) * ux + Wide(uy) * uy;
+  if (along <= 0) return Wide(ax) * ax + Wide(ay) * ay <= reach;
+  if (along >= length) return Wide(bx) * bx + Wide(by) * by <= reach;
+  const Wide cross = Wide(ax) * uy - Wide(ay) * ux;
+  return cross * cross <= reach * length;
+}
+
+bool disc_meets_rational(const GateShape& shape, const Segment& wall) {
+  const ExactPoint foot = exact_foot(shape);
+  const mpq_class mx = (foot.x + shape.end.x) / 2, my = (foot.y + shape.end.y) / 2;
+  const mpq_class hx = foot.x - mx, hy = foot.y - my, reach = dot(hx, hy, hx, hy);
+  const mpq_class ax = wall.a.x - mx, ay = wall.a.y - my, bx = wall.b.x - mx, by = wall.b.y - my;
+  const mpq_class ux = bx - ax, uy = by - ay, along = -dot(ax, ay, ux, uy), length = dot(ux, uy, ux, uy);
+  if (along <= 0) return dot(ax, ay, ax, ay) <= reach;
+  if (along >= length) return dot(bx, by, bx, by) <= reach;
+  const mpq_class cross = ax * uy - ay * ux;
+  return cross * cross <= reach * length;
+}
+
+/// disc_meets by doubles; nothing when it is too close to tell.
+std::optional<bool> disc_meets_filter(const GateShape& shape, const Segment& wall) {
+  const Point foot = nearest_foot(shape), end = shape.end;
+  const double mx = end.x + (foot.x - end.x) / 2, my = end.y + (foot.y - end.y) / 2;
+  const double ax = wall.a.x - mx, ay = wall.a.y - my, ux = wall.b.x - wall.a.x, uy = wall.b.y - wall.a.y;
+  const double length = ux * ux + uy * uy, t = std::clamp(-(ax * ux + ay * uy) / length, 0.0, 1.0);
+  const double distance = std::hypot(ax + t * ux, ay + t * uy), radius = std::hypot(foot.x - end.x, foot.y - end.y) / 2;
+  double size = 0;
+  for (const Point p : {end, foot, wall.a, wall.b}) size = std::max({size, std::abs(p.x), std::abs(p.y)});
+  const double slack = 128 * kEps * size + 1e-290;
+  if (distance > radius + slack) return false;
+  if (distance < radius - slack) return true;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<GateShape> gate_to_inside(Point p, const Segment& c) {
+  if (dot_sign(c.a, c.b, p) <= 0 || dot_sign(c.b, c.a, p) <= 0) return std::nullopt;
+  if (c.a.x == c.b.x) return GateShape{p, {{c.a.x, p.y}, {c.a.x, p.y}}};
+  if (c.a.y == c.b.y) return GateShape{p, {{p.x, c.a.y}, {p.x, c.a.y}}};
+  return GateShape{p, c};
+}
+
+ExactPoint exact_foot(const GateShape& shape) {
+  const ExactPoint a(shape.facing.a), b(shape.facing.b);
+  if (shape.exact()) return a;
+  const mpq_class ux = b.x - a.x, uy = b.y - a.y;
+  const mpq_class t = dot(ux, uy, shape.end.x - a.x, shape.end.y - a.y) / dot(ux, uy, ux, uy);
+  return {a.x + t * ux, a.y + t * uy};
+}
+
+mpq_class squared_width(const GateShape& shape) {
+  const ExactPoint foot = exact_foot(shape);
+  const mpq_class dx = foot.x - shape.end.x, dy = foot.y - shape.end.y;
+  return dx * dx + dy * dy;
+}
+
+Point nearest_foot(const GateShape& shape) { return shape.exact() ? shape.facing.a : nearest_point(exact_foot(shape)); }
+
+int dot_sign(Point p, Point q, Point x) {
+  const double left = (x.x - p.x) * (q.x - p.x), right = (x.y - p.y) * (q.y - p.y);
+  const double sum = left + right, bound = 8 * kEps * (std::abs(left) + std::abs(right)) + 1e-290;
+  if (sum > bound) return 1;
+  if (-sum > bound) return -1;
+  const mpq_class px(p.x), py(p.y);
+  return sgn(dot(x.x - px, x.y - py, q.x - px, q.y - py));
+}
+
+int foot_orientation(Point a, Point b, const GateShape& shape) {
+  if (shape.exact()) return orientation(a, b, shape.facing.a);
+  const int from = orientation(a, b, shape.facing.a), to = orientation(a, b, shape.facing.b);
+  if (from == to) return from;
+  const ExactPoint foot = exact_foot(shape);
+  const mpq_class ax(a.x), ay(a.y);
+  return sgn((b.x - ax) * (foot.y - ay) - (b.y - ay) * (foot.x - ax));
+}
+
+int side_of_gate(const GateShape& shape, Point p) {
+  if (shape.exact()) return orientation(shape.end, shape.facing.a, p);
+  const auto [a, b] = shape.facing;
+  const double left = (p.x - shape.end.x) * (b.x - a.x), right = (p.y - shape.end.y) * (b.y - a.y);
+  const double sum = left + right, bound = 8 * kEps * (std::abs(left) + std::abs(right)) + 1e-290;
+  if (std::abs(sum) > bound) return sum > 0 ? 1 : -1;
+  return sgn(
+      dot(mpq_class(p.x) - shape.end.x, mpq_class(p.y) - shape.end.y, mpq_class(b.x) - a.x, mpq_class(b.y) - a.y));
+}
+
+bool disc_meets(const GateShape& shape, const Segment& wall) {
+  if (const auto told = disc_meets_filter(shape, wall)) return *told;
+  const Point p = shape.end, q = shape.facing.a, a = wall.a, b = wall.b;
+  double d[6];
+  const bool whole = shape.exact() && exact_difference(q.x, p.x, d[0]) && exact_difference(q.y, p.y, d[1]) &&
+                     exact_difference(a.x, p.x, d[2]) && exact_difference(a.y, p.y, d[3]) &&
+                     exact_difference(b.x, p.x, d[4]) && exact_difference(b.y, p.y, d[5]);
+  std::int64_t v[6];
+  if (whole && to_integers({d[0], d[1], d[2], d[3], d[4], d[5]}, v, 0x1p10)) return disc_meets_integer(v);
+  return disc_meets_rational(shape, wall);
+}
+
+bool disc_entered(const GateShape& shape, Point at, const Segment& wall) {
+  const Point away = wall.a == at ? wall.b : wall.a;
+  if (shape.exact()) return dot_sign(at, at == shape.end ? shape.facing.a : shape.end, away) > 0;
+  // The gate stands upright on `facing`: its direction at the end is the one towards the line.
+  const int side = orientation(shape.facing.a, shape.facing.b, at);
+  const ExactPoint a(shape.facing.a), b(shape.facing.b);
+  const mpq_class nx = -(b.y - a.y), ny = b.x - a.x;
+  return sgn(nx * (mpq_class(away.x) - at.x) + ny * (mpq_class(away.y) - at.y)) * side < 0;
+}
+
+}  // namespace taut::detail

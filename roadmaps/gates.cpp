@@ -1,0 +1,130 @@
+#include <taut/roadmaps/gates.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <tuple>
+
+#include <fmt/format.h>
+
+#include <taut/geometry/detail/segment_distance.h>
+#include <taut/roadmaps/detail/gate_impl.h>
+#include <taut/roadmaps/detail/gate_search.h>
+
+namespace taut {
+
+namespace {
+
+std::strong_ordering compare(const mpq_class& a, const mpq_class& b) { return cmp(a, b) <=> 0; }
+
+std::vector<detail::FoundGate> find_gates(const detail::GateWalls& walls) {
+  std::vector<detail::FoundGate> found;
+  detail::GateSearch search(walls);
+  for (std::uint32_t v = 0; v < walls.triangulation().points.size(); ++v) search.append_gates(v, found);
+  return found;
+}
+
+mpq_class squared(const detail::FoundGate& found) {
+  const mpq_class square = detail::squared_width(found.shape);
+  return found.to_opening ? mpq_class(4 * square) : square;
+}
+
+Gate gate_of(const detail::FoundGate& found, const detail::GateWalls& walls) {
+  const auto lowest = [&](std::uint32_t v) { return walls.at(v).front(); };
+  const bool foot_is_end = found.facing == kNone;
+  const Segment end{found.shape.end, found.shape.end};
+  return {.end = found.shape.end,
+          .foot = detail::nearest_foot(found.shape),
+          .constraint = lowest(found.vertex),
+          .facing = foot_is_end ? lowest(found.foot_vertex) : found.facing,
+          .foot_is_end = foot_is_end,
+          .foot_is_exact = found.shape.exact(),
+          .to_opening = found.to_opening,
+          .width = detail::segment_distance(end, found.shape.facing) * (found.to_opening ? 2 : 1)};
+}
+
+/// The order of the gates: widths exactly, then by place.
+std::vector<std::uint32_t> order_of(const std::vector<mpq_class>& squares, const std::vector<Gate>& gates) {
+  std::vector<double> rough;
+  for (const mpq_class& q : squares) rough.push_back(q.get_d());
+  std::vector<std::uint32_t> order(gates.size());
+  std::iota(order.begin(), order.end(), 0u);
+  const auto place = [&](std::uint32_t i) { return std::tuple(gates[i].end, gates[i].foot, gates[i].facing); };
+  std::sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
+    // Truncated doubles: off by less than one ulp each.
+    if (std::abs(rough[i] - rough[j]) > 0x1p-50 * (rough[i] + rough[j])) return rough[i] < rough[j];
+    if (const int sign = cmp(squares[i], squares[j]); sign != 0) return sign < 0;
+    return place(i) < place(j);
+  });
+  return order;
+}
+
+/// The number as it is printed, when that is plain.
+std::optional<mpq_class> decimal(double v) {
+  std::string text = fmt::format("{}", v);
+  if (text.find_first_not_of("-.0123456789") != std::string::npos) return std::nullopt;
+  const std::size_t dot = text.find('.');
+  const std::size_t places = dot == std::string::npos ? 0 : text.size() - dot - 1;
+  if (dot != std::string::npos) text.erase(dot, 1);
+  mpq_class result(mpz_class(text, 10), 1);
+  for (std::size_t i = 0; i < places; ++i) result /= 10;
+  return result;
+}
+
+/// The distance of the printed points, when it is a fraction with a small denominator.
+std::optional<std::string> printed_distance(Point p, Point q, int times) {
+  const auto px = decimal(p.x), py = decimal(p.y), qx = decimal(q.x), qy = decimal(q.y);
+  if (!px || !py || !qx || !qy) return std::nullopt;
+  const mpq_class dx = *px - *qx, dy = *py - *qy, square = dx * dx + dy * dy;
+  if (!mpz_perfect_square_p(square.get_num_mpz_t()) || !mpz_perfect_square_p(square.get_den_mpz_t()))
+    return std::nullopt;
+  mpq_class root(sqrt(square.get_num()), sqrt(square.get_den()));
+  root *= times;
+  return root.get_den() <= 1000 ? std::optional(root.get_str()) : std::nullopt;
+}
+
+}  // namespace
+
+Gates::Gates(FreeSpace space) {
+  auto impl = std::make_shared<Impl>(Impl{detail::GateWalls(space), {}, {}, {}, {}});
+  const std::vector<detail::FoundGate> found = find_gates(impl->walls);
+  std::vector<Gate> gates;
+  std::vector<mpq_class> squares;
+  for (const detail::FoundGate& one : found) {
+    gates.push_back(gate_of(one, impl->walls));
+    squares.push_back(squared(one));
+  }
+  for (const std::uint32_t i : order_of(squares, gates)) {
+    const std::uint32_t foot = found[i].facing == kNone ? found[i].foot_vertex : impl->walls.ends()[found[i].facing][0];
+    impl->gates.push_back(gates[i]);
+    impl->shapes.push_back(found[i].shape);
+    impl->squared.push_back(std::move(squares[i]));
+    impl->nodes.push_back({found[i].vertex, foot});
+  }
+  impl_ = std::move(impl);
+}
+
+const FreeSpace& Gates::space() const { return impl_->walls.space(); }
+const std::vector<Gate>& Gates::gates() const { return impl_->gates; }
+bool Gates::is_opening(std::uint32_t constraint) const { return impl_->walls.is_opening(constraint); }
+
+std::strong_ordering Gates::compare_width(std::uint32_t i, double diameter) const {
+  const mpq_class d(diameter);
+  return compare(impl_->squared[i], d * d);
+}
+
+std::strong_ordering Gates::compare_widths(std::uint32_t i, std::uint32_t j) const {
+  return compare(impl_->squared[i], impl_->squared[j]);
+}
+
+std::string Gates::name(std::uint32_t i) const {
+  const Gate& gate = impl_->gates[i];
+  std::optional<std::string> width;
+  if (gate.foot_is_exact) width = printed_distance(gate.end, gate.foot, gate.to_opening ? 2 : 1);
+  const auto [p, q] = std::minmax(gate.end, gate.foot);
+  return fmt::format("{} between ({}, {}) and ({}, {})", width.value_or(fmt::format("{}", gate.width)), p.x, p.y, q.x,
+                     q.y);
+}
+
+}  // namespace taut

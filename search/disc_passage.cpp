@@ -1,0 +1,129 @@
+#include <taut/search/disc_passage.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <taut/geometry/detail/segment_distance.h>
+#include <taut/roadmaps/detail/gate_impl.h>
+#include <taut/search/detail/gate_parity.h>
+
+namespace taut {
+
+namespace {
+
+/// |p - c|^2, exactly.
+mpq_class squared_distance(Point p, const Segment& c) {
+  if (const auto shape = detail::gate_to_inside(p, c)) return detail::squared_width(*shape);
+  const bool to_a = detail::dot_sign(c.a, c.b, p) <= 0;
+  const Point end = to_a ? c.a : c.b;
+  return detail::squared_width({p, {end, end}});
+}
+
+/// The nearest wall to a point; the lowest index among equals.
+struct NearestWall {
+  std::uint32_t constraint = kNone;
+  mpq_class squared;
+};
+
+NearestWall nearest_wall(const Gates& gates, Point p) {
+  const detail::GateWalls& walls = gates.impl().walls;
+  NearestWall result;
+  Interval least{HUGE_VAL, HUGE_VAL};
+  std::vector<std::pair<Interval, std::uint32_t>> near;
+  for (std::uint32_t c = 0; c < walls.ends().size(); ++c) {
+    if (walls.is_opening(c)) continue;
+    const Interval distance = detail::segment_distance_interval({p, p}, walls.segment(c));
+    if (distance.lo > least.hi) continue;
+    if (distance.hi < least.hi) least = distance;
+    near.push_back({distance, c});
+  }
+  for (const auto& [distance, c] : near) {
+    if (distance.lo > least.hi) continue;
+    const mpq_class squared = squared_distance(p, walls.segment(c));
+    if (result.constraint == kNone || squared < result.squared) result = {c, squared};
+  }
+  return result;
+}
+
+bool is_outside(const Gates& gates, Point p) { return gates.space().locate(p).kind == Location::Kind::outside; }
+
+bool is_too_near(const NearestWall& wall, double r) {
+  return wall.constraint != kNone && wall.squared < mpq_class(r) * mpq_class(r);
+}
+
+/// Nothing when the disc can be at p; else the wall that is too near, or no wall when p is outside.
+std::optional<std::vector<BarrierPiece>> blocked_at(const Gates& gates, Point p, double r) {
+  if (is_outside(gates, p)) return std::vector<BarrierPiece>{};
+  const NearestWall wall = nearest_wall(gates, p);
+  if (!is_too_near(wall, r)) return std::nullopt;
+  return std::vector<BarrierPiece>{{wall.constraint, kNone}};
+}
+
+/// How many gates are narrower than the square root of `squared`.
+std::uint32_t count_narrower(const Gates& gates, const mpq_class& squared) {
+  const auto& widths = gates.impl().squared;
+  return static_cast<std::uint32_t>(std::lower_bound(widths.begin(), widths.end(), squared) - widths.begin());
+}
+
+/// The largest double r with r^2 <= squared.
+double root_below(const mpq_class& squared) {
+  const auto fits = [&](double r) { return mpq_class(r) * mpq_class(r) <= squared; };
+  double r = std::sqrt(squared.get_d());
+  while (!fits(r)) r = std::nextafter(r, 0.0);
+  for (double next = r; fits(next = std::nextafter(r, HUGE_VAL));) r = next;
+  return r;
+}
+
+/// What the ends allow, and the gates that matter below that.
+struct Ends {
+  WidestPassage widest;
+  std::uint32_t gates = 0;
+};
+
+Ends limit_of_ends(const Gates& gates, Point s, Point g) {
+  const NearestWall at_s = nearest_wall(gates, s), at_g = nearest_wall(gates, g);
+  Ends result;
+  result.widest.radius = HUGE_VAL;
+  if (at_s.constraint == kNone) return result;
+  const bool goal = at_g.squared < at_s.squared;
+  const NearestWall& least = goal ? at_g : at_s;
+  result.widest.limit = goal ? WidestPassage::Limit::goal : WidestPassage::Limit::start;
+  result.widest.radius = root_below(least.squared);
+  result.widest.constraint = least.constraint;
+  result.gates = count_narrower(gates, 4 * least.squared);
+  return result;
+}
+
+}  // namespace
+
+DiscPassage disc_passage(const Gates& gates, Point s, Point g, double r) {
+  if (auto wall = blocked_at(gates, s, r)) return {PassageStatus::start_blocked, std::move(*wall)};
+  if (auto wall = blocked_at(gates, g, r)) return {PassageStatus::goal_blocked, std::move(*wall)};
+  const mpq_class diameter = 2 * mpq_class(r);
+  auto chain = detail::separating_chain(gates, s, g, count_narrower(gates, diameter * diameter));
+  if (!chain) return {};
+  return {PassageStatus::separated, std::move(chain->pieces)};
+}
+
+DiscPassage disc_passage(const FreeSpace& space, Point s, Point g, double r) {
+  return disc_passage(Gates(space), s, g, r);
+}
+
+std::optional<WidestPassage> widest_passage(const Gates& gates, Point s, Point g) {
+  if (is_outside(gates, s) || is_outside(gates, g)) return std::nullopt;
+  const FreeSpace& space = gates.space();
+  if (space.component(space.locate(s).triangle) != space.component(space.locate(g).triangle)) return std::nullopt;
+  auto [widest, count] = limit_of_ends(gates, s, g);
+  if (widest.radius == 0) return widest;
+  auto chain = detail::separating_chain(gates, s, g, count);
+  if (!chain || chain->last_gate == kNone) return widest;
+  const std::uint32_t gate = chain->last_gate;
+  return WidestPassage{WidestPassage::Limit::gate, root_below(gates.impl().squared[gate] / 4), gate, kNone,
+                       std::move(chain->pieces)};
+}
+
+std::optional<WidestPassage> widest_passage(const FreeSpace& space, Point s, Point g) {
+  return widest_passage(Gates(space), s, g);
+}
+
+}  // namespace taut
