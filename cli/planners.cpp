@@ -40,6 +40,8 @@ std::span<const Planner> planners() {
       {"full-visibility", "full", GraphAlgorithm::astar},
       {"cells4", "cells", GraphAlgorithm::astar},
       {"cells8", "cells8", GraphAlgorithm::astar},
+      {"prm", "prm", GraphAlgorithm::astar},
+      {"prm-lattice", "prm-lattice", GraphAlgorithm::astar},
   };
   return kPlanners;
 }

@@ -10,6 +10,7 @@
 #include <taut/roadmaps/cell_graph.h>
 #include <taut/roadmaps/visibility_graph.h>
 #include <taut/search/cell_search.h>
+#include <taut/search/prm_planner.h>
 #include <taut/search/shortest_path.h>
 
 namespace taut::cli {
@@ -60,6 +61,47 @@ RoadmapKind cells(const char* name, const char* title, CellNeighbours neighbours
           }};
 }
 
+constexpr double kPrmSeconds = 60;
+
+PlannedRoadmap planned_prm(const FreeSpace& space, std::shared_ptr<const Roadmap> roadmap, double clearance) {
+  return {roadmap, [space, roadmap, clearance](Point from, const Goal& to, GraphAlgorithm algorithm) {
+            return graph_search(*roadmap, prm_query(space, *roadmap, from, to, clearance), algorithm);
+          }};
+}
+
+/// A PRM that grows until it joins the ends, when they are known.
+RoadmapKind growing_prm(const char* name, const char* title, PrmSampler sampler, bool random) {
+  return {name,
+          title,
+          false,
+          random,
+          [sampler](const FreeSpace& space, const BuildRequest& request) {
+            PrmPlan plan;
+            plan.roadmap.sampler = sampler;
+            plan.roadmap.seed = request.seed;
+            plan.roadmap.connection.rule = PrmConnection::Rule::visible;
+            plan.seconds = kPrmSeconds;
+            Roadmap roadmap =
+                request.from ? prm_path(space, *request.from, request.to, plan).roadmap : prm(space, plan.roadmap);
+            return planned_prm(space, std::make_shared<const Roadmap>(std::move(roadmap)), 0);
+          },
+          [](const FreeSpace& space, Roadmap roadmap) {
+            return planned_prm(space, std::make_shared<const Roadmap>(std::move(roadmap)), 0);
+          }};
+}
+
+/// The student exercise as written: 500 uniform samples at least 0.1 from every wall, each joined to its 8 nearest.
+RoadmapKind homework_prm() {
+  return {"prm-homework", "PRM of the homework: 500 samples, clearance 0.1, 8 nearest", false, true,
+          [](const FreeSpace& space, const BuildRequest& request) {
+            PrmOptions options;
+            options.samples = 500;
+            options.seed = request.seed;
+            options.clearance = 0.1;
+            return planned_prm(space, std::make_shared<const Roadmap>(prm(space, options)), options.clearance);
+          }};
+}
+
 }  // namespace
 
 std::span<const RoadmapKind> roadmap_kinds() {
@@ -68,6 +110,9 @@ std::span<const RoadmapKind> roadmap_kinds() {
       visibility("full", "full visibility graph", VisibilityKind::full),
       cells("cells", "cells with 4 neighbours", CellNeighbours::four),
       cells("cells8", "cells with 8 neighbours", CellNeighbours::eight),
+      growing_prm("prm", "probabilistic roadmap", PrmSampler::uniform, true),
+      growing_prm("prm-lattice", "probabilistic roadmap on a lattice", PrmSampler::lattice, false),
+      homework_prm(),
   };
   return kinds;
 }

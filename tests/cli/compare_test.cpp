@@ -40,13 +40,13 @@ TEST_F(Compare, PrintsALineForEachPlanner) {
   EXPECT_THAT(run.out, StartsWith("planner "));
   EXPECT_THAT(run.out, ContainsRegex("visibility-astar +yes +9.321693 +1 "));
   EXPECT_THAT(run.out, ContainsRegex("cells4 +yes +13.000000 +1.3946 "));
-  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 6);
+  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 8);
 }
 
 TEST_F(Compare, NeverFindsAnythingShorterThanTheOptimum) {
   for (const char* name : {"maze_25x25.txt", "mouse_16.maz", "half_open_60x60.txt"}) {
     const json all = json::parse(run_taut("compare --json - " + maze(name)).out);
-    ASSERT_EQ(all["planners"].size(), 5U);
+    ASSERT_EQ(all["planners"].size(), 7U);
     for (const json& planner : all["planners"]) {
       SCOPED_TRACE(planner["name"]);
       EXPECT_EQ(planner["solved"], 1.0);
@@ -63,6 +63,20 @@ TEST_F(Compare, MeasuresAgainstTheOptimumAlsoWhenOnlyCellsRun) {
   EXPECT_EQ(all["planners"][0]["name"], "cells8");
   EXPECT_NEAR(all["optimum"], 9.321693, 1e-6);
   EXPECT_NEAR(all["planners"][1]["ratio"], 1.3946, 1e-4);
+}
+
+TEST_F(Compare, RunsRandomisedPlannersWithSeveralSeeds) {
+  const json all =
+      json::parse(run_taut("compare --planners prm --runs 3 --seed 5 --json - " + maze("maze_25x25.txt")).out);
+  EXPECT_EQ(all["planners"][0]["solved"], 1.0);
+  EXPECT_EQ(all["planners"][0]["verified"], true);
+}
+
+TEST_F(RoadmapKinds, SolveTheHomeworkAsWritten) {
+  const Outcome lattice = run_taut("solve --roadmap prm-lattice " + maze("maze_45x45.txt"));
+  EXPECT_EQ(lattice.code, 0) << lattice.err;
+  EXPECT_THAT(lattice.out, HasSubstr("not proven optimal"));
+  EXPECT_EQ(run_taut("solve --roadmap prm-homework --seed 2 " + maze("maze_5x7.txt")).code, 0);
 }
 
 TEST_F(Compare, LeavesOutWhatDoesNotFitUnlessItWasAskedFor) {
@@ -89,7 +103,7 @@ TEST_F(Compare, DrawsAPictureForEachPlannerOnOnePage) {
   std::size_t frames = 0;
   for (std::size_t at = 0; (at = run.out.find("<svg x=\"", at)) != std::string::npos; ++at)
     frames += run.out.compare(at, 200, "") > 0 && run.out.substr(at, 200).find("class=\"taut\"") != std::string::npos;
-  EXPECT_EQ(frames, 5U);
+  EXPECT_EQ(frames, 7U);
   EXPECT_THAT(run.out, EndsWith("</svg>\n</svg>\n"));
 }
 
