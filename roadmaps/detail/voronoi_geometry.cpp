@@ -1,0 +1,256 @@
+#include <taut/roadmaps/detail/voronoi_geometry.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <gmpxx.h>
+
+#include <taut/geometry/predicates.h>
+
+namespace taut::detail {
+
+namespace {
+
+using Real = long double;
+
+constexpr Real kRealEps = std::numeric_limits<Real>::epsilon();
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
+
+struct Vector {
+  Real x = 0;
+  Real y = 0;
+};
+
+/// An equation f = 0 at some point: value, gradient, a bound of the gradient's change near by, and of the value's rounding.
+struct Equation {
+  Real value = 0;
+  Vector gradient;
+  Real bend = 0;
+  Real rounding = 0;
+};
+
+bool is_point(const Segment& s) { return s.a == s.b; }
+
+Vector from(Point p, Vector v) { return {v.x - p.x, v.y - p.y}; }
+
+Vector direction(const Segment& s) {
+  const Vector d{Real(s.b.x) - s.a.x, Real(s.b.y) - s.a.y};
+  const Real length = std::hypot(d.x, d.y);
+  return {d.x / length, d.y / length};
+}
+
+Equation distance(const Segment& s, Vector v) {
+  const Vector w = from(s.a, v);
+  const Real reach = std::hypot(w.x, w.y);
+  if (is_point(s)) return {reach, {w.x / reach, w.y / reach}, 1 / reach, 4 * kRealEps * reach};
+  const Vector d = direction(s);
+  const Real off = d.x * w.y - d.y * w.x, sign = off < 0 ? -1 : 1;
+  return {sign * off, {-sign * d.y, sign * d.x}, 0, 8 * kRealEps * reach};
+}
+
+Equation equally_far(const Segment& s, const Segment& t, Vector v) {
+  const Equation a = distance(s, v), b = distance(t, v);
+  return {a.value - b.value,
+          {a.gradient.x - b.gradient.x, a.gradient.y - b.gradient.y},
+          a.bend + b.bend,
+          a.rounding + b.rounding + kRealEps * (a.value + b.value)};
+}
+
+Point shared_end(const Segment& s, const Segment& t) { return s.a == t.a || s.a == t.b ? s.a : s.b; }
+
+bool share_end(const Segment& s, const Segment& t) { return s.a == t.a || s.a == t.b || s.b == t.a || s.b == t.b; }
+
+/// Through a shared end: the perpendicular of a piece and its own end, the bisector of two pieces.
+struct Ray {
+  Point foot;
+  Vector normal;          // from the first site towards the second
+  bool straight = false;  // the first site touches a circle around a point of the ray in `foot`, or nearly so
+
+  Equation at(Vector v) const {
+    const Vector w = from(foot, v);
+    return {normal.x * w.x + normal.y * w.y, normal, 0, 8 * kRealEps * std::hypot(w.x, w.y)};
+  }
+};
+
+/// The ray two sites are equally far on because they share an end, unless they turn back there: then their distances tell more. Of pieces that
+/// go on nearly straight, as where a wall was rounded, the distances tell nothing.
+std::optional<Ray> linked(const Segment& s, const Segment& t) {
+  if (is_point(s) || !share_end(s, t)) return std::nullopt;
+  const Point end = shared_end(s, t);
+  const Vector in = direction(s.b == end ? s : Segment{s.b, s.a});
+  if (is_point(t)) return Ray{end, in, true};
+  const Vector out = direction(t.a == end ? t : Segment{t.b, t.a});
+  if (in.x * out.x + in.y * out.y < 0) return std::nullopt;
+  const Vector sum{in.x + out.x, in.y + out.y};
+  const Real length = std::hypot(sum.x, sum.y);
+  return Ray{end, {sum.x / length, sum.y / length}, length > 1.9999L};
+}
+
+/// The two equations a vertex satisfies: the first two sites are equally far on `ray`, if any.
+struct Conditions {
+  std::array<Segment, 3> sites;
+  std::optional<Ray> ray;
+  bool counter_clockwise = true;  // the sites, as seen from the vertex
+
+  std::array<Equation, 2> at(Vector v) const {
+    return {ray ? ray->at(v) : equally_far(sites[0], sites[1], v), equally_far(sites[0], sites[2], v)};
+  }
+};
+
+/// A piece and its own end first: a circle that touches both does so in one point, so their distances are one condition. Then
+/// pieces that go on straight: the difference of their distances says least.
+Conditions conditions(const std::array<Segment, 3>& sites) {
+  Conditions best{sites, std::nullopt, true};
+  int best_score = 0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      const auto ray = i != j ? linked(sites[i], sites[j]) : std::nullopt;
+      const int score = !ray ? 0 : is_point(sites[j]) ? 3 : ray->straight ? 2 : 1;
+      if (score > best_score)
+        best = {{sites[i], sites[j], sites[3 - i - j]}, ray, j == (i + 1) % 3}, best_score = score;
+    }
+  return best;
+}
+
+struct Step {
+  Vector move;
+  Real inverse = 0;  // norm of the inverse Jacobian
+  Real bend = 0;
+  Real rounding = 0;
+};
+
+Step newton(const Conditions& c, Vector v) {
+  const auto [f, g] = c.at(v);
+  const Real det = f.gradient.x * g.gradient.y - f.gradient.y * g.gradient.x;
+  const Real norm = std::hypot(std::hypot(f.gradient.x, f.gradient.y), std::hypot(g.gradient.x, g.gradient.y));
+  return {{-(f.value * g.gradient.y - g.value * f.gradient.y) / det,
+           -(g.value * f.gradient.x - f.value * g.gradient.x) / det},
+          norm / std::abs(det),
+          std::hypot(f.bend, g.bend),
+          std::hypot(f.rounding, g.rounding)};
+}
+
+/// How far the exact point lies from v at most, when one more step would be `step`.
+Real kantorovich(const Step& step, Real clearance) {
+  const Real reach = std::hypot(step.move.x, step.move.y) + step.inverse * step.rounding;
+  if (!(4 * reach < clearance)) return kUnknown;
+  const Real bend = 4 * step.bend;  // within 2 * reach < clearance / 2 no distance halves
+  return step.inverse * bend * reach <= 0.5L ? 2 * reach : Real(kUnknown);
+}
+
+/// Where the third site is as far as the foot of a straight ray. The cells follow each other counter-clockwise, so the ray's side is known.
+Vector point_on_ray(const Conditions& c) {
+  const Ray& ray = *c.ray;
+  const Vector u = c.counter_clockwise ? Vector{-ray.normal.y, ray.normal.x} : Vector{ray.normal.y, -ray.normal.x};
+  const Segment& t = c.sites[2];
+  const Vector w = from(ray.foot, {t.a.x, t.a.y});
+  Real reach = (w.x * w.x + w.y * w.y) / (2 * (u.x * w.x + u.y * w.y));
+  if (!is_point(t)) {
+    const Vector d = direction(t);
+    const Real off = d.y * w.x - d.x * w.y,
+               rise = d.x * u.y - d.y * u.x;  // of the foot from t's line, and along the ray
+    reach = std::abs(off) / (1 - (off < 0 ? -rise : rise));
+  }
+  return {ray.foot.x + reach * u.x, ray.foot.y + reach * u.y};
+}
+
+VoronoiPoint refined(const Conditions& c, Vector v) {
+  for (int round = 0; round < 8; ++round) {
+    const Vector move = newton(c, v).move;
+    if (!std::isfinite(move.x) || !std::isfinite(move.y)) return {{}, 0, kUnknown};
+    v = {v.x + move.x, v.y + move.y};
+    if (std::hypot(move.x, move.y) <= 4 * kRealEps * (std::abs(v.x) + std::abs(v.y))) break;
+  }
+  const Real clearance = distance(c.sites[2], v).value;
+  const Point at{double(v.x), double(v.y)};
+  const Real error = kantorovich(newton(c, v), clearance) + std::hypot(at.x - v.x, at.y - v.y);
+  return {at, double(clearance), std::nextafter(double(error), kUnknown)};
+}
+
+Point mixed(Point p, Point q, double t) { return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)}; }
+
+/// The integral of sqrt(s^2 + m^2).
+double root_integral(double s, double m) {
+  return 0.5 * (s * std::hypot(s, m) + (m > 0 ? m * m * std::asinh(s / m) : 0));
+}
+
+}  // namespace
+
+const Segment* joint(const std::array<Segment, 3>& sites) {
+  for (int i = 0; i < 3; ++i)
+    if (is_own_end(sites[i], sites[(i + 1) % 3]) && is_own_end(sites[i], sites[(i + 2) % 3])) return &sites[i];
+  return nullptr;
+}
+
+bool is_own_end(const Segment& p, const Segment& s) {
+  return is_point(p) && !is_point(s) && (p.a == s.a || p.a == s.b);
+}
+
+bool go_straight_on(const Segment& s, const Segment& t) {
+  if (is_point(s) || is_point(t) || !share_end(s, t)) return false;
+  return orientation(s.a, s.b, t.a) == 0 && orientation(s.a, s.b, t.b) == 0;
+}
+
+bool parallel(const Segment& s, const Segment& t) {
+  const double left = (s.b.x - s.a.x) * (t.b.y - t.a.y), right = (s.b.y - s.a.y) * (t.b.x - t.a.x);
+  if (std::abs(left - right) > 1e-14 * (std::abs(left) + std::abs(right))) return false;
+  const mpq_class sx = mpq_class(s.b.x) - s.a.x, sy = mpq_class(s.b.y) - s.a.y;
+  return sx * (mpq_class(t.b.y) - t.a.y) == sy * (mpq_class(t.b.x) - t.a.x);
+}
+
+VoronoiPoint voronoi_point(const std::array<Segment, 3>& sites, Point guess) {
+  if (const Segment* end = joint(sites)) {
+    const bool straight = go_straight_on(sites[end == &sites[0] ? 1 : 0], sites[end == &sites[2] ? 1 : 2]);
+    return {end->a, 0, straight ? kUnknown : 0};
+  }
+  const Conditions c = conditions(sites);
+  return refined(c, c.ray && c.ray->straight ? point_on_ray(c) : Vector{guess.x, guess.y});
+}
+
+Point foot_on(const Segment& s, Point p) {
+  if (is_point(s)) return s.a;
+  const double dx = s.b.x - s.a.x, dy = s.b.y - s.a.y;
+  const double t = std::clamp(((p.x - s.a.x) * dx + (p.y - s.a.y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+  return t == 1 ? s.b : mixed(s.a, s.b, t);
+}
+
+Point Bezier::at(double t) const { return mixed(mixed(from, control, t), mixed(control, to, t), t); }
+
+Bezier Bezier::part(double t0, double t1) const {
+  return {at(t0), mixed(mixed(from, control, t0), mixed(control, to, t0), t1), at(t1)};
+}
+
+double Bezier::length() const {
+  const double ax = 2 * (control.x - from.x), ay = 2 * (control.y - from.y);  // the speed at 0, and how it changes
+  const double bx = 2 * (to.x - control.x) - ax, by = 2 * (to.y - control.y) - ay;
+  const double change = std::hypot(bx, by);
+  if (change <= 0.1 * std::min(std::hypot(ax, ay), std::hypot(ax + bx, ay + by))) {
+    constexpr std::array<double, 3> node{0, 0.5384693101056831, 0.9061798459386640};  // Gauss-Legendre, 5 points
+    constexpr std::array<double, 3> weight{0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+    double sum = 0;
+    for (int i = -2; i <= 2; ++i) {
+      const double t = 0.5 + (i < 0 ? -0.5 : 0.5) * node[std::abs(i)];
+      sum += 0.5 * weight[std::abs(i)] * std::hypot(ax + t * bx, ay + t * by);
+    }
+    return sum;
+  }
+  if (change == 0) return 0;
+  const double along = (ax * bx + ay * by) / change, off = std::abs(ax * by - ay * bx) / change;
+  return (root_integral(along + change, off) - root_integral(along, off)) / change;
+}
+
+Point parabola_control(Point focus, const Segment& directrix, Point p, Point q) {
+  const Vector d = direction(directrix);
+  const Vector w = from(directrix.a, {focus.x, focus.y});
+  const Real off = d.x * w.y - d.y * w.x, height = std::abs(off), sign = off < 0 ? -1 : 1;
+  if (height == 0) return mixed(p, q, 0.5);
+  const auto along = [&](Point r) { return d.x * (Real(r.x) - focus.x) + d.y * (Real(r.y) - focus.y); };
+  const Real x0 = along(p), x1 = along(q);
+  // Over the directrix the parabola is (x^2 + h^2) / 2h high; its tangents meet half-way.
+  const Real x = (x0 + x1) / 2, y = (x0 * x1 + height * height) / (2 * height) - height;
+  return {double(focus.x + x * d.x - sign * y * d.y), double(focus.y + x * d.y + sign * y * d.x)};
+}
+
+}  // namespace taut::detail
