@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include <taut/search/detail/room_entries.h>
-#include <taut/search/query_ends.h>
 
 namespace taut {
 
@@ -13,11 +12,6 @@ namespace {
 bool share_a_cell(const CellLattice& lattice, Point p, Point q) {
   const std::vector<Cell> at_p = lattice.cells_at(p), at_q = lattice.cells_at(q);
   return std::find_first_of(at_p.begin(), at_p.end(), at_q.begin(), at_q.end()) != at_p.end();
-}
-
-bool is_in_room(const FreeSpace& space, Point from, const std::vector<Box>& room) {
-  return std::any_of(room.begin(), room.end(),
-                     [&](const Box& box) { return box.contains(from) && space.sees(from, detail::middle(box)); });
 }
 
 GraphQuery to_point(const CellGraph& graph, Point from, Point to) {
@@ -44,14 +38,7 @@ GraphQuery to_room(const CellGraph& graph, Point from, const std::vector<Box>& r
 
 GraphSearchResult cell_search(const CellGraph& graph, Point from, const Goal& to, GraphAlgorithm algorithm,
                               const SearchLimits& limits) {
-  require_free(graph.space(), from, "start");
-  if (to.point) require_free(graph.space(), *to.point, "goal");
-  if (!to.point && is_in_room(graph.space(), from, to.room)) {
-    GraphSearchResult result;
-    result.status = SearchStatus::found;
-    result.path.points = {from};
-    return result;
-  }
+  if (auto answer = detail::answer_at_start(graph.space(), from, to)) return *answer;
   return graph_search(graph.roadmap(), to.point ? to_point(graph, from, *to.point) : to_room(graph, from, to.room),
                       algorithm, limits);
 }

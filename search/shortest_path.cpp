@@ -1,6 +1,5 @@
 #include <taut/search/shortest_path.h>
 
-#include <algorithm>
 #include <utility>
 
 #include <taut/search/detail/room_entries.h>
@@ -37,23 +36,11 @@ GraphQuery to_room(const VisibilityGraph& graph, Point from, const std::vector<B
   return query;
 }
 
-bool starts_in_room(const FreeSpace& space, Point from, const std::vector<Box>& room) {
-  return std::any_of(room.begin(), room.end(),
-                     [&](const Box& b) { return b.contains(from) && space.sees(from, detail::middle(b)); });
-}
-
 }  // namespace
 
 GraphSearchResult shortest_path(const VisibilityGraph& graph, Point from, const Goal& to, GraphAlgorithm algorithm,
                                 const SearchLimits& limits) {
-  require_free(graph.space(), from, "start");
-  if (to.point) require_free(graph.space(), *to.point, "goal");
-  if (!to.point && starts_in_room(graph.space(), from, to.room)) {
-    GraphSearchResult result;
-    result.status = SearchStatus::found;
-    result.path.points = {from};
-    return result;
-  }
+  if (auto answer = detail::answer_at_start(graph.space(), from, to)) return *answer;
   return graph_search(graph.roadmap(), to.point ? to_point(graph, from, *to.point) : to_room(graph, from, to.room),
                       algorithm, limits);
 }

@@ -7,6 +7,7 @@
 
 #include <taut/geometry/detail/exact.h>
 #include <taut/geometry/predicates.h>
+#include <taut/search/query_ends.h>
 
 namespace taut::detail {
 
@@ -35,6 +36,20 @@ std::vector<Point> meeting_points(const Segment& side, const Constraint& c) {
 
 Point middle(const Box& box) {
   return {box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
+}
+
+std::optional<GraphSearchResult> answer_at_start(const FreeSpace& space, Point from, const Goal& to) {
+  require_free(space, from, "start");
+  if (to.point) {
+    require_free(space, *to.point, "goal");
+    return std::nullopt;
+  }
+  const auto is_there = [&](const Box& b) { return b.contains(from) && space.sees(from, middle(b)); };
+  if (std::none_of(to.room.begin(), to.room.end(), is_there)) return std::nullopt;
+  GraphSearchResult result;
+  result.status = SearchStatus::found;
+  result.path.points = {from};
+  return result;
 }
 
 std::optional<Point> RoomSide::foot(Point p) const {

@@ -5,10 +5,15 @@
 #include <vector>
 
 #include <taut/geometry/free_space.h>
+#include <taut/search/graph_search.h>
 
 namespace taut::detail {
 
 Point middle(const Box& box);
+
+/// Throws InputError when an end is no place for the robot (require_free). The answer, a path of one point, when `from` is in
+/// the goal room already: from there the middle of one of its boxes is seen.
+std::optional<GraphSearchResult> answer_at_start(const FreeSpace& space, Point from, const Goal& to);
 
 /// A side of one box of a room that no other box of it shares, and the middle of the box.
 struct RoomSide {
