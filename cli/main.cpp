@@ -32,7 +32,7 @@ constexpr const char* kFooter =
 std::string reason(const CLI::App& app, const CLI::ParseError& error) {
   if (!app.get_subcommands().empty()) return error.what();
   const std::vector<std::string> rest = app.remaining();
-  return rest.empty() ? "which of solve, check, roadmap, compare, generate, convert?"
+  return rest.empty() ? "which of solve, check, roadmap, compare, passage, generate, convert?"
                       : fmt::format("there is no subcommand or option '{}'", rest.front());
 }
 
@@ -67,8 +67,9 @@ int run(int argc, char** argv) {
   app.set_help_flag("--help,-h", "Print this help and exit");
   app.require_subcommand(1);
   app.footer(kFooter);
-  const std::vector<Command> commands{solve_command(app),   check_command(app),    roadmap_command(app),
-                                      compare_command(app), generate_command(app), convert_command(app)};
+  const std::vector<Command> commands{solve_command(app),   check_command(app),   roadmap_command(app),
+                                      compare_command(app), passage_command(app), generate_command(app),
+                                      convert_command(app)};
   if (const int code = parse(app, argc, argv); code >= 0) return code;
   for (const Command& command : commands)
     if (command.app->parsed()) {
