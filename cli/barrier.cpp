@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <taut/cli/report.h>
+#include <taut/geometry/detail/segment_distance.h>
 #include <taut/geometry/predicates.h>
 
 namespace taut::cli {
@@ -15,19 +16,25 @@ namespace {
 
 constexpr std::size_t kNamed = 4;
 
-/// A dead end behind the opening, on the side that is not the world's.
+/// A dead end behind the opening, on the side that is not the world's. It widens, so that the door itself is what is narrow.
 Ring porch(const Segment& door, const Box& box) {
   const double depth = std::max(std::abs(door.b.x - door.a.x), std::abs(door.b.y - door.a.y));
   const bool vertical = door.a.x == door.b.x;
   const double side = vertical ? door.a.x : door.a.y, low = vertical ? box.min.x : box.min.y;
   const double far = side == low ? side - depth : side + depth;
   const auto [p, q] = std::minmax(door.a, door.b);
-  return vertical ? Ring{p, q, {far, q.y}, {far, p.y}} : Ring{p, q, {q.x, far}, {p.x, far}};
+  return vertical ? Ring{p, q, {far, q.y + depth}, {far, p.y - depth}}
+                  : Ring{p, q, {q.x + depth, far}, {p.x - depth, far}};
 }
 
 bool is_on_a_side(const Segment& door, const Box& b) {
   const auto both = [&](double u, double v, double low, double high) { return u == v && (u == low || u == high); };
   return both(door.a.x, door.b.x, b.min.x, b.max.x) || both(door.a.y, door.b.y, b.min.y, b.max.y);
+}
+
+double distance(const FreeSpace& space, Point p, std::uint32_t constraint) {
+  const Constraint& c = space.constraints()[constraint];
+  return detail::segment_distance({p, p}, {c.a, c.b});
 }
 
 std::string and_more(std::size_t all) { return all > kNamed ? fmt::format(" and {} more", all - kNamed) : ""; }
@@ -79,11 +86,24 @@ Barrier barrier_of(const Gates& gates, const std::vector<BarrierPiece>& pieces) 
   return barrier;
 }
 
-Segment wall_of(const FreeSpace& space, std::uint32_t constraint) {
-  const Constraint& piece = space.constraints()[constraint];
-  if (piece.wall == kNone || !piece.is_wall()) return {piece.a, piece.b};
-  const Wall& wall = space.world().walls()[piece.wall];
+Segment wall_of(const FreeSpace& space, std::uint32_t constraint, const Point* end) {
+  const auto& all = space.constraints();
+  const auto is_named = [](const Constraint& c) { return c.wall != kNone; };
+  const auto ends_there = [&](const Constraint& c) { return is_named(c) && (c.a == *end || c.b == *end); };
+  auto piece = all.begin() + constraint;
+  if (end && !is_named(*piece))
+    if (const auto other = std::find_if(all.begin(), all.end(), ends_there); other != all.end()) piece = other;
+  if (!is_named(*piece)) return {piece->a, piece->b};
+  const Wall& wall = space.world().walls()[piece->wall];
   return {wall.a, wall.b};
+}
+
+Segment wall_near(const FreeSpace& space, std::uint32_t constraint, Point p) {
+  const Constraint& c = space.constraints()[constraint];
+  const double least = distance(space, p, constraint);
+  for (const Point* end : {&c.a, &c.b})
+    if (detail::segment_distance({p, p}, {*end, *end}) == least) return wall_of(space, constraint, end);
+  return wall_of(space, constraint);
 }
 
 std::string blocked_text(const Gates& gates, const DiscPassage& passage, const Barrier& barrier, Point start,
@@ -94,8 +114,8 @@ std::string blocked_text(const Gates& gates, const DiscPassage& passage, const B
     const char* role = at_start ? "start" : "goal";
     if (passage.barrier.empty()) return fmt::format("the {} {} is outside", role, point_text(end));
     return fmt::format("the {} {} is only {} from the wall {}", role, point_text(end),
-                       number_text(gates.space().clearance(end).distance),
-                       segment_text(wall_of(gates.space(), passage.barrier.front().constraint)));
+                       number_text(distance(gates.space(), end, passage.barrier.front().constraint)),
+                       segment_text(wall_near(gates.space(), passage.barrier.front().constraint, end)));
   }
   if (barrier.gates.empty())
     return fmt::format("these walls separate start and goal: {}", segments_text(barrier.walls, kNamed));
@@ -108,11 +128,12 @@ std::string blocked_text(const Gates& gates, const DiscPassage& passage, const B
 }
 
 std::string pinch_text(const Pinch& pinch, const FreeSpace& space, const std::string& width) {
-  const std::string first = segment_text(wall_of(space, pinch.constraints[0]));
+  const std::string first = segment_text(wall_of(space, pinch.constraints[0], &pinch.posts[0]));
   if (pinch.where == Pinch::Where::gate)
     return fmt::format("narrowest {} between {} and {}, of the walls {} and {}",
                        width.empty() ? number_text(2 * pinch.clearance) : width, point_text(pinch.posts[0]),
-                       point_text(pinch.posts[1]), first, segment_text(wall_of(space, pinch.constraints[1])));
+                       point_text(pinch.posts[1]), first,
+                       segment_text(wall_of(space, pinch.constraints[1], &pinch.posts[1])));
   return fmt::format("nearest to a wall at the {} {}: {} from the wall {}",
                      pinch.where == Pinch::Where::start ? "start" : "goal", point_text(pinch.posts[1]),
                      number_text(pinch.clearance), first);

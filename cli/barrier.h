@@ -32,8 +32,11 @@ struct Barrier {
 
 Barrier barrier_of(const Gates& gates, const std::vector<BarrierPiece>& pieces);
 
-/// The wall of the world that a piece came from; the piece where none is known.
-Segment wall_of(const FreeSpace& space, std::uint32_t constraint);
+/// The wall of the world that a piece came from, or another one that ends in `end`; the piece where none is known.
+Segment wall_of(const FreeSpace& space, std::uint32_t constraint, const Point* end = nullptr);
+
+/// Likewise of the piece nearest to p.
+Segment wall_near(const FreeSpace& space, std::uint32_t constraint, Point p);
 
 /// Why a disc of radius r does not get through, in one line. Precondition: it does not.
 std::string blocked_text(const Gates& gates, const DiscPassage& passage, const Barrier& barrier, Point start,

@@ -22,8 +22,8 @@ Json curves_of(const ClearancePath& way) {
 Json pinch_of(const Pinch& pinch, const FreeSpace& space) {
   static constexpr const char* kPlaces[] = {"gate", "start", "goal"};
   Json walls = Json::array();
-  for (const std::uint32_t c : pinch.constraints)
-    if (c != kNone) walls.push_back(json_of(wall_of(space, c)));
+  for (std::size_t i = 0; i < 2; ++i)
+    if (pinch.constraints[i] != kNone) walls.push_back(json_of(wall_of(space, pinch.constraints[i], &pinch.posts[i])));
   return {{"at", kPlaces[static_cast<int>(pinch.where)]},
           {"clearance", pinch.clearance},
           {"posts", {json_of(pinch.posts[0]), json_of(pinch.posts[1])}},

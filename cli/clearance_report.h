@@ -48,7 +48,7 @@ std::string clearance_text(const ClearanceAnswer& answer, const FreeSpace& space
 ///  curves     [[[x, y], [x, y], [x, y]], ...] quadratic Bezier curves, chained
 ///  verified   true when the path was checked against the walls and its width against the gates
 /// with "widest" also:
-///  width      the exact width of the narrowest place as text, a fraction where short; null when an end is narrower
+///  width      the exact width of the narrowest place as text, a fraction where short; null when an end is as narrow
 ///  radius_below  the largest double that is no larger than the exact radius
 /// when none, and with "widest" for what keeps larger discs out:
 ///  barrier    {walls: [[[x, y], [x, y]], ...], gates: [{posts, width, width_text}, ...]}, a closed chain around an end

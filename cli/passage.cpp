@@ -115,7 +115,7 @@ class Answerer {
     const bool at_start = widest_->limit == WidestPassage::Limit::start;
     return fmt::format("the {} {} is that far from the wall {}", at_start ? "start" : "goal",
                        point_text(at_start ? start_ : goal_),
-                       segment_text(wall_of(gates_->space(), widest_->constraint)));
+                       segment_text(wall_near(gates_->space(), widest_->constraint, at_start ? start_ : goal_)));
   }
 
   std::string widest_text() const {

@@ -112,7 +112,7 @@ constexpr std::string_view kColours = R"(
 
 double SvgPage::wall_stroke() const { return std::clamp(0.11 * corridor, 0.5, 5.0); }
 double SvgPage::path_stroke() const { return std::clamp(0.17 * corridor, 1.6, 6.0); }
-double SvgPage::gate_stroke() const { return std::clamp(0.09 * corridor, 1.5, 4.0); }
+double SvgPage::gate_stroke() const { return std::clamp(0.12 * corridor, 2.0, 5.0); }
 double SvgPage::roadmap_stroke() const { return std::clamp(0.02 * corridor, 0.15, 1.0); }
 double SvgPage::marker_radius() const { return std::clamp(0.27 * corridor, 6.0, 11.0); }
 
@@ -141,7 +141,7 @@ std::string style(const SvgPage& page) {
       ".taut .walls{{stroke-width:{}}}\n"
       ".taut .walls .bar{{stroke-linecap:square}}\n"
       ".taut .separation{{stroke-width:{}}}\n"
-      ".taut .gates{{stroke-width:{};stroke-linecap:butt;stroke-dasharray:{}}}\n"
+      ".taut .gates{{stroke-width:{}}}\n"
       ".taut .shades{{stroke-width:{}}}\n"
       ".taut .path .line{{stroke-width:{}}}\n"
       ".taut .path .casing{{stroke-width:{}}}\n"
@@ -154,8 +154,7 @@ std::string style(const SvgPage& page) {
       "</style>\n",
       kColours, px(page.roadmap_stroke()), px(0.6 * page.wall_stroke()), px(std::max(2.0, 2 * page.wall_stroke())),
       px(page.wall_stroke()), px(std::max(1.7 * page.wall_stroke(), page.path_stroke())), px(page.gate_stroke()),
-      px(1.5 * page.gate_stroke()), px(page.path_stroke()), px(page.path_stroke()), px(page.path_stroke() * 1.5 + 0.4),
-      kTextSize, kTitleSize);
+      px(page.path_stroke()), px(page.path_stroke()), px(page.path_stroke() * 1.5 + 0.4), kTextSize, kTitleSize);
 }
 
 std::string legend(const SvgPage& page, const std::string& title, const std::vector<std::string>& facts,
