@@ -106,6 +106,16 @@ Segment wall_near(const FreeSpace& space, std::uint32_t constraint, Point p) {
   return wall_of(space, constraint);
 }
 
+std::vector<Segment> separating_walls(const FreeSpace& space, Point start, Point goal) {
+  return joined_walls(space.separation(start, goal), space.world().box());
+}
+
+std::string separation_text(const Barrier& barrier) {
+  return fmt::format("{} start and goal: {}",
+                     barrier.walls.size() == 1 ? "this wall separates" : "these walls separate",
+                     segments_text(barrier.walls, kNamed));
+}
+
 std::string blocked_text(const Gates& gates, const DiscPassage& passage, const Barrier& barrier, Point start,
                          Point goal, double r) {
   if (passage.status != PassageStatus::separated) {
@@ -117,8 +127,7 @@ std::string blocked_text(const Gates& gates, const DiscPassage& passage, const B
                        number_text(distance(gates.space(), end, passage.barrier.front().constraint)),
                        segment_text(wall_near(gates.space(), passage.barrier.front().constraint, end)));
   }
-  if (barrier.gates.empty())
-    return fmt::format("these walls separate start and goal: {}", segments_text(barrier.walls, kNamed));
+  if (barrier.gates.empty()) return separation_text(barrier);
   std::vector<std::string> names;
   for (std::size_t i = 0; i < std::min(kNamed, barrier.gates.size()); ++i) names.push_back(barrier.gates[i].name);
   return fmt::format(

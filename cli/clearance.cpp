@@ -126,10 +126,14 @@ class ClearanceSolver {
     return {{way->pinch.clearance, std::move(*way)}};
   }
 
-  /// The gates prove it; any disc will do where not even a point gets through.
+  /// The gates prove it; where not even a point gets through, the walls.
   void prove_none() {
-    const double least = std::numeric_limits<double>::min();
-    const double r = request_.what.kind == Kind::at_least ? std::max(request_.what.clearance, least) : least;
+    const double r = request_.what.kind == Kind::at_least ? request_.what.clearance : 0;
+    if (r == 0) {
+      answer_.barrier.walls = separating_walls(map_->space(), *answer_.start, *answer_.goal);
+      answer_.reason = separation_text(answer_.barrier);
+      return;
+    }
     const DiscPassage passage = disc_passage(*gates_, *answer_.start, *answer_.goal, r);
     if (passage.status == PassageStatus::reachable) return differ();
     answer_.barrier = barrier_of(*gates_, passage.barrier);

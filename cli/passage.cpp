@@ -97,8 +97,7 @@ class Answerer {
     } else if (widest_) {
       barrier_ = barrier_of(*gates_, widest_->barrier);
     } else {
-      passage_ = disc_passage(*gates_, start_, goal_, std::numeric_limits<double>::min());
-      barrier_ = barrier_of(*gates_, passage_->barrier);
+      barrier_.walls = separating_walls(gates_->space(), start_, goal_);
     }
     return true;
   }
@@ -128,15 +127,18 @@ class Answerer {
   }
 
   std::string line() const {
+    if (!asks_for_radius() && !widest_) return "no path: " + separation_text(barrier_);
     if (!passage_) return fmt::format("{}, {}", widest_text(), seconds_text(seconds_.total));
     const std::string radius = number_text(options_.query.robot.radius());
     if (gets_through())
       return fmt::format("a disc of radius {} gets through; {}, {}", radius, widest_text(),
                          seconds_text(seconds_.total));
-    const double r = asks_for_radius() ? options_.query.robot.radius() : 0;
-    return fmt::format("{}: {}",
-                       asks_for_radius() ? fmt::format("no disc of radius {} gets through", radius) : "no path",
-                       blocked_text(*gates_, *passage_, barrier_, start_, goal_, r));
+    return fmt::format("no disc of radius {} gets through: {}", radius, why_not());
+  }
+
+  std::string why_not() const {
+    return passage_ ? blocked_text(*gates_, *passage_, barrier_, start_, goal_, options_.query.robot.radius())
+                    : separation_text(barrier_);
   }
 
   std::string drawing(const FreeSpace& space, const std::string& source) const {
@@ -174,9 +176,7 @@ class Answerer {
                          {"limit", kLimits[static_cast<int>(widest_->limit)]},
                          {"reason", limit_text()}};
     }
-    if (!gets_through())
-      json["reason"] = blocked_text(*gates_, *passage_, barrier_, start_, goal_,
-                                    asks_for_radius() ? options_.query.robot.radius() : 0);
+    if (!gets_through()) json["reason"] = why_not();
     json["barrier"] = barrier_json(barrier_);
     json["gates"] = gates_->gates().size();
     json["seconds"] = {{"read", seconds_.read},
@@ -192,7 +192,7 @@ class Answerer {
   std::vector<Point> goals_;
   std::optional<Gates> gates_;
   std::optional<WidestPassage> widest_;
-  std::optional<DiscPassage> passage_;  ///< for the radius asked about, or for any where nothing gets through
+  std::optional<DiscPassage> passage_;  ///< for the radius asked about
   Barrier barrier_;
   StageSeconds seconds_;
   Stopwatch total_;

@@ -181,11 +181,16 @@ class Picture {
   void shades() {
     if (what_.shades.empty()) return;
     out_ += "<g class=\"shades\">";
+    // Where paths run together, those below show as rims.
+    double width = page_.path_stroke() * 2;
+    const double step = page_.path_stroke() * 1.2 / static_cast<double>(what_.shades.size());
     for (const SvgShade& s : what_.shades) {
       SvgPath path(*scale_);
       path.chain(s.curves);
       if (!path.empty())
-        out_ += fmt::format("<path style=\"stroke:{}\" d=\"{}\"/>", shade_colour(s.shade), path.text());
+        out_ += fmt::format("<path style=\"stroke:{};stroke-width:{}\" d=\"{}\"/>", shade_colour(s.shade),
+                            detail::svg_number(width), path.text());
+      width -= step;
     }
     out_ += "</g>\n";
   }

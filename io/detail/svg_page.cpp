@@ -142,7 +142,6 @@ std::string style(const SvgPage& page) {
       ".taut .walls .bar{{stroke-linecap:square}}\n"
       ".taut .separation{{stroke-width:{}}}\n"
       ".taut .gates{{stroke-width:{}}}\n"
-      ".taut .shades{{stroke-width:{}}}\n"
       ".taut .path .line{{stroke-width:{}}}\n"
       ".taut .path .casing{{stroke-width:{}}}\n"
       ".taut .sample{{stroke-width:3}}\n"
@@ -154,7 +153,7 @@ std::string style(const SvgPage& page) {
       "</style>\n",
       kColours, px(page.roadmap_stroke()), px(0.6 * page.wall_stroke()), px(std::max(2.0, 2 * page.wall_stroke())),
       px(page.wall_stroke()), px(std::max(1.7 * page.wall_stroke(), page.path_stroke())), px(page.gate_stroke()),
-      px(page.path_stroke()), px(page.path_stroke()), px(page.path_stroke() * 1.5 + 0.4), kTextSize, kTitleSize);
+      px(page.path_stroke()), px(page.path_stroke() * 1.5 + 0.4), kTextSize, kTitleSize);
 }
 
 std::string legend(const SvgPage& page, const std::string& title, const std::vector<std::string>& facts,
