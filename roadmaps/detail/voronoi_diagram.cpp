@@ -10,8 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
+#include <optional>
 #include <unordered_map>
+
+#include <taut/geometry/detail/segment_distance.h>
 
 namespace taut::detail {
 
@@ -82,16 +84,25 @@ class Builder {
     if (joint(sites)) return voronoi_point(sites, {});
     const VoronoiPoint found = voronoi_point(sites, guess(f));
     if (is_known(found)) return found;
-    const VoronoiPoint again = voronoi_point(sites, exact_guess(sites));
-    if (!is_known(again)) throw std::logic_error("a vertex of the Voronoi diagram cannot be computed");
-    return again;
+    return exact_point(sites).value_or(found);
   }
 
   static bool is_known(const VoronoiPoint& p) {
     return p.clearance > 0 && std::isfinite(p.at.x + p.at.y + p.clearance);
   }
 
-  static Point exact_guess(const std::array<Segment, 3>& sites) {
+  /// Nothing where CGAL has no formula: two sites on one line.
+  static std::optional<VoronoiPoint> exact_point(const std::array<Segment, 3>& sites) try {
+    const Point at = exact_vertex(sites);
+    if (!std::isfinite(at.x + at.y)) return std::nullopt;
+    const VoronoiPoint again = voronoi_point(sites, at);
+    if (is_known(again) && std::isfinite(again.error)) return again;
+    return VoronoiPoint{at, segment_distance({at, at}, sites[0]), 0x1p-50 * (std::abs(at.x) + std::abs(at.y))};
+  } catch (const CGAL::Failure_exception&) {
+    return std::nullopt;
+  }
+
+  static Point exact_vertex(const std::array<Segment, 3>& sites) {
     using Exact = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt;
     using ExactTraits = CGAL::Segment_Delaunay_graph_traits_without_intersections_2<Exact, CGAL::Field_with_sqrt_tag>;
     const auto exact = [](Point p) { return Exact::Point_2(p.x, p.y); };

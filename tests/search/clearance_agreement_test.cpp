@@ -46,12 +46,13 @@ class Both {
       : gates_(space), s_(s), g_(g), query_(VoronoiRoadmap(space), s, g), widest_(query_.widest()) {}
 
   /// Empty when diagram and gates agree about the widest disc.
-  std::string fault_of_widest() const {
+  std::string fault_of_widest(double slack) const {
     const auto other = widest_passage(gates_, s_, g_);
     if (bool(widest_) != bool(other)) return "only one finds a way";
     if (!widest_) return {};
     const Pinch& pinch = widest_->pinch;
     if ((other->limit == WidestPassage::Limit::gate) && pinch.where != Pinch::Where::gate) return "an end, not a gate";
+    if (std::abs(pinch.clearance - other->radius) <= slack * other->radius) return {};
     // One is the nearest double, the other the largest that passes.
     if (pinch.clearance != other->radius && pinch.clearance != std::nextafter(other->radius, HUGE_VAL))
       return fmt::format("{} against {}", pinch.clearance, other->radius);
@@ -61,12 +62,16 @@ class Both {
   bool diagram_passes(double r) const { return query_.shortest(r).has_value(); }
   bool gates_pass(double r) const { return disc_passage(gates_, s_, g_, r).status == PassageStatus::reachable; }
 
-  /// Radii below, at and above half of each gate's width.
-  std::vector<double> critical_radii() const {
+  /// Radii below, at and above half of each gate's width; with slack only below and above.
+  std::vector<double> critical_radii(double slack) const {
     std::vector<double> radii;
-    for (const Gate& gate : gates_.gates())
-      for (const double r : {std::nextafter(gate.width / 2, 0.0), gate.width / 2, std::nextafter(gate.width / 2, 99.0)})
-        radii.push_back(r);
+    for (const Gate& gate : gates_.gates()) {
+      const double half = gate.width / 2;
+      if (slack > 0)
+        radii.insert(radii.end(), {half * (1 - slack), half * (1 + slack)});
+      else
+        radii.insert(radii.end(), {std::nextafter(half, 0.0), half, std::nextafter(half, 99.0)});
+    }
     return radii;
   }
 
@@ -77,12 +82,13 @@ class Both {
   std::optional<ClearancePath> widest_;
 };
 
-void expect_agreement(const FreeSpace& space, Point s, Point g) {
+/// Exactly, or but for a slack in proportion.
+void expect_agreement(const FreeSpace& space, Point s, Point g, double slack = 0) {
   if (space.locate(s).kind == Location::Kind::outside || space.locate(g).kind == Location::Kind::outside) return;
   const Both both(space, s, g);
   RC_LOG(fmt::format(" s {} g {}\n", test::show(s), test::show(g)));
-  RC_ASSERT(both.fault_of_widest() == std::string());
-  for (const double r : both.critical_radii()) {
+  RC_ASSERT(both.fault_of_widest(slack) == std::string());
+  for (const double r : both.critical_radii(slack)) {
     RC_LOG(fmt::format(" r {:a}\n", r));
     RC_ASSERT(both.diagram_passes(r) == both.gates_pass(r));
   }
@@ -95,11 +101,14 @@ RC_GTEST_PROP(ClearanceAgreement, OfDiagramAndGatesInMessyWorlds, ()) {
   for (int n = 0; n < 3; ++n) expect_agreement(space, any_point(6), any_point(6));
 }
 
+/// Slanting bars have corners that were rounded, and a foot as near to an edge's end as that counts as on it (VoronoiRoadmap, guarantee 4).
 RC_GTEST_PROP(ClearanceAgreement, OfDiagramAndGatesWithThickWalls, ()) {
-  const SmallWorld small = test::any_world({.side = 6, .walls = 6, .solids = 2, .thickness = 0.3125});
+  const bool straight = test::any(0, 1) == 1;
+  const SmallWorld small =
+      test::any_world({.side = 6, .walls = 6, .solids = 2, .thickness = 0.3125, .straight = straight});
   RC_LOG(test::show(small));
   const FreeSpace space = walled(small);
-  for (int n = 0; n < 2; ++n) expect_agreement(space, any_point(6), any_point(6));
+  for (int n = 0; n < 2; ++n) expect_agreement(space, any_point(6), any_point(6), straight ? 0 : 1e-12);
 }
 
 RC_GTEST_PROP(ClearanceAgreement, OfDiagramAndGatesInMazes, ()) {
