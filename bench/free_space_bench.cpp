@@ -65,7 +65,9 @@ void unite(benchmark::State& state, const World& world, double rim) {
 void BM_UniteStraight(benchmark::State& state) { unite(state, thick_maze(static_cast<int>(state.range(0))), 0); }
 void BM_UniteTurned(benchmark::State& state) {
   const int cells = static_cast<int>(state.range(0));
-  unite(state, turned_maze(cells), 4 * (cells + 0.25));
+  const World world = turned_maze(cells);
+  const Box box = world.box();  // the outline of an open world is part of it
+  unite(state, world, 4 * (cells + 0.25) + 2 * (box.max.x - box.min.x + box.max.y - box.min.y));
 }
 
 void BM_UniteStraightByCgal(benchmark::State& state) {

@@ -143,7 +143,8 @@ struct ClearanceSearch::Impl {
     tree.length[start_node] = 0;
     open.push({0, start_node});
     while (!open.empty()) {
-      const auto [length, v] = open.top();
+      const double length = open.top().first;
+      const std::uint32_t v = open.top().second;
       open.pop();
       if (v == goal_node) return found(tree, expanded);
       if (length > tree.length[v]) continue;

@@ -36,14 +36,15 @@ std::optional<Entry> entry(Point p, Point q, const Box& box) {
   return first;
 }
 
-/// Up to where the path first enters the room.
-std::vector<Point> until_room(const std::vector<Point>& points, const std::vector<Box>& room) {
+/// Up to where the path first enters the room. A start on a wall with the room behind it is not in it yet.
+std::vector<Point> until_room(const FreeSpace& space, const std::vector<Point>& points, const std::vector<Box>& room) {
   std::vector<Point> kept{points.front()};
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Point q = points[std::min(i + 1, points.size() - 1)];
     std::optional<Entry> first;
     for (const Box& box : room)
-      if (const auto here = entry(points[i], q, box); here && (!first || here->parameter < first->parameter))
+      if (const auto here = entry(points[i], q, box);
+          here && (!first || here->parameter < first->parameter) && space.clearance(here->at).distance > 0)
         first = here;
     if (first && first->at != kept.back()) kept.push_back(first->at);
     if (first || i + 1 == points.size()) return kept;
@@ -71,7 +72,7 @@ GraphSearchResult voronoi_search(const VoronoiRoadmap& map, Point from, const Go
     if (!way) continue;
     best.expanded += way->expanded;
     std::vector<Point> points = way->curves.empty() ? std::vector<Point>{from} : sampled(way->curves, tolerance);
-    if (!to.point) points = until_room(points, to.room);
+    if (!to.point) points = until_room(map.space(), points, to.room);
     Length length(points);
     if (best.status == SearchStatus::found && !(length < best.path.length)) continue;
     best.status = SearchStatus::found;
