@@ -23,6 +23,7 @@ Command solve_command(CLI::App& app);
 Command check_command(CLI::App& app);
 Command roadmap_command(CLI::App& app);
 Command compare_command(CLI::App& app);
+Command passage_command(CLI::App& app);
 Command generate_command(CLI::App& app);
 Command convert_command(CLI::App& app);
 

@@ -86,6 +86,7 @@ std::vector<Command> all_commands(CLI::App& app) {
   commands.push_back(check_command(app));
   commands.push_back(roadmap_command(app));
   commands.push_back(compare_command(app));
+  commands.push_back(passage_command(app));
   commands.push_back(generate_command(app));
   commands.push_back(convert_command(app));
   return commands;

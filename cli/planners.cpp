@@ -42,6 +42,7 @@ std::span<const Planner> planners() {
       {"cells8", "cells8", GraphAlgorithm::astar},
       {"prm", "prm", GraphAlgorithm::astar},
       {"prm-lattice", "prm-lattice", GraphAlgorithm::astar},
+      {"voronoi", "voronoi", GraphAlgorithm::astar},
   };
   return kPlanners;
 }

@@ -7,11 +7,14 @@
 
 #include <taut/io/read_world.h>
 #include <taut/io/roadmap_file.h>
+#include <taut/io/svg.h>
 #include <taut/roadmaps/cell_graph.h>
 #include <taut/roadmaps/visibility_graph.h>
+#include <taut/roadmaps/voronoi_legs.h>
 #include <taut/search/cell_search.h>
 #include <taut/search/prm_planner.h>
 #include <taut/search/shortest_path.h>
+#include <taut/search/voronoi_search.h>
 
 namespace taut::cli {
 
@@ -102,6 +105,19 @@ RoadmapKind homework_prm() {
           }};
 }
 
+RoadmapKind voronoi() {
+  return {"voronoi", "segment Voronoi diagram", false, false, [](const FreeSpace& space, const BuildRequest&) {
+            const double tolerance = corridor_width(space) * kArcTolerance;
+            const auto map = std::make_shared<const VoronoiRoadmap>(space);
+            PlannedRoadmap planned{std::make_shared<const Roadmap>(voronoi_legs(*map, tolerance)),
+                                   [map, tolerance](Point from, const Goal& to, GraphAlgorithm) {
+                                     return voronoi_search(*map, from, to, tolerance);
+                                   }};
+            planned.diagram = map;
+            return planned;
+          }};
+}
+
 }  // namespace
 
 std::span<const RoadmapKind> roadmap_kinds() {
@@ -113,6 +129,7 @@ std::span<const RoadmapKind> roadmap_kinds() {
       growing_prm("prm", "probabilistic roadmap", PrmSampler::uniform, true),
       growing_prm("prm-lattice", "probabilistic roadmap on a lattice", PrmSampler::lattice, false),
       homework_prm(),
+      voronoi(),
   };
   return kinds;
 }
@@ -138,6 +155,12 @@ void add_roadmap_kind(CLI::App& app, const std::string& option, const RoadmapKin
   app.add_option_function<std::string>(option, take, roadmap_kind_names() + " (default: visibility)")
       ->type_name("NAME")
       ->group(group);
+}
+
+void require_savable(const RoadmapKind& kind) {
+  if (!kind.restore)
+    throw CLI::ValidationError(std::string("--save: a roadmap of the kind '") + kind.name +
+                               "' cannot be kept in a file; it is built anew each time");
 }
 
 std::string saved_text(const RoadmapKind& kind, const PlannedRoadmap& planned, const FreeSpace& space) {

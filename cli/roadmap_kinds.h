@@ -12,6 +12,7 @@
 
 #include <taut/geometry/free_space.h>
 #include <taut/roadmaps/roadmap.h>
+#include <taut/roadmaps/voronoi.h>
 #include <taut/search/graph_search.h>
 
 namespace taut::cli {
@@ -20,7 +21,8 @@ namespace taut::cli {
 struct PlannedRoadmap {
   std::shared_ptr<const Roadmap> roadmap;
   std::function<GraphSearchResult(Point, const Goal&, GraphAlgorithm)> search;
-  std::string how{};  ///< the settings it was built with, for saved files
+  std::string how{};                                ///< the settings it was built with, for saved files
+  std::shared_ptr<const VoronoiRoadmap> diagram{};  ///< when `roadmap` only stands for it
 };
 
 /// What a builder may want to know besides the space.
@@ -42,6 +44,9 @@ struct RoadmapKind {
   std::function<PlannedRoadmap(const FreeSpace&, Roadmap)> restore{};
 };
 
+/// Legs that stand for an arc leave it by at most this part of the mean width of a corridor.
+inline constexpr double kArcTolerance = 1.0 / 512;
+
 std::span<const RoadmapKind> roadmap_kinds();
 
 /// `visibility, cells, ...`
@@ -52,6 +57,9 @@ const RoadmapKind* roadmap_kind(const std::string& name);
 
 /// --OPTION NAME, one of the kinds; anything else is a CLI::ValidationError. `kind` keeps its value when the option is not given.
 void add_roadmap_kind(CLI::App& app, const std::string& option, const RoadmapKind*& kind, const std::string& group);
+
+/// Throws CLI::ValidationError when roadmaps of that kind cannot be kept in files: what they hold besides legs is not in them.
+void require_savable(const RoadmapKind& kind);
 
 /// The file of a roadmap of that kind (roadmap_file).
 std::string saved_text(const RoadmapKind& kind, const PlannedRoadmap& planned, const FreeSpace& space);

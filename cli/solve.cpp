@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <taut/cli/clearance.h>
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
@@ -37,12 +38,14 @@ struct SolveOptions {
   OutputOptions output;
   CommonOptions common;
   GraphAlgorithm algorithm = GraphAlgorithm::astar;
+  ClearanceQuery clearance;
   bool no_verify = false;
   bool path = false;
   const RoadmapKind* kind = nullptr;  // visibility, or what --load finds
   std::string save;
   std::string load;
 
+  ClearanceRequest clearance_request() const { return {world, query, output, clearance, !no_verify, path}; }
   bool stdout_taken() const { return output.stdout_taken() || save == "-"; }
 };
 
@@ -68,8 +71,16 @@ void add_options(CLI::App& app, SolveOptions& options) {
       ->group("Roadmap");
   app.add_flag("--no-verify", options.no_verify, "Do not check the answer independently")->group("Query");
   app.add_flag("--path", options.path, "Print the points of the path, one `x y` a line")->group("Output");
+  add_clearance_options(app, options.clearance);
   add_output_options(app, options.output);
   app.callback([&options] {
+    if (options.clearance.kind != ClearanceQuery::Kind::none) {
+      if ((options.kind && options.kind != roadmap_kind("voronoi")) || !options.save.empty() || !options.load.empty())
+        throw CLI::ValidationError(
+            "--clearance, --widest and --tradeoff go along the Voronoi diagram, not another roadmap");
+      require_suitable(options.clearance_request());
+    }
+    if (options.kind && !options.save.empty()) require_savable(*options.kind);
     if ((options.output.svg == "-") + (options.output.json == "-") + (options.save == "-") > 1)
       throw CLI::ValidationError("only one of --svg, --json and --save can have standard output");
     if (options.load == "-" && options.world.file == "-")
@@ -205,7 +216,10 @@ class Solver {
     SvgPicture picture;
     picture.title = title_of(result_.source);
     picture.facts = facts();
-    if (planned_.roadmap->edge_count() <= kEdgesInBackground) picture.roadmap = planned_.roadmap.get();
+    if (planned_.diagram)
+      picture.diagram = planned_.diagram.get();
+    else if (planned_.roadmap->edge_count() <= kEdgesInBackground)
+      picture.roadmap = planned_.roadmap.get();
     if (result_.status == SearchStatus::found) picture.path = &result_.path;
     picture.separation = result_.separation;
     picture.start = result_.start;
@@ -271,7 +285,10 @@ class Solver {
   Stopwatch total_;
 };
 
-int run(const SolveOptions& options) { return Solver(options).run(); }
+int run(const SolveOptions& options) {
+  if (options.clearance.kind != ClearanceQuery::Kind::none) return solve_with_clearance(options.clearance_request());
+  return Solver(options).run();
+}
 
 }  // namespace
 
