@@ -29,6 +29,7 @@ struct RoadmapOptions {
   CommonOptions common;
   const RoadmapKind* kind = roadmap_kind("visibility");
   bool full = false;
+  PrmRequest prm;
   std::string graphml;
   std::string geojson;
   std::string save;
@@ -52,6 +53,7 @@ void add_options(CLI::App& app, RoadmapOptions& options) {
   app.add_flag("--full", options.full,
                "Of a visibility graph all pairs that see each other, not only those a shortest path can use")
       ->group("Roadmap");
+  add_prm_options(app, options.prm, false);
   add_output_options(app, options.output);
   app.add_option("--graphml", options.graphml, "Write it as GraphML; - is standard output")
       ->type_name("FILE")
@@ -61,6 +63,7 @@ void add_options(CLI::App& app, RoadmapOptions& options) {
       ->group("Output");
   app.add_option("--save", options.save, "Keep it for `taut solve --load`")->type_name("FILE")->group("Output");
   app.callback([&options] {
+    require_prm_options_fit(options.prm, options.chosen());
     const auto files = options.files();
     if (std::count(files.begin(), files.end(), "-") > 1)
       throw CLI::ValidationError("only one of --svg, --json, --graphml, --geojson and --save can have standard output");
@@ -80,8 +83,10 @@ int run(const RoadmapOptions& options) {
   const Input input = timed("read", read, [&] { return read_input(options.world, options.query); });
   const FreeSpace space = timed("space", build, [&] { return FreeSpace(input.world, options.query.robot); });
   const PlannedRoadmap planned = timed("roadmap", roadmap_seconds, [&] {
-    return kind.build(space, {options.common.seed, input.world.start(), input.world.goal()});
+    return kind.build(space, {options.common.seed, input.world.start(), input.world.goal(), options.prm,
+                              options.common.limits.seconds.has_value(), prm_progress(options.output.quiet)});
   });
+  end_progress();
   begin_stage("write");
   const Roadmap& roadmap = *planned.roadmap;
   const std::vector<std::string> facts{kind.title, count_text(roadmap.vertex_count(), "vertex", "vertices"),
@@ -89,7 +94,8 @@ int run(const RoadmapOptions& options) {
   SvgPicture picture{title_of(input.name), facts, &roadmap, nullptr, {}, input.world.start(), input.world.goal()};
   const std::string texts[] = {
       made_for(options.output.svg, [&] { return svg(space, picture); }),
-      made_for(options.output.json, [&] { return roadmap_json(roadmap, kind.title, input.name, roadmap_seconds); }),
+      made_for(options.output.json,
+               [&] { return roadmap_json(roadmap, kind.title, input.name, roadmap_seconds, planned.prm); }),
       made_for(options.graphml, [&] { return roadmap_graphml(roadmap); }),
       made_for(options.geojson, [&] { return roadmap_geojson(roadmap); }),
       made_for(options.save, [&] { return saved_text(kind, planned, space); })};
@@ -100,6 +106,7 @@ int run(const RoadmapOptions& options) {
   if (options.output.stats)
     note(fmt::format("read {:.4f} s, free space {:.4f} s, roadmap {:.4f} s, peak memory {}", read, build,
                      roadmap_seconds, peak_memory_text()));
+  if (options.output.stats && planned.prm) note(connectivity_text(*planned.prm));
   return kFound;
 }
 

@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 
+#include <taut/cli/prm_options.h>
 #include <taut/geometry/free_space.h>
 #include <taut/roadmaps/roadmap.h>
 #include <taut/search/graph_search.h>
@@ -20,7 +21,8 @@ namespace taut::cli {
 struct PlannedRoadmap {
   std::shared_ptr<const Roadmap> roadmap;
   std::function<GraphSearchResult(Point, const Goal&, GraphAlgorithm)> search;
-  std::string how{};  ///< the settings it was built with, for saved files
+  std::string how{};                     ///< the settings it was built with, for saved files
+  std::optional<PrmConnectivity> prm{};  ///< of a PRM that was grown for a query
 };
 
 /// What a builder may want to know besides the space.
@@ -29,6 +31,9 @@ struct BuildRequest {
   std::optional<Point>
       from{};  ///< the ends of the first query, for builders that grow until it is solved; may be absent
   Goal to{};
+  PrmRequest prm{};
+  bool is_limited = false;  ///< there is --max-seconds
+  std::function<bool(const PrmProgress&)> progress{};
 };
 
 struct RoadmapKind {
@@ -40,6 +45,7 @@ struct RoadmapKind {
   std::function<PlannedRoadmap(const FreeSpace&, const BuildRequest&)> build;
   /// The same from its vertices and edges, read from a file; empty where these are not all there is to it.
   std::function<PlannedRoadmap(const FreeSpace&, Roadmap)> restore{};
+  bool is_prm = false;  ///< heeds BuildRequest::prm
 };
 
 std::span<const RoadmapKind> roadmap_kinds();

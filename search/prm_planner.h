@@ -28,14 +28,24 @@ struct PrmPlan {
   std::function<bool(const PrmProgress&)> progress{};
 };
 
+/// How far a roadmap hangs together.
+struct PrmConnectivity {
+  PrmCounts counts;
+  std::size_t start_part = 0;  ///< vertices that hang together with the start
+  std::size_t goal_part = 0;   ///< with the goal, of a room any of its boxes
+};
+
 struct PrmResult {
   /// found: the path is the shortest in the roadmap as it was then, not in the world. none: start and goal lie in different components of
   /// the space, which proves that there is no path at all (nothing is sampled). stopped: the budget ended first; proves nothing.
   GraphSearchResult search;
   Roadmap roadmap;  ///< of the edges that were tested and found free
   PrmCounts counts;
+  std::size_t start_part = 0, goal_part = 0;  ///< as in PrmConnectivity
   double coverage = 0;  ///< share of the vertices that hang together with the start or the goal, 0 .. 1
   double seconds = 0;
+
+  PrmConnectivity connectivity() const { return {counts, start_part, goal_part}; }
 };
 
 /// Grows a PRM batch by batch until it joins `from` and the goal.
