@@ -42,7 +42,10 @@ PrmGrowth::PrmGrowth(const FreeSpace& space, const PrmOptions& options, bool laz
 void PrmGrowth::add(std::size_t draws) {
   const auto first = static_cast<Vertex>(points_.size());
   for (std::size_t i = 0; i < draws; ++i)
-    if (const auto p = samples_.draw()) points_.push_back(*p);
+    if (const auto p = samples_.draw()) {
+      points_.push_back(*p);
+      places_.push_back(clear_.space().locate(*p));
+    }
   drawn_ += draws;
   nearest_.add(std::span(points_).subspan(first));
   parts_.add(points_.size() - first);
@@ -99,7 +102,7 @@ void PrmGrowth::connect_visible(Vertex first) {
 bool PrmGrowth::test(PrmEdge& edge) {
   if (edge.state == PrmEdge::State::untested) {
     ++tested_;
-    const bool is_free = clear_.leg(points_[edge.u], points_[edge.v]);
+    const bool is_free = clear_.leg(points_[edge.u], places_[edge.u], points_[edge.v]);
     edge.state = is_free ? PrmEdge::State::free : PrmEdge::State::blocked;
   }
   return edge.state == PrmEdge::State::free;

@@ -73,7 +73,8 @@ class PrmGrowth {
   PrmNearest nearest_;
   PrmParts parts_;
   std::vector<Point> points_;
-  std::vector<PrmEdge> edges_;  // eager: the free ones only
+  std::vector<Location> places_;  // of points_
+  std::vector<PrmEdge> edges_;    // eager: the free ones only
   std::size_t drawn_ = 0, tested_ = 0;
 };
 

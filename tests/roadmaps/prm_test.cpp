@@ -190,6 +190,21 @@ TEST(Prm, RefusesEdgesThroughTheInsideOfAWallAndThroughAJoint) {
   EXPECT_FALSE(is_joined({{{5, 0}, {5, 4}}, {{5, 4}, {3, 10}}}, 0)) << "through a crooked joint";
 }
 
+TEST(Prm, RefusesEdgesThatGrazeAWallAndPassAJoint) {
+  // Each of these legs runs along a wall first: that is allowed. Where another wall leaves from it on the side it needs, it is not.
+  const auto is_joined = [](std::vector<Segment> walls) {
+    PrmOptions options = lattice(2);
+    options.connection = {.rule = Rule::radius, .radius = 8};
+    return joins(prm(SmallWorld{.walls = std::move(walls), .solids = {}}.space(), options), {2, 4}, {8, 4});
+  };
+  const Segment along{{4.5, 4}, {5.5, 4}};
+  EXPECT_TRUE(is_joined({along})) << "along a wall";
+  EXPECT_TRUE(is_joined({along, {{5, 4}, {5, 8}}})) << "below it there is room";
+  EXPECT_FALSE(is_joined({along, {{5, 4}, {5, 8}}, {{5.25, 4}, {5.25, 0}}})) << "a wall on either side";
+  EXPECT_FALSE(is_joined({{{5, 0}, {5, 4}}, {{5, 4}, {5.5, 4}}, {{5.5, 4}, {5.5, 8}}})) << "through two joints";
+  EXPECT_FALSE(is_joined({{{5, 3.999}, {5, 8}}})) << "through the inside of a wall, just beside its end";
+}
+
 TEST(Prm, CountsWhatItDid) {
   const FreeSpace space = SmallWorld{.walls = {{{5, 0}, {5, 10}}}, .solids = {}}.space();
   PrmCounts counts;
