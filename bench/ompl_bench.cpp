@@ -89,10 +89,10 @@ struct Row {
 
 // ---- ours ---------------------------------------------------------------------------------------------------------------------------
 
-Run our_prm(const Task& task, std::uint64_t seed, double limit, bool pull) {
+Run our_prm(const Task& task, std::uint64_t seed, double limit, PrmConnection::Rule rule, bool pull) {
   PrmPlan plan;
   plan.roadmap.seed = seed;
-  plan.roadmap.connection.rule = PrmConnection::Rule::visible;
+  plan.roadmap.connection.rule = rule;
   plan.seconds = limit;
   const double begin = cpu_seconds();
   PrmResult result = prm_path(task.space, task.from, task.to, plan);
@@ -233,10 +233,15 @@ FreeSpace maze(int side, const Footprint& robot = Footprint::point()) {
 }
 
 void first_paths(const Settings& settings) {
+  using Rule = PrmConnection::Rule;
   std::vector<Row> rows{
       {"taut-visibility", [](const Task& task, std::uint64_t, double) { return our_exact(task); }},
-      {"taut-prm", [](const Task& t, std::uint64_t s, double limit) { return our_prm(t, s, limit, false); }},
-      {"taut-prm-funnel", [](const Task& t, std::uint64_t s, double limit) { return our_prm(t, s, limit, true); }},
+      {"taut-prm",
+       [](const Task& t, std::uint64_t s, double limit) { return our_prm(t, s, limit, Rule::visible, false); }},
+      {"taut-prm-funnel",
+       [](const Task& t, std::uint64_t s, double limit) { return our_prm(t, s, limit, Rule::visible, true); }},
+      {"taut-forest-funnel",
+       [](const Task& t, std::uint64_t s, double limit) { return our_prm(t, s, limit, Rule::forest, true); }},
       ompl_row<og::PRM>("ompl-PRM"),
       ompl_row<og::LazyPRM>("ompl-LazyPRM", 25),  // in larger mazes it looks at no limit for minutes
       ompl_row<og::PRMstar>("ompl-PRMstar"),
@@ -244,7 +249,7 @@ void first_paths(const Settings& settings) {
       ompl_row<og::BITstar>("ompl-BITstar"),
   };
   std::erase_if(rows, [&](const Row& row) { return !std::regex_search(row.name, settings.filter); });
-  fmt::print("{:<18}{:>6}{:>9}{:>12}{:>10}{:>10}{:>10}\n", "planner", "side", "solved", "cpu ms", "length", "vertices",
+  fmt::print("{:<20}{:>6}{:>9}{:>12}{:>10}{:>10}{:>10}\n", "planner", "side", "solved", "cpu ms", "length", "vertices",
              "edges");
   for (const int side : settings.sides) {
     const Task task(maze(side));
@@ -258,7 +263,7 @@ void first_paths(const Settings& settings) {
       const auto solved = std::count_if(runs.begin(), runs.end(), [](const Run& run) { return run.found; });
       if (solved == 0) row.run = nullptr;
       const auto middle = [&](auto number) { return median(of_found(runs, number)); };
-      fmt::print("{:<18}{:>6}{:>9}{:>12}{:>10}{:>10.0f}{:>10.0f}\n", row.name, side,
+      fmt::print("{:<20}{:>6}{:>9}{:>12}{:>10}{:>10.0f}{:>10.0f}\n", row.name, side,
                  fmt::format("{}/{}", solved, runs.size()),
                  solved ? fmt::format("{:.2f}", 1e3 * middle([](const Run& run) { return run.seconds; })) : "-",
                  solved ? ratio_text(runs, task.optimum.length) : "-",

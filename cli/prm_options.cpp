@@ -30,8 +30,9 @@ PrmSampler sampler_of(const std::string& text) {
 }
 
 [[noreturn]] void refuse_connection(const std::string& text) {
-  throw CLI::ValidationError("--connection: '" + text +
-                             "' is not nearest:K, visible:K (K from 1 to 1000), radius:R (R > 0) or prm-star");
+  throw CLI::ValidationError(
+      "--connection: '" + text +
+      "' is not nearest:K, visible:K, forest:K (K from 1 to 1000), radius:R (R > 0) or prm-star");
 }
 
 PrmConnection connection_of(const std::string& text) {
@@ -47,9 +48,12 @@ PrmConnection connection_of(const std::string& text) {
     refuse_connection(text);
   }
   if (rule == "radius" && number > 0) return {Rule::radius, 8, number};
-  if ((rule != "nearest" && rule != "visible") || number != std::floor(number) || number < 1 || number > 1000)
-    refuse_connection(text);
-  return {rule == "nearest" ? Rule::nearest : Rule::visible, static_cast<std::size_t>(number)};
+  const bool is_known = rule == "nearest" || rule == "visible" || rule == "forest";
+  if (!is_known || number != std::floor(number) || number < 1 || number > 1000) refuse_connection(text);
+  return {rule == "nearest"   ? Rule::nearest
+          : rule == "visible" ? Rule::visible
+                              : Rule::forest,
+          static_cast<std::size_t>(number)};
 }
 
 double clearance_of(const std::string& text) {
@@ -79,7 +83,8 @@ void add_prm_options(CLI::App& app, PrmRequest& request, bool with_query) {
       ->group(kGroup);
   app.add_option_function<std::string>(
          "--connection", [&request](const std::string& text) { request.connection = connection_of(text); },
-         "Which vertices are joined when a path can go straight: nearest:K, visible:K (default, K = 8), radius:R, "
+         "Which vertices are joined when a path can go straight: nearest:K, visible:K (default, K = 8), forest:K, "
+         "radius:R, "
          "prm-star")
       ->type_name("RULE")
       ->group(kGroup);
@@ -108,9 +113,11 @@ void require_prm_options_fit(const PrmRequest& request, const RoadmapKind& kind)
                                            request.first(), kind.name));
   if (request.sampler && std::string(kind.name) == "prm-lattice" && request.sampler != PrmSampler::lattice)
     throw CLI::ValidationError("--sampler makes no sense with the roadmap prm-lattice: its vertices are a lattice");
-  if (request.lazy && request.connection && request.connection->rule == PrmConnection::Rule::visible)
+  if (request.lazy && request.connection &&
+      (request.connection->rule == PrmConnection::Rule::visible ||
+       request.connection->rule == PrmConnection::Rule::forest))
     throw CLI::ValidationError(
-        "--lazy makes no sense with --connection visible:K, which has to test edges to count them");
+        "--lazy makes no sense with --connection visible:K or forest:K, which have to test edges as they go");
 }
 
 PrmPlan plan_of(const PrmRequest& request, PrmSampler sampler, std::uint64_t seed, bool is_limited) {

@@ -55,7 +55,7 @@ struct PrmResult {
 ///  3. A room is reached when the path is in the middle of one of its boxes; boxes whose middle is not free are no goals.
 ///  4. Lazy or not, the same samples are drawn and the path found has the same length. Lazy: A* in doubles tests an edge when it takes it from its
 ///     queue (Cohen, Phillips, Likhachev 2014); then the exact search runs on what is not known to be blocked, and every edge of its
-///     answer is tested, until all are free (lazy PRM: Bohlin, Kavraki 2000). With Rule::visible growth can't be lazy: it is Rule::nearest then.
+///     answer is tested, until all are free (lazy PRM: Bohlin, Kavraki 2000). With Rules visible and forest growth can't be lazy: they are Rule::nearest then.
 ///  5. Same bytes for the same seed, unless time or `progress` ended it.
 /// Throws InputError when `from` or the goal is outside or inside an obstacle, and as prm().
 PrmResult prm_path(const FreeSpace& space, Point from, const Goal& to, const PrmPlan& plan = {});

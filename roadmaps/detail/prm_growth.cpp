@@ -51,6 +51,8 @@ void PrmGrowth::add(std::size_t draws) {
   parts_.add(points_.size() - first);
   if (connection_.rule == PrmConnection::Rule::visible && !lazy_)
     connect_visible(first);
+  else if (connection_.rule == PrmConnection::Rule::forest && !lazy_)
+    connect_forest(first);
   else
     connect(first);
 }
@@ -97,6 +99,16 @@ void PrmGrowth::connect_visible(Vertex first) {
     edges_.push_back({u, v, PrmEdge::State::free});
     parts_.join(u, v);
   }
+}
+
+void PrmGrowth::connect_forest(Vertex first) {
+  for (Vertex v = first; v < points_.size(); ++v)
+    for (const Vertex w : nearest_.nearest(points_[v], 4 * connection_.count + 1)) {
+      PrmEdge edge{std::min(v, w), std::max(v, w)};
+      if (parts_.part(v) == parts_.part(w) || !test(edge)) continue;
+      edges_.push_back(edge);
+      parts_.join(v, w);
+    }
 }
 
 bool PrmGrowth::test(PrmEdge& edge) {
