@@ -30,6 +30,7 @@ struct RoadmapOptions {
   CommonOptions common;
   const RoadmapKind* kind = roadmap_kind("visibility");
   bool full = false;
+  PrmRequest prm;
   std::string graphml;
   std::string geojson;
   std::string save;
@@ -53,6 +54,7 @@ void add_options(CLI::App& app, RoadmapOptions& options) {
   app.add_flag("--full", options.full,
                "Of a visibility graph all pairs that see each other, not only those a shortest path can use")
       ->group("Roadmap");
+  add_prm_options(app, options.prm, false);
   add_output_options(app, options.output);
   app.add_option("--graphml", options.graphml, "Write it as GraphML; - is standard output")
       ->type_name("FILE")
@@ -63,6 +65,7 @@ void add_options(CLI::App& app, RoadmapOptions& options) {
   app.add_option("--save", options.save, "Keep it for `taut solve --load`")->type_name("FILE")->group("Output");
   app.callback([&options] {
     if (!options.save.empty()) require_savable(options.chosen());
+    require_prm_options_fit(options.prm, options.chosen());
     const auto files = options.files();
     if (std::count(files.begin(), files.end(), "-") > 1)
       throw CLI::ValidationError("only one of --svg, --json, --graphml, --geojson and --save can have standard output");
@@ -109,7 +112,7 @@ std::string drawn(const PlannedRoadmap& planned, const FreeSpace& space, const s
 
 std::string json_of(const PlannedRoadmap& planned, const RoadmapKind& kind, const std::string& source, double seconds) {
   return planned.diagram ? voronoi_json(*planned.diagram, source, seconds)
-                         : roadmap_json(*planned.roadmap, kind.title, source, seconds);
+                         : roadmap_json(*planned.roadmap, kind.title, source, seconds, planned.prm);
 }
 
 std::string geojson_of(const PlannedRoadmap& planned, const FreeSpace& space) {
@@ -125,8 +128,10 @@ int run(const RoadmapOptions& options) {
   const Input input = timed("read", read, [&] { return read_input(options.world, options.query); });
   const FreeSpace space = timed("space", build, [&] { return FreeSpace(input.world, options.query.robot); });
   const PlannedRoadmap planned = timed("roadmap", roadmap_seconds, [&] {
-    return kind.build(space, {options.common.seed, input.world.start(), input.world.goal()});
+    return kind.build(space, {options.common.seed, input.world.start(), input.world.goal(), options.prm,
+                              options.common.limits.seconds.has_value(), prm_progress(options.output.quiet)});
   });
+  end_progress();
   begin_stage("write");
   const std::vector<std::string> facts = facts_of(planned, kind, roadmap_seconds);
   const std::string texts[] = {
@@ -143,6 +148,7 @@ int run(const RoadmapOptions& options) {
   if (options.output.stats)
     note(fmt::format("read {:.4f} s, free space {:.4f} s, roadmap {:.4f} s, peak memory {}", read, build,
                      roadmap_seconds, peak_memory_text()));
+  if (options.output.stats && planned.prm) note(connectivity_text(*planned.prm));
   return kFound;
 }
 

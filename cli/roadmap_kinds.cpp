@@ -64,12 +64,14 @@ RoadmapKind cells(const char* name, const char* title, CellNeighbours neighbours
           }};
 }
 
-constexpr double kPrmSeconds = 60;
-
 PlannedRoadmap planned_prm(const FreeSpace& space, std::shared_ptr<const Roadmap> roadmap, double clearance) {
   return {roadmap, [space, roadmap, clearance](Point from, const Goal& to, GraphAlgorithm algorithm) {
             return graph_search(*roadmap, prm_query(space, *roadmap, from, to, clearance), algorithm);
           }};
+}
+
+std::shared_ptr<const Roadmap> prm_alone(const FreeSpace& space, const PrmOptions& options) {
+  return std::make_shared<const Roadmap>(prm(space, options));
 }
 
 /// A PRM that grows until it joins the ends, when they are known.
@@ -79,18 +81,20 @@ RoadmapKind growing_prm(const char* name, const char* title, PrmSampler sampler,
           false,
           random,
           [sampler](const FreeSpace& space, const BuildRequest& request) {
-            PrmPlan plan;
-            plan.roadmap.sampler = sampler;
-            plan.roadmap.seed = request.seed;
-            plan.roadmap.connection.rule = PrmConnection::Rule::visible;
-            plan.seconds = kPrmSeconds;
-            Roadmap roadmap =
-                request.from ? prm_path(space, *request.from, request.to, plan).roadmap : prm(space, plan.roadmap);
-            return planned_prm(space, std::make_shared<const Roadmap>(std::move(roadmap)), 0);
+            PrmPlan plan = plan_of(request.prm, sampler, request.seed, request.is_limited);
+            plan.progress = request.progress;
+            const double clearance = plan.roadmap.clearance;
+            if (!request.from) return planned_prm(space, prm_alone(space, plan.roadmap), clearance);
+            PrmResult result = prm_path(space, *request.from, request.to, plan);
+            const PrmConnectivity connectivity = result.connectivity();
+            auto planned = planned_prm(space, std::make_shared<const Roadmap>(std::move(result.roadmap)), clearance);
+            planned.prm = connectivity;
+            return planned;
           },
           [](const FreeSpace& space, Roadmap roadmap) {
             return planned_prm(space, std::make_shared<const Roadmap>(std::move(roadmap)), 0);
-          }};
+          },
+          true};
 }
 
 /// The student exercise as written: 500 uniform samples at least 0.1 from every wall, each joined to its 8 nearest.

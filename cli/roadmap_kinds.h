@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 
+#include <taut/cli/prm_options.h>
 #include <taut/geometry/free_space.h>
 #include <taut/roadmaps/roadmap.h>
 #include <taut/roadmaps/voronoi.h>
@@ -23,6 +24,7 @@ struct PlannedRoadmap {
   std::function<GraphSearchResult(Point, const Goal&, GraphAlgorithm)> search;
   std::string how{};                                ///< the settings it was built with, for saved files
   std::shared_ptr<const VoronoiRoadmap> diagram{};  ///< when `roadmap` only stands for it
+  std::optional<PrmConnectivity> prm{};             ///< of a PRM that was grown for a query
 };
 
 /// What a builder may want to know besides the space.
@@ -31,6 +33,9 @@ struct BuildRequest {
   std::optional<Point>
       from{};  ///< the ends of the first query, for builders that grow until it is solved; may be absent
   Goal to{};
+  PrmRequest prm{};
+  bool is_limited = false;  ///< there is --max-seconds
+  std::function<bool(const PrmProgress&)> progress{};
 };
 
 struct RoadmapKind {
@@ -42,6 +47,7 @@ struct RoadmapKind {
   std::function<PlannedRoadmap(const FreeSpace&, const BuildRequest&)> build;
   /// The same from its vertices and edges, read from a file; empty where these are not all there is to it.
   std::function<PlannedRoadmap(const FreeSpace&, Roadmap)> restore{};
+  bool is_prm = false;  ///< heeds BuildRequest::prm
 };
 
 /// Legs that stand for an arc leave it by at most this part of the mean width of a corridor.
