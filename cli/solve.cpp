@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <taut/cli/arcs.h>
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
@@ -39,6 +40,7 @@ struct SolveOptions {
   GraphAlgorithm algorithm = GraphAlgorithm::astar;
   bool no_verify = false;
   bool path = false;
+  bool arcs = false;
   const RoadmapKind* kind = nullptr;  // visibility, or what --load finds
   std::string save;
   std::string load;
@@ -66,12 +68,19 @@ void add_options(CLI::App& app, SolveOptions& options) {
   app.add_option("--load", options.load, "Take the roadmap from here instead of building it; - is standard input")
       ->type_name("FILE")
       ->group("Roadmap");
+  app.add_flag("--arcs", options.arcs,
+               "With --robot disc:R: the disc itself, not a polygon around it; the path bends in arcs")
+      ->group("Query");
   app.add_flag("--no-verify", options.no_verify, "Do not check the answer independently")->group("Query");
   app.add_flag("--path", options.path, "Print the points of the path, one `x y` a line")->group("Output");
   add_output_options(app, options.output);
   app.callback([&options] {
     if ((options.output.svg == "-") + (options.output.json == "-") + (options.save == "-") > 1)
       throw CLI::ValidationError("only one of --svg, --json and --save can have standard output");
+    if (options.arcs && (options.kind || !options.save.empty() || !options.load.empty()))
+      throw CLI::ValidationError("--arcs has a roadmap of its own: not with --roadmap, --save or --load");
+    if (options.arcs && options.query.robot.kind() != Footprint::Kind::disc)
+      throw CLI::ValidationError("--arcs needs --robot disc:R");
     if (options.load == "-" && options.world.file == "-")
       throw CLI::ValidationError("FILE and --load cannot both come from standard input");
   });
@@ -271,7 +280,11 @@ class Solver {
   Stopwatch total_;
 };
 
-int run(const SolveOptions& options) { return Solver(options).run(); }
+int run(const SolveOptions& options) {
+  if (options.arcs)
+    return solve_with_arcs(options.world, options.query, options.output, !options.no_verify, options.path);
+  return Solver(options).run();
+}
 
 }  // namespace
 

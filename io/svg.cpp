@@ -87,7 +87,7 @@ class Picture {
     if (what_.start) keys.emplace_back("start");
     if (goal_point()) keys.emplace_back("goal");
     if (!what_.goal.room.empty()) keys.emplace_back("rooms");
-    if (what_.path) keys.emplace_back("path");
+    if (what_.path || what_.arcs) keys.emplace_back("path");
     if (!what_.separation.empty()) keys.emplace_back("separation");
     if (roadmap_is_drawn()) keys.emplace_back("roadmap");
     if (space_.footprint().kind() != Footprint::Kind::point) keys.emplace_back("solid");
@@ -178,9 +178,16 @@ class Picture {
   }
 
   void path() {
-    if (!what_.path) return;
+    if (!what_.path && !what_.arcs) return;
     SvgPath line(*scale_);
-    line.chain(what_.path->points);
+    if (what_.path) line.chain(what_.path->points);
+    if (what_.arcs)
+      for (const ArcPiece& piece : pieces(*what_.arcs)) {
+        if (piece.turn == 0)
+          line.segment({piece.from, piece.to});
+        else
+          line.arc(piece.from, piece.to, what_.arcs->radius, piece.turn > 0);
+      }
     if (line.empty()) return;
     out_ += fmt::format("<g class=\"path\"><path class=\"casing\" d=\"{0}\"/><path class=\"line\" d=\"{0}\"/></g>\n",
                         line.text());

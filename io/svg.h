@@ -7,6 +7,7 @@
 
 #include <taut/geometry/free_space.h>
 #include <taut/roadmaps/roadmap.h>
+#include <taut/search/arc_path.h>
 #include <taut/search/path.h>
 
 namespace taut {
@@ -17,6 +18,7 @@ struct SvgPicture {
   std::vector<std::string> facts;  ///< second line, joined by dots: `length 77.262691`, `34 corners`, `0.004 s`
   const Roadmap* roadmap = nullptr;
   const Path* path = nullptr;
+  const ArcPath* arcs = nullptr;  ///< drawn as `path`, with true arcs
   std::vector<Segment> separation;  ///< the walls that separate start and goal
   std::optional<Point> start;
   Goal goal;

@@ -102,7 +102,8 @@ void TangentGraph::Impl::find_sites() {
   for (std::uint32_t v = 0; v < tri.points.size(); ++v) {
     TangentSite site{tri.points[v], v, kNone, gate_walls.is_wall_vertex(v), {}};
     for (const std::uint32_t c : gate_walls.at(v))
-      if (!gate_walls.is_opening(c)) site.walls.push_back(tri.points[gate_walls.ends()[c][gate_walls.ends()[c][0] == v]]);
+      if (!gate_walls.is_opening(c))
+        site.walls.push_back(tri.points[gate_walls.ends()[c][gate_walls.ends()[c][0] == v]]);
     if (site.round) {
       const auto hull = detail::hull_of(site.at, site.walls);
       if (hull && detail::is_free_beyond(gate_walls, v, *hull)) add(std::move(site));

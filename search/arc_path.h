@@ -11,7 +11,8 @@ namespace taut {
 /// A corner that a path bends around.
 struct ArcBend {
   Point corner;
-  int turn = 0;  ///< +1: counter-clockwise on the circle of the path's radius around it, -1: clockwise; 0: through the corner itself
+  int turn =
+      0;  ///< +1: counter-clockwise on the circle of the path's radius around it, -1: clockwise; 0: through the corner itself
 
   friend bool operator==(const ArcBend&, const ArcBend&) = default;
 };

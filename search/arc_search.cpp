@@ -60,9 +60,7 @@ class ArcQuery {
     double least;
     std::uint32_t node;
     std::uint32_t version;
-    bool operator<(const Open& other) const {
-      return least != other.least ? least > other.least : node > other.node;
-    }
+    bool operator<(const Open& other) const { return least != other.least ? least > other.least : node > other.node; }
   };
 
   TangentSite site_for(Point p) const {

@@ -19,9 +19,10 @@ enum class ArcStatus {
 
 struct ArcSearchResult {
   ArcStatus status = ArcStatus::none;
-  ArcPath path;                ///< when found
-  std::uint32_t wall = kNone;  ///< when an end is blocked: the nearest constraint, the lowest of equals; kNone when it is outside
-  std::size_t expanded = 0;    ///< tangent points looked around from
+  ArcPath path;  ///< when found
+  std::uint32_t wall =
+      kNone;  ///< when an end is blocked: the nearest constraint, the lowest of equals; kNone when it is outside
+  std::size_t expanded = 0;  ///< tangent points looked around from
 };
 
 /// The shortest path of the centre of the graph's disc from s to g, as TangentGraph defines what is allowed. A*.

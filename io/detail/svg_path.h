@@ -44,7 +44,9 @@ class SvgPath {
 
   void segment(const Segment& s);  ///< a zero-length one draws its caps
   void chain(const Ring& points);  ///< open
-  void ring(const Ring& ring);     ///< closed
+  /// On a circle of that radius (in the world), at most 180 degrees, counter-clockwise as the world has it.
+  void arc(Point from, Point to, double radius, bool counter_clockwise);
+  void ring(const Ring& ring);  ///< closed
   void polygon(const Polygon& polygon);
 
   const std::string& text() const { return text_; }

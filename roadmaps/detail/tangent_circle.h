@@ -35,8 +35,8 @@ int cross_sign(const TangentPoint& a, const SurdDirection& b);
 int cross_sign(const TangentPoint& a, const mpq_class& x, const mpq_class& y);
 /// The sign of a x v where v = (x, y) is enclosed first.
 struct PlainDirection {
-  Point from, to;     ///< v leads from one to the other, then
-  int quarters = 0;   ///< is turned left by so many right angles
+  Point from, to;    ///< v leads from one to the other, then
+  int quarters = 0;  ///< is turned left by so many right angles
 };
 int cross_sign(const TangentPoint& a, const PlainDirection& v);
 

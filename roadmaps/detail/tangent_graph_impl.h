@@ -56,10 +56,10 @@ struct TangentGraph::Impl {
   std::vector<detail::TangentSite> sites;
   std::vector<std::uint32_t> site_at;  ///< of each vertex of the triangulation; kNone
   std::vector<detail::TangentPoint> points;
-  std::vector<std::uint32_t> site_of;  ///< of each point
-  std::vector<detail::TangentRing> rings;   ///< of each site; a corner of openings has one point or none
-  std::vector<std::uint32_t> first_leg;  ///< of each point
-  std::vector<detail::TangentLeg> legs;  ///< both ways
+  std::vector<std::uint32_t> site_of;      ///< of each point
+  std::vector<detail::TangentRing> rings;  ///< of each site; a corner of openings has one point or none
+  std::vector<std::uint32_t> first_leg;    ///< of each point
+  std::vector<detail::TangentLeg> legs;    ///< both ways
   std::size_t arcs = 0;
 
  private:

@@ -23,7 +23,11 @@ struct TangentFrame {
   using Value = Surd<Number>;
 
   TangentFrame(const TangentEnd& from, const TangentEnd& to, double radius)
-      : cx(from.centre.x), cy(from.centre.y), r(radius), s1(r * Number(double(from.side))), s2(r * Number(double(to.side))) {
+      : cx(from.centre.x),
+        cy(from.centre.y),
+        r(radius),
+        s1(r * Number(double(from.side))),
+        s2(r * Number(double(to.side))) {
     dx = Number(to.centre.x) - cx;
     dy = Number(to.centre.y) - cy;
     D = dx * dx + dy * dy;

@@ -16,8 +16,7 @@ Triangulation without_openings(const GateWalls& walls) {
   Triangulation tri = walls.triangulation();
   for (std::uint32_t t = 0; t < tri.triangles.size(); ++t)
     for (int i = 0; i < 3; ++i)
-      if (const std::uint32_t c = walls.along(t, i);
-          c != kNone && walls.is_opening(c) && tri.neighbours[t][i] != kNone)
+      if (const std::uint32_t c = walls.along(t, i); c != kNone && walls.is_opening(c) && tri.neighbours[t][i] != kNone)
         tri.constrained[t] = static_cast<std::uint8_t>(tri.constrained[t] & ~(1 << i));
   return tri;
 }
@@ -106,9 +105,7 @@ bool TangentWalls::passes_vertex(const TangentLine& line, std::uint32_t v, std::
     const auto holds = [&](int way) {
       return in_sector(
           tri, sector, 0, [&](Point bound) { return way * line.turn(at, bound); },
-          [&](Point bound) {
-            return way * line.onward(at, bound) > 0;
-          });
+          [&](Point bound) { return way * line.onward(at, bound) > 0; });
     };
     return (before == 0 || holds(-1)) && (after == 0 || holds(1));
   });
@@ -135,7 +132,8 @@ CircleObstacles TangentWalls::around(Point centre) const {
     for (const std::uint32_t v : walls_.ends()[c]) {
       const Point p = walls_.triangulation().points[v];
       const mpq_class px = mpq_class(p.x) - centre.x, py = mpq_class(p.y) - centre.y;
-      if (!walls_.is_wall_vertex(v) && px * px + py * py == r2) result.crossings.push_back({{px, py, 0, 0, 0}, kNone, v});
+      if (!walls_.is_wall_vertex(v) && px * px + py * py == r2)
+        result.crossings.push_back({{px, py, 0, 0, 0}, kNone, v});
     }
     // The points a + t f with |a + t f|^2 = r^2.
     const mpq_class F = fx * fx + fy * fy, half = (x * fx + y * fy) / F;
@@ -157,8 +155,10 @@ bool TangentWalls::arc_is_free(const TangentPoint& a, const TangentPoint& b, con
     const auto same = [&](const TangentPoint& p) {
       if (cross_sign(p, crossing.at) != 0) return false;
       const SurdDirection e = p.exact();
-      const Surd<mpq_class> P{e.ax * crossing.at.ax + e.ay * crossing.at.ay, e.bx * crossing.at.ax + e.by * crossing.at.ay};
-      const Surd<mpq_class> Q{e.ax * crossing.at.bx + e.ay * crossing.at.by, e.bx * crossing.at.bx + e.by * crossing.at.by};
+      const Surd<mpq_class> P{e.ax * crossing.at.ax + e.ay * crossing.at.ay,
+                              e.bx * crossing.at.ax + e.by * crossing.at.ay};
+      const Surd<mpq_class> Q{e.ax * crossing.at.bx + e.ay * crossing.at.by,
+                              e.bx * crossing.at.bx + e.by * crossing.at.by};
       return surd_sign(P, Q, e.R, crossing.at.R) > 0;
     };
     const bool at_a = same(a), at_b = same(b);
@@ -170,7 +170,8 @@ bool TangentWalls::arc_is_free(const TangentPoint& a, const TangentPoint& b, con
     if (!at_a && !at_b) return false;
     const Segment s = walls_.segment(crossing.opening);
     const mpq_class fx = mpq_class(s.b.x) - s.a.x, fy = mpq_class(s.b.y) - s.a.y;
-    const mpq_class plain = fx * crossing.at.ax + fy * crossing.at.ay, rooted = fx * crossing.at.bx + fy * crossing.at.by;
+    const mpq_class plain = fx * crossing.at.ax + fy * crossing.at.ay,
+                    rooted = fx * crossing.at.bx + fy * crossing.at.by;
     const int to_left = surd_sign(plain, rooted, crossing.at.R);  // going counter-clockwise
     const int solid = space().constraints()[crossing.opening].solid_left ? 1 : -1;
     if (at_a ? to_left == solid : to_left == -solid) return false;

@@ -44,7 +44,8 @@ class TangentWalls {
   std::uint32_t too_near(Point p) const;
 
  private:
-  bool passes_vertex(const TangentLine& line, std::uint32_t v, std::uint32_t from_sector, std::uint32_t to_sector) const;
+  bool passes_vertex(const TangentLine& line, std::uint32_t v, std::uint32_t from_sector,
+                     std::uint32_t to_sector) const;
   bool is_nearer(Point p, const Segment& s) const;
   bool arc_passes_vertex(Point centre, std::uint32_t v, bool before, bool after) const;
   template <class Coordinates>
