@@ -18,10 +18,10 @@ struct SvgPicture {
   std::vector<std::string> facts;  ///< second line, joined by dots: `length 77.262691`, `34 corners`, `0.004 s`
   const Roadmap* roadmap = nullptr;
   const Path* path = nullptr;
-  const ArcPath* arcs = nullptr;  ///< drawn as `path`, with true arcs
   std::vector<Segment> separation;  ///< the walls that separate start and goal
   std::optional<Point> start;
   Goal goal;
+  const ArcPath* arcs = nullptr;  ///< drawn as `path`, with true arcs
 };
 
 /// The picture as one SVG 1.1 document, north up.
