@@ -29,7 +29,7 @@ std::size_t arcs_of(const ArcPath& path) {
 std::string barrier_text(const Gates& gates, Point s, Point g, double r, std::vector<Segment>& drawn) {
   std::string narrow;
   for (const BarrierPiece& piece : disc_passage(gates, s, g, r).barrier) {
-    if (piece.gate == kNone) {
+    if (piece.gate == taut::kNone) {
       const Constraint& wall = gates.space().constraints()[piece.constraint];
       drawn.push_back({wall.a, wall.b});
       continue;
@@ -44,7 +44,7 @@ void require_place(const ArcSearchResult& result, const FreeSpace& space, const 
   if (result.status != ArcStatus::start_blocked && result.status != ArcStatus::goal_blocked) return;
   const bool start = result.status == ArcStatus::start_blocked;
   const std::string end = fmt::format("the {} {}", start ? "start" : "goal", point_text(start ? s : g));
-  if (result.wall == kNone) throw InputError(source, 0, end + " is outside the world or in an obstacle");
+  if (result.wall == taut::kNone) throw InputError(source, 0, end + " is outside the world or in an obstacle");
   const Constraint& wall = space.constraints()[result.wall];
   throw InputError(
       source, 0,
