@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <taut/cli/arcs.h>
 #include <taut/cli/clearance.h>
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>
@@ -44,6 +45,7 @@ struct SolveOptions {
   bool path = false;
   bool shorten = false;
   PrmRequest prm;
+  bool arcs = false;
   const RoadmapKind* kind = nullptr;  // visibility, or what --load finds
   std::string save;
   std::string load;
@@ -76,6 +78,9 @@ void add_options(CLI::App& app, SolveOptions& options) {
                "Pull the path found in the roadmap taut: the shortest of its homotopy class")
       ->group("Roadmap");
   add_prm_options(app, options.prm, true);
+  app.add_flag("--arcs", options.arcs,
+               "With --robot disc:R: the disc itself, not a polygon around it; the path bends in arcs")
+      ->group("Query");
   app.add_flag("--no-verify", options.no_verify, "Do not check the answer independently")->group("Query");
   app.add_flag("--path", options.path, "Print the points of the path, one `x y` a line")->group("Output");
   add_clearance_options(app, options.clearance);
@@ -100,6 +105,11 @@ void add_options(CLI::App& app, SolveOptions& options) {
       throw CLI::ValidationError("--shorten makes no sense with --prm-clearance: a taut path touches corners");
     if ((options.output.svg == "-") + (options.output.json == "-") + (options.save == "-") > 1)
       throw CLI::ValidationError("only one of --svg, --json and --save can have standard output");
+    if (options.arcs && (options.kind || !options.save.empty() || !options.load.empty() || options.shorten ||
+                         options.clearance.kind != ClearanceQuery::Kind::none))
+      throw CLI::ValidationError("--arcs has a roadmap of its own: not with --roadmap, --save, --load or --clearance");
+    if (options.arcs && options.query.robot.kind() != Footprint::Kind::disc)
+      throw CLI::ValidationError("--arcs needs --robot disc:R");
     if (options.load == "-" && options.world.file == "-")
       throw CLI::ValidationError("FILE and --load cannot both come from standard input");
   });
@@ -317,6 +327,8 @@ class Solver {
 
 int run(const SolveOptions& options) {
   if (options.clearance.kind != ClearanceQuery::Kind::none) return solve_with_clearance(options.clearance_request());
+  if (options.arcs)
+    return solve_with_arcs(options.world, options.query, options.output, !options.no_verify, options.path);
   return Solver(options).run();
 }
 

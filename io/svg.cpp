@@ -90,7 +90,7 @@ class Picture {
     if (what_.start) keys.emplace_back("start");
     if (goal_point()) keys.emplace_back("goal");
     if (!what_.goal.room.empty()) keys.emplace_back("rooms");
-    if (what_.path || !what_.curves.empty()) keys.emplace_back("path");
+    if (what_.path || what_.arcs || !what_.curves.empty()) keys.emplace_back("path");
     if (!what_.separation.empty()) keys.emplace_back("separation");
     if (!what_.gates.empty()) keys.emplace_back("gates");
     if (roadmap_is_drawn() || diagram_is_drawn()) keys.emplace_back("roadmap");
@@ -215,6 +215,13 @@ class Picture {
   void path() {
     SvgPath line(*scale_);
     if (what_.path) line.chain(what_.path->points);
+    if (what_.arcs)
+      for (const ArcPiece& piece : pieces(*what_.arcs)) {
+        if (piece.turn == 0)
+          line.segment({piece.from, piece.to});
+        else
+          line.arc(piece.from, piece.to, what_.arcs->radius, piece.turn > 0);
+      }
     if (!what_.curves.empty()) line.chain(what_.curves);
     if (line.empty()) return;
     out_ += fmt::format("<g class=\"path\"><path class=\"casing\" d=\"{0}\"/><path class=\"line\" d=\"{0}\"/></g>\n",

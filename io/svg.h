@@ -8,6 +8,7 @@
 #include <taut/geometry/free_space.h>
 #include <taut/roadmaps/roadmap.h>
 #include <taut/roadmaps/voronoi.h>
+#include <taut/search/arc_path.h>
 #include <taut/search/path.h>
 
 namespace taut {
@@ -34,6 +35,7 @@ struct SvgPicture {
   std::vector<VoronoiCurve> curves;         ///< the path, when it is one of curves
   std::vector<SvgShade> shades;             ///< further paths, the first at the bottom
   std::vector<Segment> gates;               ///< narrow places
+  const ArcPath* arcs = nullptr;            ///< drawn as `path`, with true arcs
 };
 
 /// The picture as one SVG 1.1 document, north up.

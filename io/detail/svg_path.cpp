@@ -134,6 +134,17 @@ void SvgPath::chain(const std::vector<VoronoiCurve>& curves) {
   }
 }
 
+void SvgPath::arc(Point from, Point to, double radius, bool counter_clockwise) {
+  const SvgScale::Dot a = scale_.dot(from), b = scale_.dot(to);
+  if (!begun_ || a != at_) move(a);
+  if (b == at_) return;
+  const std::string r = svg_number(scale_.length(radius));
+  text_.append("a").append(r).append(" ").append(r).append(counter_clockwise ? " 0 0 0 " : " 0 0 1 ");
+  number(b.x - at_.x, true);
+  number(b.y - at_.y, false);
+  at_ = b;
+}
+
 void SvgPath::ring(const Ring& ring) {
   move(scale_.dot(ring.front()));
   const SvgScale::Dot first = at_;

@@ -48,6 +48,8 @@ class SvgPath {
   void chain(const Ring& points);  ///< open
   /// Open; what is bent stays a quadratic Bezier curve.
   void chain(const std::vector<VoronoiCurve>& curves);
+  /// On a circle of that radius (in the world), at most 180 degrees, counter-clockwise as the world has it.
+  void arc(Point from, Point to, double radius, bool counter_clockwise);
   void ring(const Ring& ring);  ///< closed
   void polygon(const Polygon& polygon);
 
