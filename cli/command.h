@@ -24,6 +24,7 @@ Command roadmap_command(CLI::App& app);
 Command compare_command(CLI::App& app);
 Command generate_command(CLI::App& app);
 Command convert_command(CLI::App& app);
+Command batch_command(CLI::App& app);
 
 /// Adds a subcommand whose options live as long as the parser: `add` fills the parser, `run` does the work, both with
 /// the same Options, which has a member `common`.

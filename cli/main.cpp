@@ -32,7 +32,7 @@ constexpr const char* kFooter =
 std::string reason(const CLI::App& app, const CLI::ParseError& error) {
   if (!app.get_subcommands().empty()) return error.what();
   const std::vector<std::string> rest = app.remaining();
-  return rest.empty() ? "which of solve, check, roadmap, compare, generate, convert?"
+  return rest.empty() ? "which of solve, check, roadmap, compare, generate, convert, batch?"
                       : fmt::format("there is no subcommand or option '{}'", rest.front());
 }
 
@@ -68,7 +68,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.footer(kFooter);
   const std::vector<Command> commands{solve_command(app),   check_command(app),    roadmap_command(app),
-                                      compare_command(app), generate_command(app), convert_command(app)};
+                                      compare_command(app), generate_command(app), convert_command(app),
+                                      batch_command(app)};
   if (const int code = parse(app, argc, argv); code >= 0) return code;
   for (const Command& command : commands)
     if (command.app->parsed()) {

@@ -18,7 +18,7 @@ namespace taut::cli {
 
 /// A finished roadmap, and how it answers: from a start to a goal.
 struct PlannedRoadmap {
-  std::shared_ptr<const Roadmap> roadmap;
+  std::shared_ptr<const Roadmap> roadmap;  ///< empty where there is no graph
   std::function<GraphSearchResult(Point, const Goal&, GraphAlgorithm)> search;
   std::string how{};  ///< the settings it was built with, for saved files
 };
@@ -40,6 +40,7 @@ struct RoadmapKind {
   std::function<PlannedRoadmap(const FreeSpace&, const BuildRequest&)> build;
   /// The same from its vertices and edges, read from a file; empty where these are not all there is to it.
   std::function<PlannedRoadmap(const FreeSpace&, Roadmap)> restore{};
+  bool graph = true;  ///< does it make a graph at all, to be shown and saved?
 };
 
 std::span<const RoadmapKind> roadmap_kinds();
@@ -51,7 +52,9 @@ std::string roadmap_kind_names();
 const RoadmapKind* roadmap_kind(const std::string& name);
 
 /// --OPTION NAME, one of the kinds; anything else is a CLI::ValidationError. `kind` keeps its value when the option is not given.
-void add_roadmap_kind(CLI::App& app, const std::string& option, const RoadmapKind*& kind, const std::string& group);
+/// `standard` is the name of that one, for --help.
+void add_roadmap_kind(CLI::App& app, const std::string& option, const RoadmapKind*& kind, const std::string& group,
+                      const std::string& standard = "visibility");
 
 /// The file of a roadmap of that kind (roadmap_file).
 std::string saved_text(const RoadmapKind& kind, const PlannedRoadmap& planned, const FreeSpace& space);

@@ -39,7 +39,7 @@ struct SolveOptions {
   GraphAlgorithm algorithm = GraphAlgorithm::astar;
   bool no_verify = false;
   bool path = false;
-  const RoadmapKind* kind = nullptr;  // visibility, or what --load finds
+  const RoadmapKind* kind = nullptr;  // when it is given
   std::string save;
   std::string load;
 
@@ -59,7 +59,8 @@ void add_options(CLI::App& app, SolveOptions& options) {
          "astar (default) or dijkstra; the path is the same length")
       ->type_name("NAME")
       ->group("Query");
-  add_roadmap_kind(app, "--roadmap", options.kind, "Roadmap");
+  add_roadmap_kind(app, "--roadmap", options.kind, "Roadmap",
+                   "polyanya; visibility with --algorithm dijkstra, --save or --load");
   app.add_option("--save", options.save, "Keep the roadmap for --load; - is standard output")
       ->type_name("FILE")
       ->group("Roadmap");
@@ -74,6 +75,11 @@ void add_options(CLI::App& app, SolveOptions& options) {
       throw CLI::ValidationError("only one of --svg, --json and --save can have standard output");
     if (options.load == "-" && options.world.file == "-")
       throw CLI::ValidationError("FILE and --load cannot both come from standard input");
+    if (options.kind && !options.kind->graph && !options.save.empty())
+      throw CLI::ValidationError(fmt::format("--roadmap {} makes no graph that --save could keep", options.kind->name));
+    if (options.kind && !options.kind->graph && options.algorithm == GraphAlgorithm::dijkstra)
+      throw CLI::ValidationError(
+          fmt::format("--roadmap {} makes no graph for --algorithm dijkstra", options.kind->name));
   });
 }
 
@@ -140,7 +146,8 @@ class Solver {
 
   PlannedRoadmap build_or_load(const FreeSpace& space) {
     if (options_.load.empty()) {
-      if (options_.kind) kind_ = options_.kind;
+      const bool graph = !options_.save.empty() || options_.algorithm == GraphAlgorithm::dijkstra;
+      kind_ = options_.kind ? options_.kind : roadmap_kind(graph ? "visibility" : "polyanya");
       return kind_->build(space, {options_.common.seed, result_.start, result_.goal});
     }
     PlannedRoadmap loaded = load_roadmap(options_.load, space, kind_);
@@ -253,12 +260,15 @@ class Solver {
                     count_text(space.triangulation().triangles.size(), "triangle"), report.seconds_union,
                     report.seconds_triangulation, report.displacement));
     row("roadmap", s.roadmap,
-        count_text(planned_.roadmap->vertex_count(), "vertex", "vertices") + ", " +
-            count_text(planned_.roadmap->edge_count(), "edge") + " (" +
-            (options_.load.empty() ? kind_->title : "loaded from " + options_.load) + ")");
+        !kind_->graph ? kind_->title
+                      : count_text(planned_.roadmap->vertex_count(), "vertex", "vertices") + ", " +
+                            count_text(planned_.roadmap->edge_count(), "edge") + " (" +
+                            (options_.load.empty() ? kind_->title : "loaded from " + options_.load) + ")");
     row("search", s.search,
         fmt::format("{} expanded ({})", result_.expanded,
-                    options_.algorithm == GraphAlgorithm::astar ? "astar" : "dijkstra"));
+                    !kind_->graph                                 ? kind_->name
+                    : options_.algorithm == GraphAlgorithm::astar ? "astar"
+                                                                  : "dijkstra"));
     row("verify", s.verify,
         result_.verified ? fmt::format("valid, clearance {:.6g}", result_.clearance.value_or(0)) : "not done");
     row("total", s.total, "peak memory " + peak_memory_text());

@@ -13,10 +13,13 @@ struct OccupancyGrid {
   std::uint32_t height = 0;
   std::vector<std::uint8_t> blocked;
 
-  bool contains(std::int64_t column, std::int64_t row) const { return column >= 0 && row >= 0 && column < width && row < height; }
+  bool contains(std::int64_t column, std::int64_t row) const {
+    return column >= 0 && row >= 0 && column < width && row < height;
+  }
   /// What lies outside is blocked.
   bool free(std::int64_t column, std::int64_t row) const {
-    return contains(column, row) && blocked[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)] == 0;
+    return contains(column, row) &&
+           blocked[static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column)] == 0;
   }
 };
 

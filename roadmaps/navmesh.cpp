@@ -66,9 +66,7 @@ class Merging {
   }
 
  private:
-  std::uint32_t origin(std::uint32_t s) const {
-    return tri_.triangles[s / 3][Tri::ccw(static_cast<int>(s % 3))];
-  }
+  std::uint32_t origin(std::uint32_t s) const { return tri_.triangles[s / 3][Tri::ccw(static_cast<int>(s % 3))]; }
   std::uint32_t across(std::uint32_t s) const {
     const int i = static_cast<int>(s % 3);
     return 3 * tri_.neighbours[s / 3][i] + static_cast<std::uint32_t>(tri_.mirror(s / 3, i));
@@ -118,7 +116,8 @@ class Merging {
     std::uint32_t s = first_side;
     do {
       corner_of_[s] = static_cast<std::uint32_t>(mesh.corners.size());
-      const std::uint32_t sector = tri_.sector_of[3 * (s / 3) + static_cast<std::uint32_t>(Tri::ccw(static_cast<int>(s % 3)))];
+      const std::uint32_t sector =
+          tri_.sector_of[3 * (s / 3) + static_cast<std::uint32_t>(Tri::ccw(static_cast<int>(s % 3)))];
       mesh.corners.push_back({tri_.points[origin(s)], kNone, polygon, bend_of_[sector], kNone});
       s = next_[s];
     } while (s != first_side);

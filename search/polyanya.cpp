@@ -71,7 +71,8 @@ Location place_of(const FreeSpace& space, Point p, const char* role) {
 
 }  // namespace
 
-Polyanya::Polyanya(FreeSpace space) : space_(std::move(space)), mesh_(std::make_shared<const Navmesh>(navmesh(space_))) {}
+Polyanya::Polyanya(FreeSpace space)
+    : space_(std::move(space)), mesh_(std::make_shared<const Navmesh>(navmesh(space_))) {}
 
 Polyanya::Polyanya(FreeSpace space, Navmesh mesh)
     : space_(std::move(space)), mesh_(std::make_shared<const Navmesh>(std::move(mesh))) {}

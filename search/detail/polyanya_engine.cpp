@@ -52,17 +52,12 @@ Point mirrored_if_left(Point p, Point a, Point b) {
   return {p.x + dy * scale, p.y - dx * scale};
 }
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 }  // namespace
 
 PolyanyaEngine::PolyanyaEngine(const Navmesh& mesh)
-    : mesh_(mesh),
-      best_(mesh.bends.size()),
-      goals_here_(mesh.polygon_count()),
-      allowed_(mesh.blocks.top.size(), 0) {
+    : mesh_(mesh), best_(mesh.bends.size()), goals_here_(mesh.polygon_count()), allowed_(mesh.blocks.top.size(), 0) {
   for (const Navmesh::Corner& c : mesh.corners)
     magnitude_ = std::max({magnitude_, std::abs(c.point.x), std::abs(c.point.y)});
   slack_ = 0x1p-44 * magnitude_;
@@ -197,7 +192,8 @@ void PolyanyaEngine::look_around(std::span<const std::uint32_t> polygons) {
   const Point start = roots_[0].point;
   for (const std::uint32_t polygon : polygons) {
     if (goals_here_[polygon].query == query_)
-      for (std::uint32_t i = goals_here_[polygon].first; i < goal_places_.size() && goal_places_[i].polygon == polygon; ++i)
+      for (std::uint32_t i = goals_here_[polygon].first; i < goal_places_.size() && goal_places_[i].polygon == polygon;
+           ++i)
         improve(0, goal_places_[i].goal, goals_[goal_places_[i].goal].point);
     for (std::uint32_t c = mesh_.first[polygon]; c < mesh_.first[polygon + 1]; ++c) {
       const std::uint32_t d = mesh_.next(c);
@@ -257,7 +253,8 @@ void PolyanyaEngine::pass(const Cone& cone, std::uint32_t side, Point a, Point b
 }
 
 void PolyanyaEngine::see_goals(const Cone& cone, std::uint32_t polygon) {
-  for (std::uint32_t i = goals_here_[polygon].first; i < goal_places_.size() && goal_places_[i].polygon == polygon; ++i) {
+  for (std::uint32_t i = goals_here_[polygon].first; i < goal_places_.size() && goal_places_[i].polygon == polygon;
+       ++i) {
     const std::uint32_t goal = goal_places_[i].goal;
     const Point p = goals_[goal].point;
     if (cone.from_right(p) >= 0 && cone.from_left(p) <= 0) improve(cone.root, goal, p);
@@ -270,7 +267,8 @@ void PolyanyaEngine::see_goals(const Cone& cone, std::uint32_t polygon) {
 std::uint32_t PolyanyaEngine::turns_at(Point from, std::uint32_t corner) const {
   const Point at = mesh_.corners[corner].point;
   const Navmesh::Bend& bend = mesh_.bends[mesh_.corners[corner].bend];
-  const int right = side_of(from, at, bend.right), left = bend.left == bend.right ? right : side_of(from, at, bend.left);
+  const int right = side_of(from, at, bend.right),
+            left = bend.left == bend.right ? right : side_of(from, at, bend.left);
   if (right * left < 0) return 0;
   const auto is_ahead = [&](int side, Point p) {
     return side == 0 && (at.x - from.x) * (p.x - at.x) + (at.y - from.y) * (p.y - at.y) > 0;

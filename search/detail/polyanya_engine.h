@@ -167,12 +167,12 @@ class PolyanyaEngine {
   double slack_ = 0;
 
   std::uint32_t query_ = 0;
-  std::vector<Best> best_;                  // by bend
-  std::vector<GoalsHere> goals_here_;       // by polygon
-  std::vector<std::uint32_t> allowed_;      // by block: the last query that may pass it
+  std::vector<Best> best_;              // by bend
+  std::vector<GoalsHere> goals_here_;   // by polygon
+  std::vector<std::uint32_t> allowed_;  // by block: the last query that may pass it
   std::vector<Root> roots_;
-  std::vector<Node> open_;                  // a heap, the least bound first
-  std::vector<GoalPlace> goal_places_;      // by polygon
+  std::vector<Node> open_;              // a heap, the least bound first
+  std::vector<GoalPlace> goal_places_;  // by polygon
   std::vector<Way> ways_;
   std::vector<Segment> legs_a_, legs_b_;
 

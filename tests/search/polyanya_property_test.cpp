@@ -29,8 +29,8 @@ void expect_agreement(const VisibilityGraph& graph, PolyanyaSearch& search, Poin
   if (found.status != expected.status) RC_FAIL(what + ": one finds a path, the other none");
   if (found.status != SearchStatus::found) return;
   if (found.path.length != expected.path.length)
-    RC_FAIL(fmt::format("{}: {} instead of {}", what, found.path.length.decimals(20),
-                        expected.path.length.decimals(20)));
+    RC_FAIL(
+        fmt::format("{}: {} instead of {}", what, found.path.length.decimals(20), expected.path.length.decimals(20)));
   if (!to.point) return;  // walls through a room: where one may enter it is the graph's to say
   const Verdict verdict = verify(found.path, graph.space(), from, to);
   if (!verdict.valid) RC_FAIL(what + ": " + verdict.reason);
@@ -43,7 +43,8 @@ void agree_in(const SmallWorld& world, int queries) {
   const int side = static_cast<int>(world.area[2].x);
   for (int n = 0; n < queries; ++n) {
     const Point from = any_place(side), to = any_place(side);
-    if (space.locate(from).kind == Location::Kind::outside || space.locate(to).kind == Location::Kind::outside) continue;
+    if (space.locate(from).kind == Location::Kind::outside || space.locate(to).kind == Location::Kind::outside)
+      continue;
     const std::string what = show(world) + " from " + show(from) + " to " + show(to);
     expect_agreement(graph, merged, from, {to, {}}, what);
     expect_agreement(graph, triangles, from, {to, {}}, what + " (triangles)");
@@ -71,7 +72,8 @@ RC_GTEST_PROP(PolyanyaProperty, EntersARoomWhereTheVisibilityGraphDoes, ()) {
     Goal to;
     const int x = any(0, 4), y = any(0, 5);
     to.room = {{{double(x), double(y)}, {x + 1.0, y + 1.0}}, {{x + 1.0, double(y)}, {x + 2.0, y + 1.0}}};
-    expect_agreement(graph, search, from, to, fmt::format("{} from {} to the room at {}, {}", show(world), show(from), x, y));
+    expect_agreement(graph, search, from, to,
+                     fmt::format("{} from {} to the room at {}, {}", show(world), show(from), x, y));
   }
 }
 
@@ -86,7 +88,8 @@ RC_GTEST_PROP(PolyanyaProperty, IsAsLongAsInTheVisibilityGraphOffEveryLattice, (
   for (int n = 0; n < 20; ++n) {
     const double x = coordinate(), y = coordinate(), u = coordinate(), v = coordinate();
     const Point from{x, y}, to{u, v};
-    if (space.locate(from).kind == Location::Kind::outside || space.locate(to).kind == Location::Kind::outside) continue;
+    if (space.locate(from).kind == Location::Kind::outside || space.locate(to).kind == Location::Kind::outside)
+      continue;
     expect_agreement(graph, search, from, {to, {}},
                      fmt::format("messy world {} from {} to {}", seed, show(from), show(to)));
   }
