@@ -64,6 +64,7 @@ void add_options(CLI::App& app, RoadmapOptions& options) {
     const auto files = options.files();
     if (std::count(files.begin(), files.end(), "-") > 1)
       throw CLI::ValidationError("only one of --svg, --json, --graphml, --geojson and --save can have standard output");
+    if (!options.kind->graph) throw CLI::ValidationError(fmt::format("--kind {} makes no graph", options.kind->name));
   });
 }
 
