@@ -85,12 +85,12 @@ struct PolyanyaSearch::Impl {
         polygons_at(space, polyanya.mesh()) {}
 
   SearchStatus start_search(Point from, bool nearest, const SearchLimits& limits) {
-    return search(from, nearest, limits, [](Point, std::uint32_t) {});
+    return search(from, nearest, false, limits, [](Point, std::uint32_t) {});
   }
 
   template <typename OnRoot>
-  SearchStatus search(Point from, bool nearest, const SearchLimits& limits, OnRoot&& on_root) {
-    status = engine.run({from, starts, std::span(goals).first(goal_count), nearest, limits}, on_root);
+  SearchStatus search(Point from, bool nearest, bool other_ends, const SearchLimits& limits, OnRoot&& on_root) {
+    status = engine.run({from, starts, std::span(goals).first(goal_count), nearest, other_ends, limits}, on_root);
     points.clear();
     length = std::numeric_limits<double>::infinity();
     if (nearest && engine.way().exists()) {
@@ -118,7 +118,7 @@ struct PolyanyaSearch::Impl {
     for (const detail::RoomEntry& entry : detail::room_entries(space, room))
       add_goal(entry.point, space.locate(entry.point), entry.inside);
     const std::vector<detail::RoomSide> sides = detail::room_sides(room);
-    return search(from, true, limits, [&](Point p, std::uint32_t root) {
+    return search(from, true, true, limits, [&](Point p, std::uint32_t root) {
       for (const detail::RoomSide& side : sides) {
         const auto foot = side.foot(p);
         if (!foot || !engine.may_improve(root, std::max(std::abs(foot->x - p.x), std::abs(foot->y - p.y)))) continue;

@@ -82,6 +82,7 @@ void PolyanyaEngine::begin(const Query& query) {
   if (limits_.seconds < 1e9) deadline_ = now() + limits_.seconds;
   place_goals(query.goals);
   allow_blocks(query.start_polygons);
+  if (query.other_ends) is_separated_ = false;
 }
 
 void PolyanyaEngine::place_goals(std::span<const MeshGoal> goals) {
@@ -107,20 +108,26 @@ void PolyanyaEngine::place_goals(std::span<const MeshGoal> goals) {
 }
 
 void PolyanyaEngine::allow_blocks(std::span<const std::uint32_t> starts) {
+  reachable_.assign(goals_.size(), false);
   for (const std::uint32_t p : starts)
-    for (const GoalPlace& place : goal_places_) allow_between(p, place.polygon);
+    for (const GoalPlace& place : goal_places_)
+      if (allow_between(p, place.polygon)) reachable_[place.goal] = true;
+  const auto reachable = static_cast<std::size_t>(std::count(reachable_.begin(), reachable_.end(), true));
+  is_separated_ = reachable == 0;
+  if (!nearest_) unreached_ = reachable;
 }
 
-/// All blocks between two polygons: the only ones that a shortest path from one to the other can pass.
-void PolyanyaEngine::allow_between(std::uint32_t p, std::uint32_t q) {
+/// All blocks between two polygons: the only ones that a shortest path from one to the other can pass. False when they lie in two components.
+bool PolyanyaEngine::allow_between(std::uint32_t p, std::uint32_t q) {
   const Navmesh::BlockTree& tree = mesh_.blocks;
   while (p != q) {
     std::uint32_t& deeper = tree.depth[p] >= tree.depth[q] ? p : q;
     const std::uint32_t block = tree.above[deeper];
-    if (block == kNone) return;  // two components
+    if (block == kNone) return false;
     allowed_[block] = query_;
     deeper = tree.top[block];
   }
+  return true;
 }
 
 bool PolyanyaEngine::out_of_time() { return limits_.seconds < 1e9 && expanded_ % 64 == 0 && now() >= deadline_; }
@@ -385,7 +392,8 @@ void PolyanyaEngine::improve(std::uint32_t root, std::uint32_t goal, Point end) 
 void PolyanyaEngine::renew_bound() {
   if (unreached_ > 0) return;
   bound_ = 0;
-  for (const Way& way : ways_) bound_ = std::max(bound_, way.length + way.error * 2);
+  for (const Way& way : ways_)
+    if (way.exists()) bound_ = std::max(bound_, way.length + way.error * 2);
 }
 
 /// A lower bound but for rounding.

@@ -38,7 +38,8 @@ class PolyanyaEngine {
     Point start;
     std::span<const std::uint32_t> start_polygons;
     std::span<const MeshGoal> goals;
-    bool nearest = true;  ///< the nearest of the goals; else each of them
+    bool nearest = true;      ///< the nearest of the goals; else each of them
+    bool other_ends = false;  ///< on_root may add ways to ends that are not among the goals
     SearchLimits limits{};
   };
 
@@ -58,7 +59,7 @@ class PolyanyaEngine {
   SearchStatus run(const Query& query, OnRoot&& on_root) {
     begin(query);
     on_root(query.start, 0);
-    look_around(query.start_polygons);
+    if (!is_separated_) look_around(query.start_polygons);
     while (take()) {
       if (expanded_ >= query.limits.expansions || out_of_time()) return SearchStatus::stopped;
       ++expanded_;
@@ -136,7 +137,7 @@ class PolyanyaEngine {
   void begin(const Query& query);
   void place_goals(std::span<const MeshGoal> goals);
   void allow_blocks(std::span<const std::uint32_t> starts);
-  void allow_between(std::uint32_t p, std::uint32_t q);
+  bool allow_between(std::uint32_t p, std::uint32_t q);
   bool out_of_time();
   bool found() const;
 
@@ -175,10 +176,12 @@ class PolyanyaEngine {
   std::vector<GoalPlace> goal_places_;  // by polygon
   std::vector<Way> ways_;
   std::vector<Segment> legs_a_, legs_b_;
+  std::vector<bool> reachable_;  // by goal
 
   std::span<const MeshGoal> goals_;
   Box goal_box_;
   bool nearest_ = true;
+  bool is_separated_ = false;  // no goal lies in a component of the start
   std::size_t unreached_ = 0;  // of goals asked each
   double bound_ = 0;           // no way longer than this is of interest
   Node next_{};                // the best of those just made, not yet in the heap

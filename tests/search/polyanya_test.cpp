@@ -40,7 +40,7 @@ TEST(Polyanya, GoesAroundTheFreeEndOfAWall) {
 
 TEST(Polyanya, TurnsRightBackAlongTheOtherSideOfAWall) {
   const SmallWorld world{.walls = {{{0, 5}, {6, 5}}}, .solids = {box_ring(0, 3, 6, 4), box_ring(0, 6, 6, 7)}};
-  EXPECT_EQ(length_of(world, {1, 4.5}, {1, 5.5}), "10.099020");
+  EXPECT_EQ(length_of(world, {1, 4.5}, {1, 5.5}), "10.049876");
 }
 
 TEST(Polyanya, DoesNotSlipThroughAJoint) {
@@ -100,7 +100,7 @@ TEST(Polyanya, LooksAtNothingButTheCorridorOfAPerfectMaze) {
 TEST(Polyanya, NeverLooksForAGoalInAnotherComponent) {
   PolyanyaSearch search{Polyanya(SmallWorld{.walls = {{{5, 0}, {5, 10}}, {{2, 0}, {2, 9}}}, .solids = {}}.space())};
   EXPECT_EQ(search.find({1, 1}, Point{8, 2}), SearchStatus::none);
-  EXPECT_LE(search.expanded(), 2U);
+  EXPECT_EQ(search.expanded(), 1U);
 }
 
 /// Random pairs in a file's world: exactly as long as in the visibility graph, and checked.
