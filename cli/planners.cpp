@@ -37,6 +37,7 @@ PlannerRun run_once(const Planner& planner, const RoadmapKind& kind, const FreeS
 
 std::span<const Planner> planners() {
   static constexpr Planner kPlanners[] = {
+      {"polyanya", "polyanya", GraphAlgorithm::astar},
       {"visibility-astar", "visibility", GraphAlgorithm::astar},
       {"visibility-dijkstra", "visibility", GraphAlgorithm::dijkstra},
       {"full-visibility", "full", GraphAlgorithm::astar},

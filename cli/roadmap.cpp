@@ -64,6 +64,8 @@ void add_options(CLI::App& app, RoadmapOptions& options) {
       ->group("Output");
   app.add_option("--save", options.save, "Keep it for `taut solve --load`")->type_name("FILE")->group("Output");
   app.callback([&options] {
+    if (!options.chosen().graph)
+      throw CLI::ValidationError(fmt::format("--kind {} makes no graph", options.chosen().name));
     if (!options.save.empty()) require_savable(options.chosen());
     require_prm_options_fit(options.prm, options.chosen());
     const auto files = options.files();

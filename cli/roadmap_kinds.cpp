@@ -12,6 +12,7 @@
 #include <taut/roadmaps/visibility_graph.h>
 #include <taut/roadmaps/voronoi_legs.h>
 #include <taut/search/cell_search.h>
+#include <taut/search/polyanya.h>
 #include <taut/search/prm_planner.h>
 #include <taut/search/shortest_path.h>
 #include <taut/search/voronoi_search.h>
@@ -122,10 +123,30 @@ RoadmapKind voronoi() {
           }};
 }
 
+/// A search on the navigation mesh; there is no graph.
+RoadmapKind polyanya() {
+  return {"polyanya",
+          "navigation mesh",
+          true,
+          false,
+          [](const FreeSpace& space, const BuildRequest&) {
+            const auto search = std::make_shared<PolyanyaSearch>(Polyanya(space));
+            return PlannedRoadmap{std::make_shared<const Roadmap>(),
+                                  [search](Point from, const Goal& to, GraphAlgorithm) {
+                                    search->find(from, to);
+                                    return search->result();
+                                  }};
+          },
+          {},
+          false,
+          false};
+}
+
 }  // namespace
 
 std::span<const RoadmapKind> roadmap_kinds() {
   static const RoadmapKind kinds[] = {
+      polyanya(),
       visibility("visibility", "reduced visibility graph", VisibilityKind::reduced),
       visibility("full", "full visibility graph", VisibilityKind::full),
       cells("cells", "cells with 4 neighbours", CellNeighbours::four),
@@ -150,13 +171,14 @@ const RoadmapKind* roadmap_kind(const std::string& name) {
   return nullptr;
 }
 
-void add_roadmap_kind(CLI::App& app, const std::string& option, const RoadmapKind*& kind, const std::string& group) {
+void add_roadmap_kind(CLI::App& app, const std::string& option, const RoadmapKind*& kind, const std::string& group,
+                      const std::string& standard) {
   const auto take = [&kind, option](const std::string& text) {
     const RoadmapKind* named = roadmap_kind(text);
     if (!named) throw CLI::ValidationError(option + ": '" + text + "' is not one of " + roadmap_kind_names());
     kind = named;
   };
-  app.add_option_function<std::string>(option, take, roadmap_kind_names() + " (default: visibility)")
+  app.add_option_function<std::string>(option, take, roadmap_kind_names() + " (default: " + standard + ")")
       ->type_name("NAME")
       ->group(group);
 }

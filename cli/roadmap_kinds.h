@@ -20,7 +20,7 @@ namespace taut::cli {
 
 /// A finished roadmap, and how it answers: from a start to a goal.
 struct PlannedRoadmap {
-  std::shared_ptr<const Roadmap> roadmap;
+  std::shared_ptr<const Roadmap> roadmap;  ///< empty where there is no graph
   std::function<GraphSearchResult(Point, const Goal&, GraphAlgorithm)> search;
   std::string how{};                                ///< the settings it was built with, for saved files
   std::shared_ptr<const VoronoiRoadmap> diagram{};  ///< when `roadmap` only stands for it
@@ -48,6 +48,7 @@ struct RoadmapKind {
   /// The same from its vertices and edges, read from a file; empty where these are not all there is to it.
   std::function<PlannedRoadmap(const FreeSpace&, Roadmap)> restore{};
   bool is_prm = false;  ///< heeds BuildRequest::prm
+  bool graph = true;    ///< does it make a graph at all, to be shown and saved?
 };
 
 /// Legs that stand for an arc leave it by at most this part of the mean width of a corridor.
@@ -62,7 +63,9 @@ std::string roadmap_kind_names();
 const RoadmapKind* roadmap_kind(const std::string& name);
 
 /// --OPTION NAME, one of the kinds; anything else is a CLI::ValidationError. `kind` keeps its value when the option is not given.
-void add_roadmap_kind(CLI::App& app, const std::string& option, const RoadmapKind*& kind, const std::string& group);
+/// `standard` is the name of that one, for --help.
+void add_roadmap_kind(CLI::App& app, const std::string& option, const RoadmapKind*& kind, const std::string& group,
+                      const std::string& standard = "visibility");
 
 /// Throws CLI::ValidationError when roadmaps of that kind cannot be kept in files: what they hold besides legs is not in them.
 void require_savable(const RoadmapKind& kind);

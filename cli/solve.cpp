@@ -46,13 +46,47 @@ struct SolveOptions {
   bool shorten = false;
   PrmRequest prm;
   bool arcs = false;
-  const RoadmapKind* kind = nullptr;  // visibility, or what --load finds
+  const RoadmapKind* kind = nullptr;  // when it is given
   std::string save;
   std::string load;
 
   ClearanceRequest clearance_request() const { return {world, query, output, clearance, !no_verify, path}; }
   bool stdout_taken() const { return output.stdout_taken() || save == "-"; }
 };
+
+// Options that exclude each other. Throws CLI::ValidationError.
+void require_consistent(const SolveOptions& options) {
+  if (options.clearance.kind != ClearanceQuery::Kind::none) {
+    if ((options.kind && options.kind != roadmap_kind("voronoi")) || !options.save.empty() || !options.load.empty() ||
+        options.shorten)
+      throw CLI::ValidationError(
+          "--clearance, --widest and --tradeoff go along the Voronoi diagram, not another roadmap");
+    require_suitable(options.clearance_request());
+  }
+  if (options.kind && !options.kind->graph && !options.save.empty())
+    throw CLI::ValidationError(fmt::format("--roadmap {} makes no graph that --save could keep", options.kind->name));
+  if (options.kind && !options.save.empty()) require_savable(*options.kind);
+  const RoadmapKind& kind = options.kind ? *options.kind : *roadmap_kind("visibility");
+  if (!options.load.empty() && !options.prm.first().empty())
+    throw CLI::ValidationError(options.prm.first() + " makes no sense with --load: that roadmap is built already");
+  require_prm_options_fit(options.prm, kind);
+  if (options.shorten && kind.optimal && options.load.empty())
+    throw CLI::ValidationError(
+        fmt::format("--shorten makes no sense with the roadmap {}: its paths are the shortest", kind.name));
+  if (options.shorten && options.prm.clearance.value_or(0) > 0)
+    throw CLI::ValidationError("--shorten makes no sense with --prm-clearance: a taut path touches corners");
+  if ((options.output.svg == "-") + (options.output.json == "-") + (options.save == "-") > 1)
+    throw CLI::ValidationError("only one of --svg, --json and --save can have standard output");
+  if (options.arcs && (options.kind || !options.save.empty() || !options.load.empty() || options.shorten ||
+                       options.clearance.kind != ClearanceQuery::Kind::none))
+    throw CLI::ValidationError("--arcs has a roadmap of its own: not with --roadmap, --save, --load or --clearance");
+  if (options.arcs && options.query.robot.kind() != Footprint::Kind::disc)
+    throw CLI::ValidationError("--arcs needs --robot disc:R");
+  if (options.load == "-" && options.world.file == "-")
+    throw CLI::ValidationError("FILE and --load cannot both come from standard input");
+  if (options.kind && !options.kind->graph && options.algorithm == GraphAlgorithm::dijkstra)
+    throw CLI::ValidationError(fmt::format("--roadmap {} makes no graph for --algorithm dijkstra", options.kind->name));
+}
 
 void add_options(CLI::App& app, SolveOptions& options) {
   add_world_options(app, options.world);
@@ -67,7 +101,8 @@ void add_options(CLI::App& app, SolveOptions& options) {
          "astar (default) or dijkstra; the path is the same length")
       ->type_name("NAME")
       ->group("Query");
-  add_roadmap_kind(app, "--roadmap", options.kind, "Roadmap");
+  add_roadmap_kind(app, "--roadmap", options.kind, "Roadmap",
+                   "polyanya; visibility with --algorithm dijkstra, --save or --load");
   app.add_option("--save", options.save, "Keep the roadmap for --load; - is standard output")
       ->type_name("FILE")
       ->group("Roadmap");
@@ -85,34 +120,7 @@ void add_options(CLI::App& app, SolveOptions& options) {
   app.add_flag("--path", options.path, "Print the points of the path, one `x y` a line")->group("Output");
   add_clearance_options(app, options.clearance);
   add_output_options(app, options.output);
-  app.callback([&options] {
-    if (options.clearance.kind != ClearanceQuery::Kind::none) {
-      if ((options.kind && options.kind != roadmap_kind("voronoi")) || !options.save.empty() || !options.load.empty() ||
-          options.shorten)
-        throw CLI::ValidationError(
-            "--clearance, --widest and --tradeoff go along the Voronoi diagram, not another roadmap");
-      require_suitable(options.clearance_request());
-    }
-    if (options.kind && !options.save.empty()) require_savable(*options.kind);
-    const RoadmapKind& kind = options.kind ? *options.kind : *roadmap_kind("visibility");
-    if (!options.load.empty() && !options.prm.first().empty())
-      throw CLI::ValidationError(options.prm.first() + " makes no sense with --load: that roadmap is built already");
-    require_prm_options_fit(options.prm, kind);
-    if (options.shorten && kind.optimal && options.load.empty())
-      throw CLI::ValidationError(
-          fmt::format("--shorten makes no sense with the roadmap {}: its paths are the shortest", kind.name));
-    if (options.shorten && options.prm.clearance.value_or(0) > 0)
-      throw CLI::ValidationError("--shorten makes no sense with --prm-clearance: a taut path touches corners");
-    if ((options.output.svg == "-") + (options.output.json == "-") + (options.save == "-") > 1)
-      throw CLI::ValidationError("only one of --svg, --json and --save can have standard output");
-    if (options.arcs && (options.kind || !options.save.empty() || !options.load.empty() || options.shorten ||
-                         options.clearance.kind != ClearanceQuery::Kind::none))
-      throw CLI::ValidationError("--arcs has a roadmap of its own: not with --roadmap, --save, --load or --clearance");
-    if (options.arcs && options.query.robot.kind() != Footprint::Kind::disc)
-      throw CLI::ValidationError("--arcs needs --robot disc:R");
-    if (options.load == "-" && options.world.file == "-")
-      throw CLI::ValidationError("FILE and --load cannot both come from standard input");
-  });
+  app.callback([&options] { require_consistent(options); });
 }
 
 class Solver {
@@ -180,7 +188,8 @@ class Solver {
 
   PlannedRoadmap build_or_load(const FreeSpace& space) {
     if (options_.load.empty()) {
-      if (options_.kind) kind_ = options_.kind;
+      const bool graph = !options_.save.empty() || options_.algorithm == GraphAlgorithm::dijkstra;
+      kind_ = options_.kind ? options_.kind : roadmap_kind(graph ? "visibility" : "polyanya");
       return kind_->build(space, {options_.common.seed, result_.start, result_.goal, options_.prm,
                                   options_.common.limits.seconds.has_value(), prm_progress(options_.output.quiet)});
     }
@@ -306,13 +315,16 @@ class Solver {
                     count_text(space.triangulation().triangles.size(), "triangle"), report.seconds_union,
                     report.seconds_triangulation, report.displacement));
     row("roadmap", s.roadmap,
-        count_text(planned_.roadmap->vertex_count(), "vertex", "vertices") + ", " +
-            count_text(planned_.roadmap->edge_count(), "edge") + " (" +
-            (options_.load.empty() ? kind_->title : "loaded from " + options_.load) + ")");
+        !kind_->graph ? kind_->title
+                      : count_text(planned_.roadmap->vertex_count(), "vertex", "vertices") + ", " +
+                            count_text(planned_.roadmap->edge_count(), "edge") + " (" +
+                            (options_.load.empty() ? kind_->title : "loaded from " + options_.load) + ")");
     if (planned_.prm) note(connectivity_text(*planned_.prm));
     row("search", s.search,
         fmt::format("{} expanded ({})", result_.expanded,
-                    options_.algorithm == GraphAlgorithm::astar ? "astar" : "dijkstra"));
+                    !kind_->graph                                 ? kind_->name
+                    : options_.algorithm == GraphAlgorithm::astar ? "astar"
+                                                                  : "dijkstra"));
     row("verify", s.verify,
         result_.verified ? fmt::format("valid, clearance {:.6g}", result_.clearance.value_or(0)) : "not done");
     row("total", s.total, "peak memory " + peak_memory_text());

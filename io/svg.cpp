@@ -35,7 +35,7 @@ class Picture {
     const Point aspect{(box_.max.x - box_.min.x) / extent_, (box_.max.y - box_.min.y) / extent_};
     page_ = detail::page_for(aspect, corridor_width(space) / extent_, keys_);
     const int decimals = std::clamp(static_cast<int>(std::ceil(std::log10(60 / page_.corridor))), 1, 4);
-    scale_.emplace(box_, page_.map.min, extent_, detail::kMapPixels, decimals);
+    scale_.emplace(box_, page_.map.min, extent_, detail::kMapPixels, decimals, world_.y_down());
   }
 
   std::string draw() {

@@ -50,9 +50,10 @@ std::size_t utf8_length(std::string_view text) {
 
 }  // namespace
 
-SvgScale::SvgScale(const Box& box, Point top_left, double extent, double pixels, int decimals)
-    : origin_{box.min.x, box.max.y},
+SvgScale::SvgScale(const Box& box, Point top_left, double extent, double pixels, int decimals, bool y_down)
+    : origin_{box.min.x, y_down ? box.min.y : box.max.y},
       top_left_(top_left),
+      down_(y_down ? 1 : -1),
       extent_(extent),
       pixels_(pixels),
       decimals_(decimals),
@@ -60,7 +61,7 @@ SvgScale::SvgScale(const Box& box, Point top_left, double extent, double pixels,
 
 Point SvgScale::pixel(Point p) const {
   const auto near = [](double v) { return std::clamp(v, -kFarthest, kFarthest); };
-  return {near(top_left_.x + length(p.x - origin_.x)), near(top_left_.y + length(origin_.y - p.y))};
+  return {near(top_left_.x + length(p.x - origin_.x)), near(top_left_.y + length(down_ * (p.y - origin_.y)))};
 }
 
 SvgScale::Dot SvgScale::dot(Point p) const {

@@ -15,7 +15,8 @@ class SvgScale {
  public:
   /// `top_left` in pixels is where the box's north-west corner goes; `extent` > 0 in the world becomes `pixels`.
   /// Precondition: 0 <= decimals <= 6.
-  SvgScale(const Box& box, Point top_left, double extent, double pixels, int decimals);
+  /// With `y_down` the world's y grows downwards as well.
+  SvgScale(const Box& box, Point top_left, double extent, double pixels, int decimals, bool y_down = false);
 
   /// A pixel coordinate as a whole multiple of 10^-decimals; at most 10^6 pixels away from 0.
   struct Dot {
@@ -32,6 +33,7 @@ class SvgScale {
  private:
   Point origin_;  // the box's north-west corner, in the world
   Point top_left_;
+  double down_;  // 1 where the world's y grows downwards, else -1
   double extent_;
   double pixels_;
   int decimals_;
