@@ -73,7 +73,8 @@ std::vector<GridQuery> all_queries(detail::Draws& draws, GridMoves moves) {
     if (algorithm == GridAlgorithm::jps && moves == GridMoves::four) continue;
     GridHeuristic h;
     h.members.clear();
-    for (std::uint32_t n = 1 + draws.below(2); n > 0; --n) h.members.push_back(static_cast<GridEstimate>(draws.below(8)));
+    for (std::uint32_t n = 1 + draws.below(2); n > 0; --n)
+      h.members.push_back(static_cast<GridEstimate>(draws.below(8)));
     GridQuery q{algorithm, h};
     q.ties = draws.below(2) == 0 ? Ties::fifo : Ties::lifo;
     q.weight = 1000 + draws.below(2000);
@@ -96,7 +97,8 @@ TEST_P(GridSearchProperty, FindsWhatBruteForceFindsOnRandomGrids) {
     GridSearch search(grid, moves);
     for (const GridQuery& q : all_queries(draws, moves)) {
       const GridResult r = search.find(start, goal, q);
-      const std::string what = std::string(name(q.algorithm)) + " " + name(q.heuristic) + ", round " + std::to_string(round);
+      const std::string what =
+          std::string(name(q.algorithm)) + " " + name(q.heuristic) + ", round " + std::to_string(round);
       if (r.status == GridStatus::stopped) {
         ASSERT_TRUE(q.algorithm == GridAlgorithm::greedy_repeats || q.algorithm == GridAlgorithm::idastar) << what;
         ++stopped;
@@ -110,7 +112,9 @@ TEST_P(GridSearchProperty, FindsWhatBruteForceFindsOnRandomGrids) {
       ASSERT_EQ(check.fault, "") << what;
       ASSERT_EQ(check.cost, r.cost) << what;
       ASSERT_GE(r.cost, optimum) << what;
-      if (r.optimal) { ASSERT_EQ(r.cost, optimum) << what; }
+      if (r.optimal) {
+        ASSERT_EQ(r.cost, optimum) << what;
+      }
       if (q.algorithm == GridAlgorithm::weighted_astar && consistent_everywhere(q.heuristic, moves)) {
         ASSERT_LE(r.cost.value(), optimum.value() * q.weight / 1000 + 1e-6) << what;
       }
@@ -130,7 +134,9 @@ TEST_P(GridSearchProperty, CostsFromEveryCellAreThoseOfBruteForce) {
     const auto costs = GridSearch(grid, moves).costs_to(goal);
     for (std::size_t i = 0; i < costs.size(); ++i) {
       ASSERT_EQ(costs[i].has_value(), brute[i].has_value());
-      if (brute[i]) { ASSERT_EQ(*costs[i], GridCost(brute[i]->straight, brute[i]->diagonal)); }
+      if (brute[i]) {
+        ASSERT_EQ(*costs[i], GridCost(brute[i]->straight, brute[i]->diagonal));
+      }
     }
   }
 }
@@ -153,7 +159,8 @@ TEST_P(GridSearchProperty, SearchesAgreeOnLargerGrids) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Moves, GridSearchProperty, testing::Values(GridMoves::four, GridMoves::eight, GridMoves::octile),
+INSTANTIATE_TEST_SUITE_P(Moves, GridSearchProperty,
+                         testing::Values(GridMoves::four, GridMoves::eight, GridMoves::octile),
                          [](const auto& which) { return "Moves" + std::string(name(which.param)); });
 
 // The order of GridCost against squares, on counts that nearly tie.

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "support/grid_drawing.h"
 #include <taut/geometry/errors.h>
 #include <taut/search/grid_search.h>
+#include "support/grid_drawing.h"
 
 namespace taut::test {
 namespace {
@@ -133,7 +133,8 @@ TEST(GridSearch, SaysWhatIsWrongWithItsEnds) {
 
 TEST(GridSearch, NamesAreReadBack) {
   for (const GridAlgorithm a : all_algorithms()) EXPECT_EQ(grid_algorithm_named(name(a)), a);
-  for (const GridMoves m : {GridMoves::four, GridMoves::eight, GridMoves::octile}) EXPECT_EQ(grid_moves_named(name(m)), m);
+  for (const GridMoves m : {GridMoves::four, GridMoves::eight, GridMoves::octile})
+    EXPECT_EQ(grid_moves_named(name(m)), m);
   EXPECT_FALSE(grid_algorithm_named("a*"));
 }
 
@@ -145,16 +146,17 @@ TEST(GridPathCheck, RefusesWhatIsNoPath) {
   EXPECT_EQ(fault({{0, 0}, {1, 0}, {2, 1}}, GridMoves::octile), "");
   EXPECT_EQ(fault({}, GridMoves::four), "the path is empty");
   EXPECT_EQ(fault({{0, 0}, {1, 0}, {2, 1}}, GridMoves::four), "(row 1, column 0) to (row 2, column 1) is not a move");
-  EXPECT_EQ(fault({{0, 0}, {1, 0}, {1, 0}, {2, 1}}, GridMoves::octile), "(row 1, column 0) to (row 1, column 0) is not a move");
+  EXPECT_EQ(fault({{0, 0}, {1, 0}, {1, 0}, {2, 1}}, GridMoves::octile),
+            "(row 1, column 0) to (row 1, column 0) is not a move");
   EXPECT_EQ(fault({{0, 1}, {1, 1}, {2, 1}}, GridMoves::four), "the path begins at (row 0, column 1)");
   EXPECT_EQ(fault({{0, 0}, {1, 0}}, GridMoves::four), "the path ends at (row 1, column 0)");
   EXPECT_EQ(fault({{0, 0}, {0, 1}, {0, 2}, {1, 2}, {2, 1}}, GridMoves::eight), "(row 0, column 2) is not free");
 }
 
 TEST(GridCost, IsOrderedAsTheNumbersAreAndKeepsItsCounts) {
-  EXPECT_LT(GridCost(7, 0), GridCost(0, 5));   // 7 < 7.0710
-  EXPECT_GT(GridCost(17, 0), GridCost(0, 12));  // 17 > 16.9706
-  EXPECT_LT(GridCost(275'807, 0), GridCost(0, 195'025));  // squares differ by 1 in 7.6e10
+  EXPECT_LT(GridCost(7, 0), GridCost(0, 5));                      // 7 < 7.0710
+  EXPECT_GT(GridCost(17, 0), GridCost(0, 12));                    // 17 > 16.9706
+  EXPECT_LT(GridCost(275'807, 0), GridCost(0, 195'025));          // squares differ by 1 in 7.6e10
   EXPECT_LT(GridCost(318'281'039, 0), GridCost(0, 225'058'681));  // squares differ by 1 in 1e17
   const GridCost c(123'456, 98'765);
   EXPECT_EQ(c.straight(), 123'456);
