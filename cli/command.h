@@ -28,6 +28,13 @@ Command generate_command(CLI::App& app);
 Command convert_command(CLI::App& app);
 Command batch_command(CLI::App& app);
 
+std::vector<Command> grid_commands(CLI::App& app);
+Command grid_solve_command(CLI::App& grid);
+Command grid_compare_command(CLI::App& grid);
+Command grid_heuristics_command(CLI::App& grid);
+Command grid_scenario_command(CLI::App& grid);
+Command grid_generate_command(CLI::App& grid);
+
 /// Adds a subcommand whose options live as long as the parser: `add` fills the parser, `run` does the work, both with
 /// the same Options, which has a member `common`.
 template <typename Options>

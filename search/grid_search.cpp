@@ -16,7 +16,7 @@ namespace taut {
 namespace {
 
 constexpr std::array<std::string_view, kGridAlgorithms> kAlgorithms{
-    "bfs",     "dfs", "dijkstra", "greedy", "greedy-repeats", "astar", "weighted-astar", "bidirectional-astar",
+    "bfs",     "dfs", "dijkstra", "greedy-once", "greedy", "astar", "weighted-astar", "bidirectional-astar",
     "idastar", "jps"};
 constexpr std::array<std::string_view, 3> kMoves{"4", "8", "octile"};
 constexpr std::array<std::string_view, 3> kStatuses{"found", "none", "stopped"};

@@ -21,8 +21,8 @@ namespace taut {
 ///  bfs             first in, first out. Fewest moves; the least cost with four neighbours.
 ///  dfs             the recursive pre-order: the first neighbour not yet marked is taken next.
 ///  dijkstra        the least cost g first.
-///  greedy          the least estimate h first.
-///  greedy_repeats  the same with a careless frontier: a cell that is not marked goes in each time it is seen, and is taken, counted and
+///  greedy_once     the least estimate h first.
+///  greedy  the same with a careless frontier: a cell that is not marked goes in each time it is seen, and is taken, counted and
 ///                  looked around from each time it comes out. For comparison with reports that did so (and called it A*).
 ///  astar           the least f = g + h first.
 ///  weighted_astar  the least f = g + w h first (w h rounded down to the unit of GridCost): at most w times the least cost
@@ -41,8 +41,8 @@ enum class GridAlgorithm {
   bfs,
   dfs,
   dijkstra,
+  greedy_once,
   greedy,
-  greedy_repeats,
   astar,
   weighted_astar,
   bidirectional_astar,
@@ -52,7 +52,7 @@ enum class GridAlgorithm {
 
 inline constexpr std::size_t kGridAlgorithms = 10;
 
-/// `bfs`, `greedy-repeats`, `weighted-astar`, ...
+/// `bfs`, `greedy`, `weighted-astar`, ...
 std::string_view name(GridAlgorithm algorithm);
 std::optional<GridAlgorithm> grid_algorithm_named(std::string_view word);
 
@@ -78,7 +78,7 @@ struct GridQuery {
 
 struct GridResult {
   GridStatus status = GridStatus::none;
-  std::size_t steps = 0;    ///< cells taken, start and goal included, each once (but for greedy_repeats and idastar)
+  std::size_t steps = 0;    ///< cells taken, start and goal included, each once (but for greedy and idastar)
   std::size_t entered = 0;  ///< entries put into the frontier, the start included
   std::size_t rounds = 1;   ///< of idastar
   GridCost cost;

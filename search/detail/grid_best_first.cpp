@@ -26,8 +26,8 @@ class Order {
     const std::int64_t h = h_(c);
     if (h >= kUnreached) return h;
     switch (algorithm_) {
-      case GridAlgorithm::greedy:
-      case GridAlgorithm::greedy_repeats: return h;
+      case GridAlgorithm::greedy_once:
+      case GridAlgorithm::greedy: return h;
       case GridAlgorithm::weighted_astar: return g + weighted(h, weight_);
       default: return g + h;
     }
@@ -46,7 +46,7 @@ class BestFirst {
         nodes_(run.scratch.nodes[0]),
         heap_(run.scratch.heaps[0]),
         order_(run),
-        repeats_(run.query.algorithm == GridAlgorithm::greedy_repeats) {}
+        repeats_(run.query.algorithm == GridAlgorithm::greedy) {}
 
   void search() {
     nodes_.begin(run_.board.size());

@@ -1,0 +1,61 @@
+// What the subcommands of `taut grid` share.
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include <optional>
+#include <string>
+
+#include <taut/cli/options.h>
+#include <taut/io/grid_csv.h>
+#include <taut/search/grid_search.h>
+
+namespace taut::cli {
+
+/// Which map, which moves, from where to where.
+struct GridOptions {
+  std::string file;
+  std::optional<GridMoves> moves;  ///< when given
+  std::optional<GridPlace> from;
+  std::optional<GridPlace> to;
+};
+
+void add_grid_options(CLI::App& app, GridOptions& options, bool with_start = true);
+
+/// Of a search: --algorithm, --heuristic, --ties, --weight, --max-steps.
+struct GridSearchOptions {
+  GridAlgorithm algorithm = GridAlgorithm::astar;
+  std::optional<GridHeuristic> heuristic;  ///< when given
+  Ties ties = Ties::fifo;
+  double weight = 1.5;
+  std::optional<std::size_t> max_steps;
+};
+
+/// A map, read, and what the options make of it.
+struct GridInput {
+  GridTask task;
+  GridMoves moves = GridMoves::four;
+  std::string name;
+};
+
+/// Throws InputError: not readable, no start or goal (`with_start`: is a start needed?).
+GridInput read_grid_input(const GridOptions& options, bool with_start = true);
+
+/// Four neighbours, but octile in MovingAI's maps and for jump point search, when nothing is said.
+GridQuery grid_query(const GridSearchOptions& options, GridMoves moves);
+
+/// What greedy and idastar may take at most when nothing is said: both can take exponentially many steps.
+inline constexpr std::size_t kGridBudget = 10'000'000;
+
+/// `7`, `3 + 2 sqrt(2)`: exact.
+std::string cost_text(GridCost cost);
+/// `(2,5)`: row and column.
+std::string place_text(GridPlace place);
+
+// Values of options. Throw CLI::ValidationError.
+GridPlace grid_place_of(const std::string& text);
+GridMoves grid_moves_of(const std::string& text);
+GridHeuristic grid_heuristic_of(const std::string& text);
+GridAlgorithm grid_algorithm_of(const std::string& text);
+
+}  // namespace taut::cli

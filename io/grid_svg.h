@@ -1,0 +1,30 @@
+// Pictures of searches on grids.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <taut/geometry/occupancy_grid.h>
+#include <taut/search/grid_moves.h>
+
+namespace taut {
+
+/// What to draw over a grid. Recorded as GridResult does.
+struct GridPicture {
+  std::string title;
+  std::vector<std::string> facts;
+  std::vector<GridPlace> visited;   ///< shaded by order, the first darkest
+  std::vector<GridPlace> frontier;  ///< outlined
+  std::vector<GridPlace> path;
+  std::optional<GridPlace> start;
+  std::optional<GridPlace> goal;
+  bool animated =
+      false;  ///< plays in a browser: cells appear in their order within 8 seconds, then the path is drawn (SMIL, no script)
+};
+
+/// One SVG document, row 0 at the top. Cells in a row with one colour are one rectangle, and 64 colours stand for the order, so that
+/// the size grows with the outline of what was visited, not with its cells.
+std::string grid_svg(const OccupancyGrid& grid, const GridPicture& picture);
+
+}  // namespace taut
