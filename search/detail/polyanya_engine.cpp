@@ -207,7 +207,9 @@ void PolyanyaEngine::look_around(std::span<const std::uint32_t> polygons) {
       const Point a = mesh_.corners[c].point, b = mesh_.corners[d].point;
       if (a == start) continue;
       see_corner(0, c);
-      if (b != start) pass(cone(0, c, d), c, a, b, true, true);
+      // Of a side in line with the start nothing is seen through, unless it is on it.
+      if (b != start && (side_of(start, a, b) != 0 || on_segment(start, a, b)))
+        pass(cone(0, c, d), c, a, b, true, true);
     }
   }
 }

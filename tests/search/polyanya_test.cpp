@@ -64,6 +64,14 @@ TEST(Polyanya, EndsWhereItEntersTheRoom) {
   EXPECT_EQ(length_of(FreeSpace(world), *world.start(), world.goal()), "1.500000");
 }
 
+TEST(Polyanya, SeesNothingThroughAPortalInLineWithTheStart) {
+  // The room lies under the wall that the start is on; the way in is around the wall's end.
+  const SmallWorld world{.walls = {{{0, 0}, {5, 2}}, {{0, 2}, {4, 2}}, {{0, 2}, {4, 0}}},
+                         .solids = {box_ring(0, 1, 1, 2)},
+                         .area = box_ring(0, 0, 6, 6)};
+  EXPECT_EQ(length_of(world.space(), {0, 2}, {{}, {{{0, 1}, {1, 2}}, {{1, 1}, {2, 2}}}}), "6.000000");
+}
+
 TEST(Polyanya, RefusesEndsInSolids) {
   PolyanyaSearch search{Polyanya(SmallWorld{.walls = {}, .solids = {box_ring(1, 1, 3, 3)}}.space())};
   EXPECT_THROW(search.find({2, 2}, Point{5, 5}), InputError);
