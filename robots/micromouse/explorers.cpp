@@ -161,15 +161,11 @@ class AStar final : public MappingRobot {
     Cell to = here;
     for (std::size_t i = 1; i < cells.size() && i <= kLongestMove; ++i) {
       if (cells[i].x != here.x && cells[i].y != here.y) break;
-      const Side side = side_to(cells[i - 1], cells[i]);
+      const Side side = side_towards(cells[i - 1], cells[i]);
       if (!map().certain().open(cells[i - 1], side)) break;
       to = cells[i];
     }
     return to == here ? Action{90, 0} : action_towards(pose(), to);
-  }
-
-  static Side side_to(Cell a, Cell b) {
-    return b.y > a.y ? Side::north : b.y < a.y ? Side::south : b.x > a.x ? Side::east : Side::west;
   }
 
   int estimate(Cell c) const {
@@ -237,11 +233,7 @@ class PlainProver final : public MappingRobot {
     std::vector<Cell> cells;
     const auto stops = shortest_route(map().possible(), task());
     for (std::size_t i = 1; i < stops.size(); ++i) {
-      const Action action = action_towards({stops[i - 1], Side::north}, stops[i]);
-      const Side side = action.movement < 0    ? Side::south
-                        : action.rotation == 0 ? Side::north
-                        : action.rotation > 0  ? Side::east
-                                               : Side::west;
+      const Side side = side_towards(stops[i - 1], stops[i]);
       for (Cell c = stops[i - 1]; c != stops[i]; c = ahead(c, side))
         if (map().state(c, side) == WallState::unknown) cells.push_back(c), cells.push_back(ahead(c, side));
     }

@@ -64,12 +64,14 @@ std::vector<Cell> one_step_from(const Passages& passages, Cell cell) {
   return cells;
 }
 
+Side side_towards(Cell from, Cell to) {
+  if (to.x != from.x) return to.x > from.x ? Side::east : Side::west;
+  return to.y >= from.y ? Side::north : Side::south;
+}
+
 Action action_towards(const Pose& pose, Cell to) {
   TAUT_EXPECTS((pose.cell.x == to.x) != (pose.cell.y == to.y));
-  const Side side = to.y > pose.cell.y   ? Side::north
-                    : to.y < pose.cell.y ? Side::south
-                    : to.x > pose.cell.x ? Side::east
-                                         : Side::west;
+  const Side side = side_towards(pose.cell, to);
   const int count = std::abs(to.x - pose.cell.x) + std::abs(to.y - pose.cell.y);
   if (side == opposite(pose.heading)) return {0, -count};
   if (side == pose.heading) return {0, count};

@@ -34,6 +34,9 @@ std::vector<Cell> shortest_route(const Passages& passages, const Task& task);
 /// Cells one step away: up to three straight, by open passages.
 std::vector<Cell> one_step_from(const Passages& passages, Cell cell);
 
+/// The direction from one cell to another in its row or column; north when they are the same.
+Side side_towards(Cell from, Cell to);
+
 /// The action that goes from `pose` straight to `to`, at most three cells away in its row or column: forwards, unless it lies
 /// behind. Precondition: it does.
 Action action_towards(const Pose& pose, Cell to);

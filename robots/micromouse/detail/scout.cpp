@@ -43,11 +43,7 @@ class PlanTracer {
         if (to_goal(c) == to_goal(at) - 1 && unknown < least) best = c, least = unknown;
       }
     }
-    const Action move = action_towards({at, Side::north}, best);
-    const Side side = move.movement < 0     ? Side::south
-                      : move.rotation == 0  ? Side::north
-                      : move.rotation == 90 ? Side::east
-                                            : Side::west;
+    const Side side = side_towards(at, best);
     for (Cell c = at; c != best; c = ahead(c, side)) {
       if (map_.state(c, side) != WallState::unknown) continue;
       const CellSide wall = canonical({c, side});
