@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <taut/geometry/point.h>
+#include <taut/roadmaps/voronoi.h>
 
 namespace taut::detail {
 
@@ -44,7 +46,11 @@ class SvgPath {
 
   void segment(const Segment& s);  ///< a zero-length one draws its caps
   void chain(const Ring& points);  ///< open
-  void ring(const Ring& ring);     ///< closed
+  /// Open; what is bent stays a quadratic Bezier curve.
+  void chain(const std::vector<VoronoiCurve>& curves);
+  /// On a circle of that radius (in the world), at most 180 degrees, counter-clockwise as the world has it.
+  void arc(Point from, Point to, double radius, bool counter_clockwise);
+  void ring(const Ring& ring);  ///< closed
   void polygon(const Polygon& polygon);
 
   const std::string& text() const { return text_; }
@@ -53,6 +59,7 @@ class SvgPath {
  private:
   void move(SvgScale::Dot to);
   void line(SvgScale::Dot to);
+  void bend(SvgScale::Dot control, SvgScale::Dot to);
   void number(std::int64_t ticks, bool first);
 
   const SvgScale& scale_;
