@@ -26,6 +26,9 @@ Command compare_command(CLI::App& app);
 Command passage_command(CLI::App& app);
 Command generate_command(CLI::App& app);
 Command convert_command(CLI::App& app);
+Command diff_command(CLI::App& app);
+/// The group `mouse`: run, compare, check, serve, speed.
+std::vector<Command> mouse_commands(CLI::App& app);
 
 /// Adds a subcommand whose options live as long as the parser: `add` fills the parser, `run` does the work, both with
 /// the same Options, which has a member `common`.
