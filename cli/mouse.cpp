@@ -111,7 +111,9 @@ std::vector<Command> mouse_commands(CLI::App& app) {
   CLI::App& group = command_group(app, "mouse", "Micromouse: explore an unknown maze, then race through it");
   std::vector<Command> commands;
   commands.push_back(mouse_run_command(group));
+  commands.push_back(mouse_compare_command(group));
   commands.push_back(mouse_check_command(group));
+  commands.push_back(mouse_serve_command(group));
   return commands;
 }
 
