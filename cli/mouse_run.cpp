@@ -10,7 +10,9 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/mouse.h>
 #include <taut/cli/mouse_report.h>
+#include <taut/cli/mouse_svg.h>
 #include <taut/cli/output.h>
+#include <taut/cli/report.h>
 #include <taut/cli/timing.h>
 #include <taut/robots/micromouse/certificate_file.h>
 
@@ -27,12 +29,15 @@ struct RunOptions {
   CommonOptions common;
   micromouse::Explorer explorer = micromouse::Explorer::score;
   int max_steps = micromouse::kMaxSteps;
+  std::string svg;
+  std::string animation;
+  bool flood = false;
   std::string json;
   std::string certificate;
   bool quick = false;
   bool quiet = false;
 
-  std::vector<const std::string*> files() const { return {&json, &certificate}; }
+  std::vector<const std::string*> files() const { return {&svg, &animation, &json, &certificate}; }
 };
 
 void add_options(CLI::App& app, RunOptions& options) {
@@ -42,6 +47,14 @@ void add_options(CLI::App& app, RunOptions& options) {
       ->type_name("N")
       ->check(CLI::Range(1, 1'000'000))
       ->group("Robot");
+  app.add_option("--svg", options.svg, "Write a picture of both runs; - is standard output")
+      ->type_name("FILE")
+      ->group("Output");
+  app.add_option("--animate", options.animation, "Write a film of both runs that plays in a browser (SVG, no script)")
+      ->type_name("FILE")
+      ->group("Output");
+  app.add_flag("--flood", options.flood, "Write into the pictures how many steps each cell is from the goal")
+      ->group("Output");
   app.add_option("--json", options.json, "Write everything as JSON; - is standard output")
       ->type_name("FILE")
       ->group("Output");
@@ -87,6 +100,14 @@ bool stdout_taken(const RunOptions& options) {
   return false;
 }
 
+std::vector<std::string> facts_of(const MouseReport& report) {
+  const Record& record = report.record;
+  return {report.explorer + " explorer",
+          record.score() ? fmt::format("score {:.3f}", *record.score()) : std::string(name(record.status)),
+          fmt::format("run 1: {}", record.run1), fmt::format("run 2: {}", record.run2),
+          fmt::format("optimum {}{}", report.yardsticks.optimum, report.certificate ? ", proven" : "")};
+}
+
 int run(const RunOptions& options) {
   for (const std::string* file : options.files()) require_writable(*file);
   begin_stage("read");
@@ -97,11 +118,16 @@ int run(const RunOptions& options) {
   MouseReport report = report_of(options, read);
   report.yardsticks = *measures;
   begin_stage("write");
+  const MousePicture picture{title_of(read.name), facts_of(report), options.flood};
+  const std::string drawing = options.svg.empty() ? "" : mouse_svg(read.maze, report.record, picture);
+  const std::string film = options.animation.empty() ? "" : mouse_animation(read.maze, report.record, picture);
   const std::string json = options.json.empty() ? "" : mouse_json(report);
   const std::string proof = report.certificate && !options.certificate.empty()
                                 ? certificate_text(micromouse::file_of(*report.certificate, report.record))
                                 : "";
   finish();
+  write_file(options.svg, drawing);
+  write_file(options.animation, film);
   write_file(options.json, json);
   if (!proof.empty()) write_file(options.certificate, proof);
   if (!options.quiet && !stdout_taken(options)) print(mouse_table(report));
