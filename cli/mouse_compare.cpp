@@ -61,15 +61,21 @@ struct Summary {
   std::optional<std::size_t> worst;
 };
 
+std::vector<Explorer> explorers_in(const std::string& list) {
+  std::vector<Explorer> explorers;
+  for (std::size_t from = 0; from <= list.size();) {
+    const std::size_t comma = std::min(list.find(',', from), list.size());
+    explorers.push_back(explorer_of(list.substr(from, comma - from)));
+    from = comma + 1;
+  }
+  return explorers;
+}
+
 void add_options(CLI::App& app, CompareOptions& options) {
   app.add_option("MAZE", options.files, "The mazes, of any format")->required();
-  const auto take = [&options](const std::vector<std::string>& words) {
-    options.explorers.clear();
-    for (const std::string& word : words) options.explorers.push_back(explorer_of(word));
-  };
-  app.add_option_function<std::vector<std::string>>("--explorers", take, "Which, separated by commas (default: all)")
-      ->delimiter(',')
-      ->expected(1)
+  app.add_option_function<std::string>(
+         "--explorers", [&options](const std::string& list) { options.explorers = explorers_in(list); },
+         "Which, separated by commas (default: all)")
       ->type_name("LIST")
       ->group("Robot");
   app.add_option("--max-steps", options.max_steps, "Of both runs together (default: 1000)")

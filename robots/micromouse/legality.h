@@ -19,7 +19,8 @@ enum class MazeRules {
 ///  3. The start is a corner, closed on three sides and open to the north; the wall on its right, between it and the next cell, among them.
 ///  4. The goal is one room of at least one cell, with no wall inside, away from the start; 2 x 2 in the middle where the side is 16 or less.
 ///  5. The goal can be reached from the start.
-///  6. At least one wall touches each inner post, but for posts inside the goal room, which stand free (competition).
+///  6. At least one wall touches each inner post, but for posts inside the goal room, which stand free (competition, up to 16
+///     a side: in half-size finals posts are left out).
 /// O(cells).
 std::vector<std::string> violations(const GridMaze& maze, MazeRules rules = MazeRules::competition);
 
