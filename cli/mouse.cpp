@@ -114,6 +114,7 @@ std::vector<Command> mouse_commands(CLI::App& app) {
   commands.push_back(mouse_compare_command(group));
   commands.push_back(mouse_check_command(group));
   commands.push_back(mouse_serve_command(group));
+  commands.push_back(mouse_speed_command(group));
   return commands;
 }
 
