@@ -27,13 +27,16 @@ Command passage_command(CLI::App& app);
 Command generate_command(CLI::App& app);
 Command convert_command(CLI::App& app);
 Command batch_command(CLI::App& app);
-
+/// The group `grid`.
 std::vector<Command> grid_commands(CLI::App& app);
 Command grid_solve_command(CLI::App& grid);
 Command grid_compare_command(CLI::App& grid);
 Command grid_heuristics_command(CLI::App& grid);
 Command grid_scenario_command(CLI::App& grid);
 Command grid_generate_command(CLI::App& grid);
+Command diff_command(CLI::App& app);
+/// The group `mouse`: run, compare, check, serve, speed.
+std::vector<Command> mouse_commands(CLI::App& app);
 
 /// Adds a subcommand whose options live as long as the parser: `add` fills the parser, `run` does the work, both with
 /// the same Options, which has a member `common`.

@@ -7,6 +7,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <unistd.h>
@@ -91,6 +92,8 @@ std::vector<Command> all_commands(CLI::App& app) {
   commands.push_back(convert_command(app));
   commands.push_back(batch_command(app));
   for (Command& command : grid_commands(app)) commands.push_back(std::move(command));
+  commands.push_back(diff_command(app));
+  for (Command& mouse : mouse_commands(app)) commands.push_back(std::move(mouse));
   return commands;
 }
 

@@ -1,0 +1,120 @@
+// taut diff: in which walls do two mazes differ?
+#include <fmt/format.h>
+#include <CLI/Option.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+#include <taut/cli/exit_code.h>
+#include <taut/cli/mouse.h>
+#include <taut/cli/output.h>
+#include <taut/cli/report.h>
+#include <taut/cli/stop.h>
+#include <taut/geometry/errors.h>
+#include <taut/io/detail/result_values.h>
+
+namespace taut::cli {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using micromouse::CellSide;
+
+struct DiffOptions {
+  std::string a, b;
+  CommonOptions common;
+  std::string json;
+  bool quiet = false;
+};
+
+void add_options(CLI::App& app, DiffOptions& options) {
+  app.add_option("A", options.a, "A grid maze, of any format; - is standard input")->required();
+  app.add_option("B", options.b, "Another one")->required();
+  app.add_option("--json", options.json, "Write the walls as JSON; - is standard output")
+      ->type_name("FILE")
+      ->group("Output");
+  app.add_flag("--quiet,-q", options.quiet, "Nothing on standard output")->group("Output");
+}
+
+std::vector<CellSide> differing(const GridMaze& a, const GridMaze& b) {
+  std::vector<CellSide> walls;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x)
+      for (const Side side : kSides) {
+        const CellSide wall{{x, y}, side};
+        if (micromouse::canonical(wall) == wall && a.wall({x, y}, side) != b.wall({x, y}, side)) walls.push_back(wall);
+      }
+  return walls;
+}
+
+std::vector<Cell> goal_of(const GridMaze& maze) {
+  std::vector<Cell> goal = maze.goal.empty() ? centre_room(maze.width(), maze.height()) : maze.goal;
+  std::sort(goal.begin(), goal.end());
+  return goal;
+}
+
+std::string text_of(const MouseMaze& a, const MouseMaze& b, const std::vector<CellSide>& walls) {
+  std::string out;
+  for (const CellSide& w : walls)
+    out += fmt::format("{}: {} / {}\n", wall_text(w), a.maze.wall(w.cell, w.side) ? "wall" : "open",
+                       b.maze.wall(w.cell, w.side) ? "wall" : "open");
+  if (a.maze.start != b.maze.start)
+    out += fmt::format("start: {} / {}\n", cell_text(a.maze.start), cell_text(b.maze.start));
+  if (goal_of(a.maze) != goal_of(b.maze)) out += "the goals differ\n";
+  return out + (walls.empty() ? "no wall differs\n"
+                              : fmt::format("{} {}\n", count_text(walls.size(), "wall"),
+                                            walls.size() == 1 ? "differs" : "differ"));
+}
+
+Json json_of(const MouseMaze& a, const MouseMaze& b, const std::vector<CellSide>& walls) {
+  Json list = Json::array();
+  for (const CellSide& w : walls)
+    list.push_back({{"cell", {w.cell.x, w.cell.y}},
+                    {"side", side_name(w.side)},
+                    {"a", a.maze.wall(w.cell, w.side) ? "wall" : "open"},
+                    {"b", b.maze.wall(w.cell, w.side) ? "wall" : "open"}});
+  return {{"program", "taut"},
+          {"a", a.name},
+          {"b", b.name},
+          {"differ", walls.size()},
+          {"same_start", a.maze.start == b.maze.start},
+          {"same_goal", goal_of(a.maze) == goal_of(b.maze)},
+          {"walls", list}};
+}
+
+std::string size_text(const GridMaze& maze) { return fmt::format("{} x {}", maze.width(), maze.height()); }
+
+int different_sizes(const DiffOptions& options, const MouseMaze& a, const MouseMaze& b) {
+  const Json json{{"program", "taut"},
+                  {"a", a.name},
+                  {"b", b.name},
+                  {"differ", nullptr},
+                  {"size_a", {a.maze.width(), a.maze.height()}},
+                  {"size_b", {b.maze.width(), b.maze.height()}}};
+  write_file(options.json, options.json.empty() ? "" : detail::json_text(json));
+  if (!options.quiet && options.json != "-")
+    print(fmt::format("the sizes differ: {} / {}\n", size_text(a.maze), size_text(b.maze)));
+  return ExitCode::kNone;
+}
+
+int run(const DiffOptions& options) {
+  require_writable(options.json);
+  if (options.a == "-" && options.b == "-") throw InputError("<stdin>", 0, "cannot be both mazes");
+  begin_stage("read");
+  const MouseMaze a = read_grid_maze(options.a), b = read_grid_maze(options.b);
+  finish();
+  if (a.maze.width() != b.maze.width() || a.maze.height() != b.maze.height()) return different_sizes(options, a, b);
+  const std::vector<CellSide> walls = differing(a.maze, b.maze);
+  write_file(options.json, options.json.empty() ? "" : detail::json_text(json_of(a, b, walls)));
+  if (!options.quiet && options.json != "-") print(text_of(a, b, walls));
+  return walls.empty() ? kFound : ExitCode::kNone;
+}
+
+}  // namespace
+
+Command diff_command(CLI::App& app) {
+  return command<DiffOptions>(app, "diff", "How many walls differ between two grid mazes; exit code 1 when any does",
+                              add_options, run);
+}
+
+}  // namespace taut::cli

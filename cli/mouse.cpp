@@ -1,0 +1,121 @@
+#include <taut/cli/mouse.h>
+
+#include <fmt/format.h>
+#include <CLI/Error.hpp>
+#include <CLI/Option.hpp>
+
+#include <utility>
+
+#include <taut/cli/exit_code.h>
+#include <taut/cli/messages.h>
+#include <taut/cli/report.h>
+#include <taut/geometry/errors.h>
+
+namespace taut::cli {
+
+namespace {
+
+using micromouse::Explorer;
+
+template <typename Visit>
+void for_each_border_side(const GridMaze& maze, Visit visit) {
+  for (int x = 0; x < maze.width(); ++x) visit(Cell{x, 0}, Side::south), visit(Cell{x, maze.height() - 1}, Side::north);
+  for (int y = 0; y < maze.height(); ++y) visit(Cell{0, y}, Side::west), visit(Cell{maze.width() - 1, y}, Side::east);
+}
+
+std::string explorer_names() {
+  std::string names;
+  for (const Explorer e : micromouse::all_explorers())
+    names += (names.empty() ? "" : ", ") + std::string(micromouse::name(e));
+  return names;
+}
+
+}  // namespace
+
+void add_maze_options(CLI::App& app, MazeOptions& options, const char* name) {
+  app.add_option(name, options.file, "The maze to read; - is standard input")->required();
+  app.add_option_function<std::string>(
+         "--format", [&options](const std::string& text) { options.format = format_of(text); },
+         "What it is written in: cells, drawing, maz, num (default: found out from its content)")
+      ->type_name("NAME")
+      ->group("World");
+}
+
+void add_explorer_options(CLI::App& app, Explorer& explorer) {
+  const auto take = [&explorer](const std::string& word) { explorer = explorer_of(word); };
+  app.add_option_function<std::string>("--explorer", take, "How run 1 explores: " + explorer_names() + " (default)")
+      ->type_name("NAME")
+      ->group("Robot");
+  const auto mode = [&explorer](const std::string& word) {
+    if (word != "prove" && word != "score") throw CLI::ValidationError("--mode: '" + word + "' is not prove or score");
+    explorer = explorer_of(word);
+  };
+  app.add_option_function<std::string>("--mode", mode,
+                                       "Of our own explorer: prove (until the optimum is certain) or score")
+      ->type_name("NAME")
+      ->excludes("--explorer")
+      ->group("Robot");
+}
+
+Explorer explorer_of(const std::string& word) {
+  const std::optional<Explorer> explorer = micromouse::explorer_named(word);
+  if (!explorer) throw CLI::ValidationError("--explorer: '" + word + "' is not one of " + explorer_names());
+  return *explorer;
+}
+
+MouseMaze read_grid_maze(const std::string& file, std::optional<Format> format) {
+  ReadNotes notes;
+  ReadOptions options;
+  options.format = format;
+  const World world = read_world_file(file, options, &notes);
+  if (!world.grid())
+    throw InputError(world.source(), 0,
+                     fmt::format("is a world of {}, not a grid maze (cells, drawing, maz or num)", name(notes.format)));
+  return {*world.grid(), world.source(), notes.unknown_walls};
+}
+
+MouseMaze read_mouse_maze(const std::string& file, std::optional<Format> format) {
+  MouseMaze read = read_grid_maze(file, format);
+  if (const std::size_t open = border_openings(read.maze); open > 0) {
+    note(fmt::format("taut: {}: the border has {}: closed, as a micromouse maze has none", read.name,
+                     count_text(open, "opening")));
+    for_each_border_side(read.maze, [&](Cell c, Side side) { read.maze.set_wall(c, side, true); });
+  }
+  if (read.unknown_walls > 0)
+    note(fmt::format("taut: {}: {} in the drawing, taken as open", read.name,
+                     count_text(read.unknown_walls, "unknown wall")));
+  return read;
+}
+
+std::size_t border_openings(const GridMaze& maze) {
+  std::size_t open = 0;
+  for_each_border_side(maze, [&](Cell c, Side side) { open += maze.wall(c, side) ? 0U : 1U; });
+  return open;
+}
+
+std::string cell_text(Cell cell) { return fmt::format("({},{})", cell.x, cell.y); }
+
+const char* side_name(Side side) {
+  static constexpr const char* kNames[] = {"north", "east", "south", "west"};
+  return kNames[static_cast<std::size_t>(side)];
+}
+
+std::string wall_text(const micromouse::CellSide& wall) { return cell_text(wall.cell) + " " + side_name(wall.side); }
+
+int no_route(const std::string& name) {
+  complain(name + ": the maze has no way from the start to the goal");
+  return ExitCode::kNone;
+}
+
+std::vector<Command> mouse_commands(CLI::App& app) {
+  CLI::App& group = command_group(app, "mouse", "Micromouse: explore an unknown maze, then race through it");
+  std::vector<Command> commands;
+  commands.push_back(mouse_run_command(group));
+  commands.push_back(mouse_compare_command(group));
+  commands.push_back(mouse_check_command(group));
+  commands.push_back(mouse_serve_command(group));
+  commands.push_back(mouse_speed_command(group));
+  return commands;
+}
+
+}  // namespace taut::cli

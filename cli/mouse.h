@@ -1,0 +1,59 @@
+// What the subcommands of `taut mouse` share.
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include <optional>
+#include <string>
+
+#include <taut/cli/command.h>
+#include <taut/geometry/grid_maze.h>
+#include <taut/io/read_world.h>
+#include <taut/robots/micromouse/explorers.h>
+#include <taut/robots/micromouse/rules.h>
+
+namespace taut::cli {
+
+/// Which maze, and what it is written in.
+struct MazeOptions {
+  std::string file;
+  std::optional<Format> format;
+};
+
+/// A grid maze, read.
+struct MouseMaze {
+  GridMaze maze;
+  std::string name;               ///< of the file; `<stdin>`
+  std::size_t unknown_walls = 0;  ///< nobody has looked at, read as open
+};
+
+void add_maze_options(CLI::App& app, MazeOptions& options, const char* name = "MAZE");
+void add_explorer_options(CLI::App& app, micromouse::Explorer& explorer);
+
+/// `flood`, or a CLI::ValidationError that says what there is.
+micromouse::Explorer explorer_of(const std::string& word);
+
+/// Throws InputError, also when the file is readable but describes no grid maze.
+MouseMaze read_grid_maze(const std::string& file, std::optional<Format> format = std::nullopt);
+
+/// The same as a micromouse runs in: where the border has openings they are closed, and a note says so.
+MouseMaze read_mouse_maze(const std::string& file, std::optional<Format> format = std::nullopt);
+
+/// How many sides of the border are open.
+std::size_t border_openings(const GridMaze& maze);
+
+/// `(3,4)`; `(3,4) north`
+std::string cell_text(Cell cell);
+std::string wall_text(const micromouse::CellSide& wall);
+const char* side_name(Side side);
+
+/// Says on stderr that the maze has no way to the goal; exit code 1.
+int no_route(const std::string& name);
+
+Command mouse_run_command(CLI::App& group);
+Command mouse_compare_command(CLI::App& group);
+Command mouse_check_command(CLI::App& group);
+Command mouse_serve_command(CLI::App& group);
+Command mouse_speed_command(CLI::App& group);
+
+}  // namespace taut::cli

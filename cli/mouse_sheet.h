@@ -1,0 +1,69 @@
+// A page with a micromouse maze on it, as such mazes are drawn: north up, posts as small squares, walls between them.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <taut/geometry/grid_maze.h>
+#include <taut/geometry/point.h>
+#include <taut/robots/micromouse/rules.h>
+
+namespace taut::cli {
+
+/// Layout and parts of the drawing. Every part is SVG text for between head() and foot(); colours come from the style in head() and follow
+/// prefers-color-scheme. Same input, same bytes.
+class MouseSheet {
+ public:
+  struct Key {
+    std::string group;  ///< the class that colours the sample; `scale` is the scale of first sights
+    std::string label;
+  };
+
+  MouseSheet(const GridMaze& maze, std::string title, std::vector<std::string> facts, std::vector<Key> keys);
+
+  std::string head() const;  ///< up to and with the legend
+  std::string foot() const { return "</svg>\n"; }
+
+  double pitch() const { return pitch_; }
+  /// The middle of a cell in pixels, or any point whose unit is a cell and whose origin is the lower left corner.
+  Point pixel(Cell cell) const;
+  Point pixel(Point p) const;
+
+  std::string posts() const;
+  std::string goal() const;
+  std::string start() const;
+
+  /// Path data.
+  std::string wall(const micromouse::CellSide& wall) const;
+  std::string square(Cell cell) const;
+  std::string line(const std::vector<Point>& points) const;  ///< in cells
+
+  /// The mouse as a wedge that looks up, around (0, 0); degrees are clockwise.
+  std::string wedge() const;
+  std::string placed(Cell cell, double degrees) const;  ///< the value of a transform attribute
+
+  static std::string group(const std::string& name, const std::string& content);
+  static std::string path(const std::string& data);
+
+ private:
+  std::string style() const;
+  std::string legend() const;
+  std::pair<std::string, int> key_rows() const;  // and how many
+
+  GridMaze maze_;
+  std::string title_;
+  std::vector<std::string> facts_;
+  std::vector<Key> keys_;
+  double pitch_;
+  double width_;
+  double map_height_;
+};
+
+/// All standing walls of a maze, each once, by rows from the south.
+std::vector<micromouse::CellSide> standing_walls(const GridMaze& maze);
+
+/// The middles of cells.
+Point middle(Cell cell);
+
+}  // namespace taut::cli

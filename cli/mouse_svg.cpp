@@ -1,0 +1,300 @@
+#include <taut/cli/mouse_svg.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include <taut/cli/mouse_report.h>
+#include <taut/cli/mouse_sheet.h>
+#include <taut/io/detail/svg_path.h>
+#include <taut/io/svg.h>
+#include <taut/robots/micromouse/steps.h>
+
+namespace taut::cli {
+
+namespace {
+
+using detail::svg_number;
+using micromouse::CellSide;
+using micromouse::Pose;
+using micromouse::Record;
+using micromouse::Step;
+
+constexpr int kShades = 24;
+constexpr double kBeside = 0.1;  // run 1 is drawn that much off the middle, so that both routes can be seen
+
+/// When what came into view: indices of steps, felt ones half a step later.
+struct Sights {
+  std::map<Cell, int> cells;
+  std::map<CellSide, double> walls;
+};
+
+void see_along(Sights& sights, const Step& step, int quarters, int open, int at) {
+  const Side side = micromouse::turned(step.before.heading, quarters);
+  for (int i = 0; i <= open; ++i) sights.cells.emplace(micromouse::ahead(step.before.cell, side, i), at);
+}
+
+Sights sights_of(const Record& record) {
+  Sights sights;
+  for (std::size_t k = 0; k < record.steps.size(); ++k) {
+    const Step& step = record.steps[k];
+    const int at = static_cast<int>(k);
+    see_along(sights, step, -1, step.sight.left, at);
+    see_along(sights, step, 0, step.sight.front, at);
+    see_along(sights, step, 1, step.sight.right, at);
+    sights.cells.emplace(step.after.cell, at);
+    for (const auto& w : step.seen)
+      if (w.closed) sights.walls.emplace(w.wall, at);
+    for (const auto& w : step.felt)
+      if (w.closed) sights.walls.emplace(w.wall, at + 0.7);
+  }
+  return sights;
+}
+
+bool is_border(const GridMaze& maze, const CellSide& wall) {
+  return !maze.contains(GridMaze::neighbour(wall.cell, wall.side));
+}
+
+/// The border is known from the start.
+std::string walls_text(const MouseSheet& sheet, const GridMaze& maze, const Sights& sights, bool seen) {
+  std::string data;
+  for (const CellSide& w : standing_walls(maze))
+    if ((sights.walls.contains(w) || is_border(maze, w)) == seen) data += sheet.wall(w);
+  return MouseSheet::group(seen ? "seen" : "unseen", MouseSheet::path(data));
+}
+
+int shade_of(int step, int steps) { return steps <= 1 ? 0 : std::min(kShades - 1, step * kShades / steps); }
+
+std::string shade_name(int shade) { return shade_colour(shade / (kShades - 1.0)); }
+
+int exploring_steps(const Record& record) { return std::max(record.run1, 1); }
+
+std::string floor_text(const MouseSheet& sheet, const Record& record, const Sights& sights) {
+  std::map<int, std::string> shades;
+  for (const auto& [cell, step] : sights.cells)
+    shades[shade_of(std::min(step, record.run1), exploring_steps(record))] += sheet.square(cell);
+  std::string out;
+  for (const auto& [shade, data] : shades) out += fmt::format("<path fill=\"{}\" d=\"{}\"/>", shade_name(shade), data);
+  return MouseSheet::group("sight", out);
+}
+
+Point place(Cell cell, int run) {
+  const Point p = middle(cell);
+  return run == 1 ? Point{p.x + kBeside, p.y - kBeside} : p;
+}
+
+std::string route_text(const MouseSheet& sheet, const Record& record, int run) {
+  std::vector<Point> points;
+  for (const Step& step : record.steps) {
+    if (step.run != run) continue;
+    if (points.empty()) points.push_back(place(step.before.cell, run));
+    if (!step.action.reset && step.moved != 0) points.push_back(place(step.after.cell, run));
+  }
+  return points.size() < 2 ? "" : MouseSheet::group(run == 1 ? "run1" : "run2", MouseSheet::path(sheet.line(points)));
+}
+
+std::string flood_text(const MouseSheet& sheet, const Record& record) {
+  const micromouse::StepField field(map_after_run1(record).possible(), record.task.goal);
+  std::string out;
+  for (int y = 0; y < record.task.height; ++y)
+    for (int x = 0; x < record.task.width; ++x) {
+      if (!field.reached({x, y})) continue;
+      const Point p = sheet.pixel(Point{x + 0.12, y + 0.66});
+      out += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>", svg_number(p.x), svg_number(p.y), field({x, y}));
+    }
+  return MouseSheet::group("flood", out);
+}
+
+double degrees(Side heading) { return 90.0 * static_cast<int>(heading); }
+
+Pose last_pose(const Record& record) {
+  return record.steps.empty() ? Pose{record.task.start, Side::north} : record.steps.back().after;
+}
+
+MouseSheet sheet_of(const GridMaze& maze, const MousePicture& picture) {
+  std::vector<MouseSheet::Key> keys{{"run1", "run 1"},
+                                    {"run2", "run 2"},
+                                    {"seen", "wall seen"},
+                                    {"unseen", "wall not seen"},
+                                    {"goal", "goal"},
+                                    {"start", "start"},
+                                    {"scale", "first seen: early to late"}};
+  if (picture.flood) keys.push_back({"flood", "fewest steps to the goal, unknown walls open"});
+  return {maze, picture.title, picture.facts, keys};
+}
+
+/// Times of a film and the elements that obey them.
+class Film {
+ public:
+  explicit Film(const Record& record) : record_(record) {
+    const double steps = static_cast<double>(std::max<std::size_t>(record.steps.size(), 1));
+    step_ = std::clamp(60 / steps, 0.1, 0.4);
+    total_ = steps * step_ + kPause;
+  }
+
+  /// The key time of a moment that counts in steps.
+  double key(double steps) const { return steps * step_ / total_; }
+
+  /// Shown from this moment on.
+  std::string from(double steps) const { return steps <= 0 ? "" : shown("0;1", "0;" + number(key(steps))); }
+  /// Shown between two moments.
+  std::string between(double steps, double end) const {
+    if (steps <= 0) return shown("1;0", "0;" + number(key(end)));
+    return shown("0;1;0", "0;" + number(key(steps)) + ";" + number(key(end)));
+  }
+
+  std::string mouse(const MouseSheet& sheet) const {
+    Track at, turn;
+    double angle = 0;
+    for (std::size_t i = 0; i < record_.steps.size(); ++i) {
+      const Step& s = record_.steps[i];
+      const double begin = static_cast<double>(i), end = begin + 1;
+      const int rotation = s.action.reset || s.before.heading == s.after.heading ? 0 : s.action.rotation;
+      at.add(key(begin), position(sheet, s.before.cell));
+      turn.add(key(begin), svg_number(angle));
+      if (rotation != 0) at.add(key(begin + kTurn), position(sheet, s.before.cell));
+      turn.add(key(begin + kTurn), svg_number(angle += rotation));
+      if (s.run == 1 && s.action.reset && s.after.cell != s.before.cell) {
+        at.add(key(end), position(sheet, s.before.cell));
+        turn.add(key(end), svg_number(angle));
+      }
+      if (s.action.reset && s.offence == micromouse::Offence::none) angle = 0;
+      at.add(key(end), position(sheet, s.after.cell));
+      turn.add(key(end), svg_number(angle));
+    }
+    const Pose last = last_pose(record_);
+    at.end();
+    turn.end();
+    return "<g transform=\"translate(" + position(sheet, last.cell) + ")\">" + transform("translate", at) +
+           "<g transform=\"rotate(" + svg_number(degrees(last.heading)) + ")\">" + transform("rotate", turn) +
+           sheet.wedge() + "</g></g>\n";
+  }
+
+ private:
+  static constexpr double kPause = 3;    // s, before it begins again
+  static constexpr double kTurn = 0.35;  // of a step
+
+  struct Track {
+    std::string values, keys, last;
+    double reached = 0;
+    void add(double key, const std::string& value) {
+      values += (values.empty() ? "" : ";") + value;
+      keys += (keys.empty() ? "" : ";") + number(keys.empty() ? 0 : key);
+      last = value;
+    }
+    void end() {
+      if (!last.empty()) add(1, last);
+    }
+  };
+
+  static std::string number(double key) {
+    std::string text = fmt::format("{:.5f}", std::min(key, 1.0));
+    text.erase(text.find_last_not_of('0') + 1);
+    return text.ends_with('.') ? text.substr(0, text.size() - 1) : text;
+  }
+
+  static std::string position(const MouseSheet& sheet, Cell cell) {
+    const Point p = sheet.pixel(cell);
+    return svg_number(p.x) + " " + svg_number(p.y);
+  }
+
+  std::string duration() const { return fmt::format("dur=\"{}s\" repeatCount=\"indefinite\"", svg_number(total_)); }
+
+  std::string shown(const std::string& values, const std::string& keys) const {
+    return fmt::format("<animate attributeName=\"opacity\" calcMode=\"discrete\" values=\"{}\" keyTimes=\"{}\" {}/>",
+                       values, keys, duration());
+  }
+
+  std::string transform(const char* type, const Track& track) const {
+    if (track.values.empty()) return "";
+    return fmt::format("<animateTransform attributeName=\"transform\" type=\"{}\" values=\"{}\" keyTimes=\"{}\" {}/>",
+                       type, track.values, track.keys, duration());
+  }
+
+  const Record& record_;
+  double step_;
+  double total_;
+};
+
+std::string film_floor(const MouseSheet& sheet, const Record& record, const Sights& sights, const Film& film) {
+  std::map<int, std::string> by_step;
+  for (const auto& [cell, step] : sights.cells) by_step[step] += sheet.square(cell);
+  std::string out;
+  for (const auto& [step, data] : by_step)
+    out +=
+        fmt::format("<path fill=\"{}\" d=\"{}\">{}</path>\n",
+                    shade_name(shade_of(std::min(step, record.run1), exploring_steps(record))), data, film.from(step));
+  return MouseSheet::group("sight", out);
+}
+
+std::string film_walls(const MouseSheet& sheet, const GridMaze& maze, const Sights& sights, const Film& film) {
+  std::map<double, std::string> by_moment;
+  for (const CellSide& w : standing_walls(maze))
+    if (is_border(maze, w)) by_moment[0] += sheet.wall(w);
+  for (const auto& [wall, moment] : sights.walls) by_moment[moment] += sheet.wall(wall);
+  std::string out;
+  for (const auto& [moment, data] : by_moment)
+    out += fmt::format("<path d=\"{}\">{}</path>\n", data, film.from(moment));
+  return MouseSheet::group("seen", out);
+}
+
+std::string film_route(const MouseSheet& sheet, const Record& record, int run, const Film& film) {
+  std::string out;
+  for (std::size_t i = 0; i < record.steps.size(); ++i) {
+    const Step& s = record.steps[i];
+    if (s.run != run || s.action.reset || s.moved == 0) continue;
+    out += fmt::format("<path d=\"{}\">{}</path>\n", sheet.line({place(s.before.cell, run), place(s.after.cell, run)}),
+                       film.from(static_cast<double>(i) + 1));
+  }
+  return MouseSheet::group(run == 1 ? "run1" : "run2", out);
+}
+
+std::string film_counter(const MouseSheet& sheet, const Record& record, const Film& film) {
+  std::string out;
+  const Point at = sheet.pixel(Point{0, static_cast<double>(record.task.height)});
+  for (std::size_t i = 0; i < record.steps.size(); ++i) {
+    const Step& s = record.steps[i];
+    const int step = static_cast<int>(i) + 1 - (s.run == 2 ? record.run1 : 0);
+    const double begin = static_cast<double>(i);
+    const bool last = i + 1 == record.steps.size();
+    out +=
+        fmt::format("<text x=\"{}\" y=\"{}\"{}>run {} \xC2\xB7 step {}{}{}</text>\n", svg_number(at.x),
+                    svg_number(at.y - 8), last ? "" : " opacity=\"0\"", s.run, step,
+                    s.action.reset ? " \xC2\xB7 reset" : "", last ? film.from(begin) : film.between(begin, begin + 1));
+  }
+  return MouseSheet::group("legend", out);
+}
+
+}  // namespace
+
+std::string mouse_svg(const GridMaze& maze, const Record& record, const MousePicture& picture) {
+  const MouseSheet sheet = sheet_of(maze, picture);
+  const Sights sights = sights_of(record);
+  const Pose last = last_pose(record);
+  return sheet.head() + floor_text(sheet, record, sights) + sheet.goal() + sheet.start() +
+         (picture.flood ? flood_text(sheet, record) : "") + walls_text(sheet, maze, sights, false) +
+         walls_text(sheet, maze, sights, true) + sheet.posts() + route_text(sheet, record, 1) +
+         route_text(sheet, record, 2) +
+         fmt::format("<g transform=\"{}\">{}</g>\n", sheet.placed(last.cell, degrees(last.heading)), sheet.wedge()) +
+         sheet.foot();
+}
+
+std::string mouse_animation(const GridMaze& maze, const Record& record, const MousePicture& picture) {
+  const MouseSheet sheet = sheet_of(maze, picture);
+  const Sights sights = sights_of(record);
+  const Film film(record);
+  return sheet.head() + film_floor(sheet, record, sights, film) + sheet.goal() + sheet.start() +
+         (picture.flood ? flood_text(sheet, record) : "") +
+         MouseSheet::group("unseen", MouseSheet::path([&] {
+                             std::string data;
+                             for (const CellSide& w : standing_walls(maze)) data += sheet.wall(w);
+                             return data;
+                           }())) +
+         film_walls(sheet, maze, sights, film) + sheet.posts() + film_route(sheet, record, 1, film) +
+         film_route(sheet, record, 2, film) + film.mouse(sheet) + film_counter(sheet, record, film) + sheet.foot();
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,284 @@
+#include <taut/robots/micromouse/oracle.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include <taut/robots/micromouse/detail/boards.h>
+#include <taut/robots/micromouse/explorers.h>
+#include <taut/robots/micromouse/steps.h>
+#include <taut/robots/micromouse/trial.h>
+
+namespace taut::micromouse {
+
+namespace {
+
+using detail::cell_of;
+using detail::index_of;
+
+/// Where a robot can stand and what that shows. A pose is (cell, heading, felt): felt means that it came here backwards and was
+/// stopped by the wall behind, which it then knows.
+class Poses {
+ public:
+  using Pose = std::uint32_t;
+
+  Poses(const GridMaze& maze, const Task& task) : maze_(maze), task_(task) {
+    const std::size_t cells = static_cast<std::size_t>(task.width) * static_cast<std::size_t>(task.height);
+    moves_.resize(cells * 8);
+    for (std::size_t c = 0; c < cells; ++c)
+      for (unsigned heading = 0; heading < 4; ++heading) {
+        auto& from = moves_[c * 8 + heading];
+        add_moves(cell_of(task.width, c), static_cast<Side>(heading), from);
+        std::sort(from.begin(), from.end());
+        from.erase(std::unique(from.begin(), from.end()), from.end());
+        moves_[c * 8 + 4 + heading] = from;
+      }
+  }
+
+  std::size_t count() const { return moves_.size(); }
+  const std::vector<Pose>& moves(Pose pose) const { return moves_[pose]; }
+  Pose start() const { return id(task_.start, Side::north, false); }
+  Cell cell(Pose pose) const { return cell_of(task_.width, pose / 8); }
+
+  /// Calls visit(wall, closed) for all that the pose shows.
+  template <class Visit>
+  void for_each_seen(Pose pose, Visit visit) const {
+    const Cell at = cell(pose);
+    const auto heading = static_cast<Side>(pose % 4);
+    for (const int quarters : {-1, 0, 1}) {
+      const Side side = turned(heading, quarters);
+      Cell c = at;
+      for (; !maze_.wall(c, side); c = ahead(c, side)) visit(canonical({c, side}), false);
+      visit(canonical({c, side}), true);
+    }
+    if (pose % 8 >= 4) visit(canonical({at, opposite(heading)}), true);
+  }
+
+ private:
+  Pose id(Cell c, Side heading, bool felt) const {
+    return static_cast<Pose>(index_of(task_.width, c) * 8 + static_cast<std::size_t>(heading) + (felt ? 4 : 0));
+  }
+
+  void add_moves(Cell cell, Side heading, std::vector<Pose>& into) const {
+    for (const int quarters : {-1, 0, 1}) {
+      const Side h = turned(heading, quarters);
+      into.push_back(id(cell, h, maze_.wall(cell, opposite(h))));
+      for (const bool back : {false, true}) {
+        const Side side = back ? opposite(h) : h;
+        Cell c = cell;
+        for (int i = 0; i < kLongestMove && !maze_.wall(c, side); ++i) {
+          c = ahead(c, side);
+          into.push_back(id(c, h, back && i + 1 < kLongestMove && maze_.wall(c, side)));
+        }
+      }
+    }
+  }
+
+  const GridMaze& maze_;
+  const Task& task_;
+  std::vector<std::vector<Pose>> moves_;
+};
+
+/// A demand on the walk: it has to be in one of these poses.
+using Group = std::vector<Poses::Pose>;
+
+/// The shortest walk from the start that meets all groups, as poses. Breadth-first over (groups met, pose).
+std::vector<Poses::Pose> shortest_walk(const Poses& poses, const std::vector<Group>& groups) {
+  const std::size_t n = poses.count();
+  std::vector<std::uint32_t> meets(n);
+  for (std::size_t g = 0; g < groups.size(); ++g)
+    for (const Poses::Pose p : groups[g]) meets[p] |= 1U << g;
+  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  const std::uint32_t all = (1U << groups.size()) - 1;
+  std::vector<std::uint32_t> from((std::size_t{all} + 1) * n, kNone);
+  const auto state = [&](std::uint32_t met, Poses::Pose p) { return static_cast<std::uint32_t>(met * n + p); };
+  const std::uint32_t root = state(meets[poses.start()], poses.start());
+  std::vector<std::uint32_t> queue{root};
+  from[root] = root;
+  for (std::size_t head = 0; head < queue.size(); ++head) {
+    const std::uint32_t here = queue[head];
+    const auto met = static_cast<std::uint32_t>(here / n);
+    if (met == all) {
+      std::vector<Poses::Pose> walk;
+      for (std::uint32_t s = here;; s = from[s]) {
+        walk.push_back(static_cast<Poses::Pose>(s % n));
+        if (from[s] == s) break;
+      }
+      std::reverse(walk.begin(), walk.end());
+      return walk;
+    }
+    for (const Poses::Pose p : poses.moves(static_cast<Poses::Pose>(here % n))) {
+      const std::uint32_t next = state(met | meets[p], p);
+      if (from[next] != kNone) continue;
+      from[next] = here;
+      queue.push_back(next);
+    }
+  }
+  return {};
+}
+
+/// What makes the next demand.
+class Demands {
+ public:
+  Demands(const GridMaze& maze, const Task& task, const Poses& poses, int best)
+      : task_(task), poses_(poses), truth_(passages_of(maze)), best_(best) {
+    for (auto& board : views_) board.assign(poses.count() / 8, 0);
+    for (Poses::Pose p = 0; p < poses.count(); ++p)
+      poses.for_each_seen(p, [&](const CellSide& wall, bool) { ++views(wall); });
+  }
+
+  Group goal() const {
+    return where([&](Poses::Pose p) { return task_.in_goal(poses_.cell(p)); });
+  }
+
+  /// A demand that this walk does not meet and every proving walk does; empty: the walk proves.
+  Group unmet(const std::vector<Poses::Pose>& walk) const {
+    WallMap map(task_);
+    for (const Poses::Pose p : walk)
+      poses_.for_each_seen(p, [&](const CellSide& wall, bool closed) { map.learn(wall.cell, wall.side, closed); });
+    const auto plan = easiest_uncut(map);
+    if (!plan.empty()) return showing(plan);
+    const auto hi = optimum(map.certain(), task_);
+    if (hi && *hi == best_) return {};
+    return showing(openings_missing(map));
+  }
+
+ private:
+  int& views(const CellSide& wall) {
+    return views_[wall.side == Side::north || wall.side == Side::south][index_of(task_.width, wall.cell)];
+  }
+  int views(const CellSide& wall) const { return const_cast<Demands*>(this)->views(wall); }
+
+  template <class Wanted>
+  Group where(Wanted wanted) const {
+    Group group;
+    for (Poses::Pose p = 0; p < poses_.count(); ++p)
+      if (wanted(p)) group.push_back(p);
+    return group;
+  }
+
+  Group showing(const std::vector<CellSide>& walls) const {
+    return where([&](Poses::Pose p) {
+      bool shows = false;
+      poses_.for_each_seen(p, [&](const CellSide& wall, bool) {
+        shows = shows || std::find(walls.begin(), walls.end(), wall) != walls.end();
+      });
+      return shows;
+    });
+  }
+
+  /// The standing walls that a plan below the optimum crosses, none of them seen, with the fewest poses that show one; empty: there
+  /// is no such plan. Dynamic programme over (steps, cell).
+  std::vector<CellSide> easiest_uncut(const WallMap& map) const {
+    const auto w = static_cast<std::size_t>(task_.width);
+    const std::size_t cells = truth_.words() == 0 ? 0 : w * static_cast<std::size_t>(task_.height);
+    constexpr int kFar = std::numeric_limits<int>::max() / 2;
+    std::vector<std::vector<int>> cost(static_cast<std::size_t>(best_), std::vector<int>(cells, kFar));
+    std::vector<std::vector<std::size_t>> from(cost.size(), std::vector<std::size_t>(cells));
+    cost[0][index_of(task_.width, task_.start)] = 0;
+    std::size_t last = 0, goal = cells;
+    for (std::size_t s = 1; s < cost.size(); ++s)
+      for (std::size_t i = 0; i < cells; ++i) {
+        if (cost[s - 1][i] >= kFar) continue;
+        for (const Side side : kSides) {
+          Cell c = cell_of(task_.width, i);
+          int sum = cost[s - 1][i];
+          for (int k = 0; k < kLongestMove && map.possible().open(c, side); ++k) {
+            if (!truth_.open(c, side)) sum += views(canonical({c, side}));
+            c = ahead(c, side);
+            const std::size_t j = index_of(task_.width, c);
+            if (sum < cost[s][j]) cost[s][j] = sum, from[s][j] = i;
+            if (task_.in_goal(c) && sum <= cost[s][j] && (goal == cells || sum < cost[last][goal])) last = s, goal = j;
+          }
+        }
+      }
+    std::vector<CellSide> walls;
+    if (goal == cells) return walls;
+    for (std::size_t s = last, i = goal; s > 0; i = from[s][i], --s) {
+      const Cell a = cell_of(task_.width, from[s][i]), b = cell_of(task_.width, i);
+      const Side side = side_towards(a, b);
+      for (Cell c = a; c != b; c = ahead(c, side))
+        if (!truth_.open(c, side)) walls.push_back(canonical({c, side}));
+    }
+    return walls;
+  }
+
+  /// Openings not yet seen of which at least one has to be before a route of the optimum is known: a minimal set.
+  std::vector<CellSide> openings_missing(const WallMap& map) const {
+    Passages assumed = map.certain();
+    std::vector<CellSide> missing;
+    for (int y = 0; y < task_.height; ++y)
+      for (int x = 0; x < task_.width; ++x)
+        for (const Side side : {Side::north, Side::east}) {
+          if (!truth_.open({x, y}, side) || assumed.open({x, y}, side)) continue;
+          assumed.set({x, y}, side, true);
+          const auto hi = optimum(assumed, task_);
+          if (!hi || *hi > best_) continue;
+          assumed.set({x, y}, side, false);
+          missing.push_back({{x, y}, side});
+        }
+    return missing;
+  }
+
+  const Task& task_;
+  const Poses& poses_;
+  Passages truth_;
+  int best_;
+  std::array<std::vector<int>, 2> views_;
+};
+
+bool within(const Group& small, const Group& large) {
+  return std::includes(large.begin(), large.end(), small.begin(), small.end());
+}
+
+}  // namespace
+
+std::optional<ProofBound> proof_bound(const GridMaze& maze, const OracleLimits& limits) {
+  const Task task = task_of(maze);
+  const auto best = optimum(passages_of(maze), task);
+  if (!best) return std::nullopt;
+  const Poses poses(maze, task);
+  const Demands demands(maze, task, poses, *best);
+  std::vector<Group> groups{demands.goal()};
+  ProofBound bound{*best, *best + 1, false};
+  for (;;) {
+    const auto walk = shortest_walk(poses, groups);
+    bound.run1 = std::max(bound.run1, static_cast<int>(walk.size()));
+    const Group next = demands.unmet(walk);
+    if (next.empty()) {
+      bound.exact = bound.run1 == static_cast<int>(walk.size());
+      return bound;
+    }
+    // A wider demand is met with the narrower one.
+    std::erase_if(groups, [&](const Group& g) { return within(next, g); });
+    if (static_cast<int>(groups.size()) >= limits.groups) return bound;
+    groups.push_back(next);
+  }
+}
+
+std::optional<double> absolute_floor(const GridMaze& maze) {
+  const auto best = optimum(passages_of(maze), task_of(maze));
+  if (!best) return std::nullopt;
+  return *best + static_cast<double>(*best + 1) / kExplorationShare;
+}
+
+std::optional<double> benchmark_every_cell(const GridMaze& maze) {
+  const auto best = optimum(passages_of(maze), task_of(maze));
+  if (!best) return std::nullopt;
+  return *best + static_cast<double>(maze.width()) * maze.height() / kExplorationShare;
+}
+
+std::optional<double> benchmark_random_walkers(const GridMaze& maze) {
+  constexpr int kWanted = 10, kTries = 1000;
+  int sum = 0, finished = 0;
+  for (int seed = 1; seed <= kTries && finished < kWanted; ++seed) {
+    const auto robot = make_explorer(Explorer::random, task_of(maze), static_cast<std::uint64_t>(seed));
+    const auto score = run_trial(maze, *robot).thirtieths();
+    if (score) sum += *score, ++finished;
+  }
+  if (finished < kWanted) return std::nullopt;
+  return static_cast<double>(sum) / (kWanted * kExplorationShare);
+}
+
+}  // namespace taut::micromouse

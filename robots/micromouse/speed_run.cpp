@@ -1,0 +1,375 @@
+#include <taut/robots/micromouse/speed_run.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <queue>
+#include <tuple>
+#include <unordered_map>
+
+#include <taut/robots/micromouse/rules.h>
+
+namespace taut::micromouse {
+
+namespace {
+
+constexpr std::array<int, 8> kDx{0, 1, 1, 1, 0, -1, -1, -1};
+constexpr std::array<int, 8> kDy{1, 1, 0, -1, -1, -1, 0, 1};
+
+constexpr Eighth turned_by(Eighth heading, int eighths) { return static_cast<Eighth>((heading + eighths) & 7); }
+constexpr bool is_diagonal(Eighth heading) { return (heading & 1) != 0; }
+constexpr bool is_middle_of_cell(Spot s) { return (s.x & 1) != 0 && (s.y & 1) != 0; }
+constexpr Spot ahead_of(Spot s, Eighth heading, int count = 1) {
+  return {s.x + count * kDx[heading], s.y + count * kDy[heading]};
+}
+constexpr Spot middle_of(Cell c) { return {2 * c.x + 1, 2 * c.y + 1}; }
+constexpr Cell cell_at(Spot s) { return {(s.x - 1) / 2, (s.y - 1) / 2}; }
+
+/// A turn as it is driven with one heading to one side.
+struct Shape {
+  Turn turn{};
+  Eighth heading{};
+  Eighth after{};
+  bool from_wall = false;
+  std::vector<Spot> way;  // from the begin, which is (0, 0), to the end: walls in between
+};
+
+Shape reversed(const Shape& shape) {
+  const Spot end = shape.way.back();
+  Shape back{shape.turn, turned_by(shape.after, 4), turned_by(shape.heading, 4), true, {}};
+  for (auto it = shape.way.rbegin(); it != shape.way.rend(); ++it) back.way.push_back({it->x - end.x, it->y - end.y});
+  return back;
+}
+
+void add_orthogonal(std::vector<Shape>& shapes, Eighth heading, int side) {
+  const Eighth across = turned_by(heading, 2 * side);
+  const auto at = [&](int u, int v) {
+    return Spot{u * kDx[heading] + v * kDx[across], u * kDy[heading] + v * kDy[across]};
+  };
+  const auto after = [&](int eighths) { return turned_by(heading, side * eighths); };
+  shapes.push_back({Turn::small_90, heading, after(2), true, {at(0, 0), at(1, 1)}});
+  shapes.push_back({Turn::large_90, heading, after(2), false, {at(0, 0), at(1, 0), at(2, 1), at(2, 2)}});
+  shapes.push_back({Turn::turn_180, heading, after(4), false, {at(0, 0), at(1, 0), at(2, 1), at(1, 2), at(0, 2)}});
+  shapes.push_back({Turn::turn_45, heading, after(1), false, {at(0, 0), at(1, 0), at(2, 1)}});
+  shapes.push_back(reversed(shapes.back()));
+  shapes.push_back({Turn::turn_135, heading, after(3), false, {at(0, 0), at(1, 0), at(2, 1)}});
+  shapes.push_back(reversed(shapes.back()));
+}
+
+std::vector<std::vector<Shape>> all_shapes() {
+  std::vector<Shape> shapes;
+  for (int heading = 0; heading < 8; ++heading)
+    for (const int side : {-1, 1}) {
+      const auto h = static_cast<Eighth>(heading);
+      if (!is_diagonal(h)) {
+        add_orthogonal(shapes, h, side);
+        continue;
+      }
+      const Spot vertex = ahead_of({0, 0}, h);
+      shapes.push_back({Turn::diagonal_90,
+                        h,
+                        turned_by(h, 2 * side),
+                        true,
+                        {{0, 0}, vertex, ahead_of(vertex, turned_by(h, 2 * side))}});
+    }
+  std::vector<std::vector<Shape>> by_heading(8);
+  for (Shape& shape : shapes) by_heading[shape.heading].push_back(std::move(shape));
+  return by_heading;
+}
+
+/// Does the turn begin at such a place? A diagonal one has to cross the wall ahead, not to bounce off it.
+bool fits(const Shape& shape, Spot at) {
+  if (shape.from_wall == is_middle_of_cell(at)) return false;
+  const Spot end{at.x + shape.way.back().x, at.y + shape.way.back().y};
+  if (shape.turn == Turn::diagonal_90) {
+    const Spot vertex = ahead_of(at, shape.heading);
+    return (vertex.y & 1) == 0 ? kDy[shape.heading] == kDy[shape.after] : kDx[shape.heading] == kDx[shape.after];
+  }
+  return is_diagonal(shape.heading) ? is_middle_of_cell(end) : true;
+}
+
+/// What a route costs: the aim first.
+struct Cost {
+  double first = 0;
+  double second = 0;
+  friend auto operator<=>(const Cost&, const Cost&) = default;
+};
+
+/// The kinds of state: standing, or just out of a turn.
+constexpr unsigned kStanding = 0;
+constexpr unsigned kKinds = 1 + kTurns;
+using State = std::uint64_t;
+constexpr State kNoState = ~State{0};
+
+struct Label {
+  Cost cost;
+  State parent = kNoState;
+  bool settled = false;
+};
+
+class Search {
+ public:
+  Search(const GridMaze& maze, const Task& task, const SpeedModel& model, Aim aim)
+      : maze_(maze), task_(task), model_(model), aim_(aim), shapes_(all_shapes()) {}
+
+  std::optional<SpeedRun> run() {
+    reach(state(middle_of(task_.start), 0, kStanding), {}, kNoState);
+    while (!queue_.empty()) {
+      const auto [cost, at] = queue_.top();
+      queue_.pop();
+      Label& label = labels_.at(at);
+      if (label.settled) continue;
+      label.settled = true;
+      if (is_end(at)) return run_to(at);
+      expand(at, cost);
+    }
+    return std::nullopt;
+  }
+
+ private:
+  using Entry = std::pair<Cost, State>;
+
+  State state(Spot s, Eighth heading, unsigned kind) const {
+    const auto row = static_cast<State>(2 * maze_.width() + 1);
+    return ((static_cast<State>(s.y) * row + static_cast<State>(s.x)) * 8 + heading) * kKinds + kind;
+  }
+  unsigned kind_of(State s) const { return static_cast<unsigned>(s % kKinds); }
+  Eighth heading_of(State s) const { return static_cast<Eighth>(s / kKinds % 8); }
+  Spot spot_of(State s) const {
+    const State cell = s / kKinds / 8, row = static_cast<State>(2 * maze_.width() + 1);
+    return {static_cast<int>(cell % row), static_cast<int>(cell / row)};
+  }
+  double speed_of(State s) const {
+    const unsigned kind = kind_of(s);
+    return kind == kStanding ? 0 : model_.turns[kind - 1].speed;
+  }
+  bool is_end(State s) const {
+    return kind_of(s) == kStanding && is_middle_of_cell(spot_of(s)) && task_.in_goal(cell_at(spot_of(s)));
+  }
+
+  bool open(Spot s) const {
+    if (s.x <= 0 || s.y <= 0 || s.x >= 2 * maze_.width() || s.y >= 2 * maze_.height()) return false;
+    if (is_middle_of_cell(s)) return true;
+    if ((s.x & 1) == 0) return !maze_.wall({s.x / 2, (s.y - 1) / 2}, Side::west);
+    return !maze_.wall({(s.x - 1) / 2, s.y / 2}, Side::south);
+  }
+  static int crossing(Spot s) { return is_middle_of_cell(s) ? 0 : 1; }
+
+  /// Walls crossed after the begin; -1: one of them stands.
+  int crossings(const Shape& shape, Spot at) const {
+    int count = 0;
+    for (std::size_t i = 1; i < shape.way.size(); ++i) {
+      const Spot s{at.x + shape.way[i].x, at.y + shape.way[i].y};
+      if (!open(s)) return -1;
+      count += crossing(s);
+    }
+    return count;
+  }
+
+  double unit(Eighth heading) const { return model_.cell / 2 * (is_diagonal(heading) ? std::numbers::sqrt2 : 1); }
+  const Ramp& ramp(Eighth heading) const { return is_diagonal(heading) ? model_.diagonal : model_.straight; }
+
+  Cost plus(const Cost& cost, double seconds, int crossed) const {
+    const double cells = crossed;
+    return aim_ == Aim::fastest ? Cost{cost.first + seconds, cost.second + cells}
+                                : Cost{cost.first + cells, cost.second + seconds};
+  }
+
+  void reach(State to, const Cost& cost, State parent) {
+    const auto [at, fresh] = labels_.try_emplace(to, Label{cost, parent, false});
+    if (!fresh) {
+      if (at->second.settled || !(cost < at->second.cost)) return;
+      at->second = {cost, parent, false};
+    }
+    queue_.push({cost, to});
+  }
+
+  void expand(State from, const Cost& cost) {
+    const Eighth heading = heading_of(from);
+    if (kind_of(from) == kStanding) pivots(from, cost);
+    Spot at = spot_of(from);
+    int crossed = 0;
+    for (int count = 0;; ++count) {
+      const double metres = unit(heading) * count;
+      if (count > 0 && is_middle_of_cell(at)) stop(from, cost, at, metres, crossed);
+      for (const Shape& shape : shapes_[heading])
+        if (fits(shape, at)) turn(from, cost, at, metres, crossed, shape);
+      at = ahead_of(at, heading);
+      if (!open(at)) return;
+      crossed += crossing(at);
+    }
+  }
+
+  void pivots(State from, const Cost& cost) {
+    for (const int eighths : {2, 4, 6})
+      reach(state(spot_of(from), turned_by(heading_of(from), eighths), kStanding),
+            plus(cost, eighths == 4 ? model_.pivot_180 : model_.pivot_90, 0), from);
+  }
+
+  void stop(State from, const Cost& cost, Spot at, double metres, int crossed) {
+    const Eighth heading = heading_of(from);
+    const auto seconds = straight_seconds(ramp(heading), speed_of(from), 0, metres);
+    if (seconds) reach(state(at, heading, kStanding), plus(cost, *seconds, crossed), from);
+  }
+
+  void turn(State from, const Cost& cost, Spot at, double metres, int crossed, const Shape& shape) {
+    const auto seconds = straight_seconds(ramp(shape.heading), speed_of(from), model_.pace(shape.turn).speed, metres);
+    if (!seconds) return;
+    const int more = crossings(shape, at);
+    if (more < 0) return;
+    const Spot end{at.x + shape.way.back().x, at.y + shape.way.back().y};
+    reach(state(end, shape.after, 1 + static_cast<unsigned>(shape.turn)),
+          plus(cost, *seconds + model_.seconds(shape.turn), crossed + more), from);
+  }
+
+  SpeedRun run_to(State end) const {
+    std::vector<State> chain;
+    for (State s = end; s != kNoState; s = labels_.at(s).parent) chain.push_back(s);
+    std::reverse(chain.begin(), chain.end());
+    SpeedRun run;
+    run.cells.push_back(task_.start);
+    for (std::size_t i = 1; i < chain.size(); ++i) append(run, chain[i - 1], chain[i]);
+    for (const Drive& d : run.drives) run.seconds += d.seconds, run.metres += d.metres;
+    return run;
+  }
+
+  /// The straight and the turn between two states of the chain.
+  void append(SpeedRun& run, State from, State to) const {
+    const Eighth heading = heading_of(from);
+    const Spot begin = spot_of(from);
+    if (kind_of(to) == kStanding) {
+      if (spot_of(to) == begin)
+        run.drives.push_back({Drive::Kind::pivot,
+                              {},
+                              begin,
+                              begin,
+                              heading,
+                              heading_of(to),
+                              0,
+                              0,
+                              heading_of(to) == turned_by(heading, 4) ? model_.pivot_180 : model_.pivot_90,
+                              0});
+      else
+        straight(run, begin, spot_of(to), heading, speed_of(from), 0);
+      return;
+    }
+    const auto kind = static_cast<Turn>(kind_of(to) - 1);
+    const double speed = model_.pace(kind).speed;
+    const auto& [shape, at] = begin_of_turn(from, to, kind);
+    if (at != begin) straight(run, begin, at, heading, speed_of(from), speed);
+    run.drives.push_back({Drive::Kind::turn, kind, at, spot_of(to), heading, heading_of(to), speed, speed,
+                          model_.seconds(kind), length(kind) * model_.cell / 2});
+    for (std::size_t i = 1; i < shape->way.size(); ++i) cross(run, {at.x + shape->way[i].x, at.y + shape->way[i].y});
+  }
+
+  std::pair<const Shape*, Spot> begin_of_turn(State from, State to, Turn kind) const {
+    const Eighth heading = heading_of(from);
+    for (Spot at = spot_of(from);; at = ahead_of(at, heading))
+      for (const Shape& shape : shapes_[heading])
+        if (shape.turn == kind && shape.after == heading_of(to) && fits(shape, at) &&
+            Spot{at.x + shape.way.back().x, at.y + shape.way.back().y} == spot_of(to))
+          return {&shape, at};
+  }
+
+  void straight(SpeedRun& run, Spot from, Spot to, Eighth heading, double speed_in, double speed_out) const {
+    const int count = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
+    const double metres = unit(heading) * count;
+    run.drives.push_back({Drive::Kind::straight,
+                          {},
+                          from,
+                          to,
+                          heading,
+                          heading,
+                          speed_in,
+                          speed_out,
+                          *straight_seconds(ramp(heading), speed_in, speed_out, metres),
+                          metres});
+    for (int i = 1; i <= count; ++i) cross(run, ahead_of(from, heading, i));
+  }
+
+  /// Into the other cell of this wall.
+  static void cross(SpeedRun& run, Spot wall) {
+    if (is_middle_of_cell(wall)) return;
+    const Spot now = middle_of(run.cells.back());
+    run.cells.push_back(cell_at({2 * wall.x - now.x, 2 * wall.y - now.y}));
+  }
+
+  const GridMaze& maze_;
+  const Task& task_;
+  const SpeedModel& model_;
+  Aim aim_;
+  std::vector<std::vector<Shape>> shapes_;
+  std::unordered_map<State, Label> labels_;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+};
+
+Task task_inside(const GridMaze& maze) {
+  GridMaze closed = maze;
+  for (int x = 0; x < maze.width(); ++x)
+    closed.set_wall({x, 0}, Side::south, true), closed.set_wall({x, maze.height() - 1}, Side::north, true);
+  for (int y = 0; y < maze.height(); ++y)
+    closed.set_wall({0, y}, Side::west, true), closed.set_wall({maze.width() - 1, y}, Side::east, true);
+  return task_of(closed);
+}
+
+Point unit_vector(Eighth heading) {
+  const double scale = is_diagonal(heading) ? 1 / std::numbers::sqrt2 : 1;
+  return {kDx[heading] * scale, kDy[heading] * scale};
+}
+
+Point in_cells(double x, double y) { return {x / 2, y / 2}; }
+
+/// An arc around (x, y) that begins at `from` and turns by `angle` (clockwise positive), all in half cells.
+void add_arc(std::vector<Point>& line, Point centre, Point from, double angle, double step) {
+  const double radius = std::hypot(from.x - centre.x, from.y - centre.y);
+  const int pieces = std::max(2, static_cast<int>(std::ceil(std::abs(angle) * radius / 2 / step)));
+  const double begin = std::atan2(from.y - centre.y, from.x - centre.x);
+  for (int i = 1; i <= pieces; ++i) {
+    const double at = begin - angle * i / pieces;
+    line.push_back(in_cells(centre.x + radius * std::cos(at), centre.y + radius * std::sin(at)));
+  }
+}
+
+}  // namespace
+
+std::string_view name(const Drive& drive) {
+  if (drive.kind == Drive::Kind::turn) return name(drive.turn);
+  if (drive.kind == Drive::Kind::pivot) return "pivot";
+  return is_diagonal(drive.heading) ? "diagonal" : "straight";
+}
+
+std::optional<SpeedRun> speed_run(const GridMaze& maze, const SpeedModel& model, Aim aim) {
+  const Task task = task_inside(maze);
+  return Search(maze, task, model, aim).run();
+}
+
+// A turn is an arc between two tangents, which reach as far as the shorter of them allows.
+std::vector<Point> trace(const Drive& drive, double step) {
+  std::vector<Point> line{in_cells(drive.from.x, drive.from.y)};
+  if (drive.kind == Drive::Kind::pivot) return line;
+  const Point end = in_cells(drive.to.x, drive.to.y);
+  if (drive.kind == Drive::Kind::turn) {
+    const Point u = unit_vector(drive.heading), w = unit_vector(drive.after);
+    const int eighths = ((drive.after - drive.heading + 12) & 7) - 4;  // -4..3, clockwise positive
+    const double dx = drive.to.x - drive.from.x, dy = drive.to.y - drive.from.y;
+    if (eighths == -4) {
+      const double side = u.y * dx - u.x * dy > 0 ? 1 : -1;
+      const Point from{drive.from.x + u.x, drive.from.y + u.y};
+      line.push_back(in_cells(from.x, from.y));
+      add_arc(line, {from.x + dx / 2, from.y + dy / 2}, from, side * std::numbers::pi, step);
+    } else {
+      const double cross = u.x * w.y - u.y * w.x;
+      const double before = (dx * w.y - dy * w.x) / cross, behind = (u.x * dy - u.y * dx) / cross;
+      const double tangent = std::min(before, behind), angle = eighths * std::numbers::pi / 4;
+      const double radius = tangent / std::tan(std::abs(angle) / 2), side = eighths > 0 ? 1 : -1;
+      const Point from{drive.from.x + (before - tangent) * u.x, drive.from.y + (before - tangent) * u.y};
+      line.push_back(in_cells(from.x, from.y));
+      add_arc(line, {from.x + side * radius * u.y, from.y - side * radius * u.x}, from, angle, step);
+    }
+  }
+  line.push_back(end);
+  return line;
+}
+
+}  // namespace taut::micromouse
