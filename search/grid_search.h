@@ -22,8 +22,9 @@ namespace taut {
 ///  dfs             the recursive pre-order: the first neighbour not yet marked is taken next.
 ///  dijkstra        the least cost g first.
 ///  greedy_once     the least estimate h first.
-///  greedy  the same with a careless frontier: a cell that is not marked goes in each time it is seen, and is taken, counted and
-///                  looked around from each time it comes out. For comparison with reports that did so (and called it A*).
+///  greedy          the same with a careless frontier: a cell that is not marked goes in each time it is seen, and is taken,
+///                  counted and looked around from each time it comes out, so that steps can grow exponentially. For
+///                  comparison with reports that did so (and called it A*).
 ///  astar           the least f = g + h first.
 ///  weighted_astar  the least f = g + w h first (w h rounded down to the unit of GridCost): at most w times the least cost
 ///                  when h is consistent.

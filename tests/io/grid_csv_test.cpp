@@ -97,7 +97,7 @@ class GridReport : public GridFigures {};
 
 TEST_P(GridReport, FiguresOfMapCsvHaveTheirTrueNames) {
   EXPECT_EQ(run({GridAlgorithm::astar, h("biased-row,biased-column")}).steps, 60U);  // the published A*
-  const GridResult greedy = run({GridAlgorithm::greedy, h("euclidean")});    // the report's "A*"
+  const GridResult greedy = run({GridAlgorithm::greedy, h("euclidean")});            // the report's "A*"
   EXPECT_EQ(greedy.steps, 40U);
   EXPECT_EQ(greedy.path.size(), 28U);
   EXPECT_FALSE(greedy.optimal);
