@@ -5,6 +5,7 @@
 #include <boost/graph/astar_search.hpp>
 
 #include <taut/search/detail/dijkstra.h>
+#include <taut/search/detail/goal_distance.h>
 
 namespace taut {
 
@@ -21,15 +22,7 @@ class Heuristic {
   explicit Heuristic(const SearchState& state) : state_(&state) {}
 
   double operator()(Vertex v) const {
-    if (state_->graph.is_goal(v)) return 0;
-    const Point p = state_->labels.point(v);
-    double least = 1e300;
-    for (const Terminal& goal : state_->graph.query().goals) {
-      const double dx = p.x - goal.point.x, dy = p.y - goal.point.y;
-      least = std::min(least, dx * dx + dy * dy);
-    }
-    // The square is off by 4 roundings, unless it leaves the range of doubles.
-    return least < 1e-290 || least >= 1e300 ? 0 : std::sqrt(least) * (1 - 0x1p-50);
+    return state_->graph.is_goal(v) ? 0 : detail::goal_distance_below(state_->graph.query(), state_->labels.point(v));
   }
 
  private:

@@ -1,0 +1,313 @@
+// Replanning: the shortest path in a graph whose edges change while the robot is under way.
+#pragma once
+
+#include <chrono>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include <taut/geometry/detail/expects.h>
+#include <taut/search/graph_search.h>
+
+namespace taut {
+
+/// How plain numbers are added up as costs. Integers: exact, infinity is the largest value, sums saturate there. Floating point:
+/// see guarantee 3 of DstarLite.
+template <class Number>
+struct NumberCosts {
+  using Cost = Number;
+  using Key = Number;
+
+  static constexpr Number infinity() {
+    if constexpr (std::floating_point<Number>) return std::numeric_limits<Number>::infinity();
+    return std::numeric_limits<Number>::max();
+  }
+  static constexpr Key key_infinity() { return infinity(); }
+  static bool is_infinite(Number cost) { return cost == infinity(); }
+  static bool is_less(Number a, Number b) { return a < b; }
+  static bool is_equal(Number a, Number b) { return a == b; }
+  static Number plus(Number edge, Number rest) {
+    if constexpr (std::floating_point<Number>) return edge + rest;
+    return rest > infinity() - edge ? infinity() : static_cast<Number>(edge + rest);
+  }
+  static bool plus_is_less(Number edge, Number rest, Number than) { return plus(edge, rest) < than; }
+  static Key key(Number cost) { return cost; }
+  static Key key_plus(Key a, Key b) { return plus(a, b); }
+  /// A heuristic as it enters the queue: rounding must never hide that it is too small.
+  static Key weakened(Key heuristic) {
+    if constexpr (std::floating_point<Number>) return heuristic * (1 - Number(1) / 1024);
+    return heuristic;
+  }
+};
+
+/// What DstarLite asks of a graph; it may be implicit (a grid, a lattice of poses): states are made up as they are met.
+///  - State: copyable, ==, std::hash or the Hash parameter.
+///  - each_out(s, visit): visit(t, edge) for every edge s -> t as it is now; each_in(s, visit): visit(t, edge) for every edge t -> s.
+///    Both in an order that depends on the graph alone. An edge of infinite cost is no edge and may be listed. Edges cost more than 0.
+///  - heuristic(s, t): at most the cost of any path from s to t, and heuristic(s, u) <= heuristic(s, t) + heuristic(t, u);
+///    0 always serves. It must stay so when edges change: built upon the least cost an edge can ever have.
+template <class G>
+concept ReplanningGraph = requires(const G& graph, const typename G::State& s) {
+  graph.each_out(s, [](const typename G::State&, const auto&) {});
+  graph.each_in(s, [](const typename G::State&, const auto&) {});
+  graph.heuristic(s, s);
+};
+
+/// D* Lite, the optimised version (Koenig and Likhachev, "D* Lite", AAAI 2002, figure 4): searches backwards from a goal that stays and
+/// repairs only what a change touches, while the start moves. Without moves it is LPA* run backwards.
+///
+/// Use: change the graph, name every state whose outgoing edges changed (`changed`), move the start (`move_to`), then replan(). Edges and
+/// states may appear and vanish; whichever way, the state an edge leaves from is named.
+///
+///  1. With integers cost() after replan() is the cost of a cheapest path, exactly, whatever was changed before; `none` is proven.
+///  2. path() is such a path. Among equal ones it takes the successor found first, so equal histories give equal paths.
+///  3. With floating-point costs cost() is, to the bit, what Dijkstra's algorithm run backwards from the goal in the same arithmetic gives
+///     (c + rest, rounded once an edge): within n * 2^-53 of the exact value for n edges, and a path within twice that of the cheapest. Provided
+///     that no edge is cheaper than 2^-28 of the largest cost that occurs, and up to 2^15 moves for every edge of the shortest path;
+///     heuristics are multiplied by 1 - 2^-10 for that. Exact sums of square roots: RoadmapReplanner.
+///  4. A stopped replan() goes on where it stood when called again.
+/// The graph must outlive it. Memory: about 100 bytes a state met. `Costs` adds and compares costs; see NumberCosts.
+template <ReplanningGraph Graph, class Costs = NumberCosts<typename Graph::Cost>,
+          class Hash = std::hash<typename Graph::State>>
+class DstarLite {
+ public:
+  using State = typename Graph::State;
+  using Cost = typename Costs::Cost;
+  using Key = typename Costs::Key;
+
+  DstarLite(const Graph& graph, State start, State goal, Costs costs = {}) : graph_(&graph), costs_(std::move(costs)) {
+    begin(std::move(start), std::move(goal));
+  }
+
+  /// The cost of edges out of s changed, or edges appeared or vanished. O(degree).
+  void changed(const State& s) {
+    const Index u = node(s);
+    if (u == goal_) return;
+    look_ahead(u);
+    queue(u);
+  }
+
+  void move_to(const State& start) { start_ = node(start); }
+
+  /// Forgets everything and searches anew: for a goal that moves, or when most edges changed.
+  void restart(State start, State goal) {
+    nodes_.clear();
+    index_.clear();
+    heap_.clear();
+    moved_ = Key{};
+    begin(std::move(start), std::move(goal));
+  }
+
+  /// Until the start's cost is final, or a limit ends it.
+  SearchStatus replan(const SearchLimits& limits = {}) {
+    const auto begin = std::chrono::steady_clock::now();
+    const auto late = [&] {
+      return limits.seconds < 1e9 && expanded_ % 64 == 0 &&
+             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() >= limits.seconds;
+    };
+    take_move();
+    expanded_ = 0;
+    while (is_unsettled()) {
+      if (expanded_ >= limits.expansions || late()) return SearchStatus::stopped;
+      step();
+    }
+    return costs_.is_infinite(cost()) ? SearchStatus::none : SearchStatus::found;
+  }
+
+  /// Of the start, after replan() has found; infinite when there is no path.
+  const Cost& cost() const { return nodes_[start_].ahead; }
+
+  /// From the start to the goal; empty when there is none. Precondition: replan() was not stopped.
+  std::vector<State> path() const {
+    std::vector<State> states;
+    if (costs_.is_infinite(cost())) return states;
+    for (Index u = start_;; u = nodes_[u].next) {
+      states.push_back(nodes_[u].state);
+      if (u == goal_) return states;
+    }
+  }
+
+  /// The state to go to from the start. Precondition: replan() found a path, and start is not the goal.
+  const State& next() const { return nodes_[nodes_[start_].next].state; }
+
+  const State& start() const { return nodes_[start_].state; }
+  const State& goal() const { return nodes_[goal_].state; }
+  std::size_t expanded() const { return expanded_; }  ///< states taken from the queue by the last replan()
+  std::size_t states() const { return nodes_.size(); }
+  Costs& costs() { return costs_; }
+  const Costs& costs() const { return costs_; }
+
+ private:
+  using Index = std::uint32_t;
+  static constexpr Index kNowhere = 0xffffffff;
+
+  struct Priority {
+    Key first{}, second{};
+    friend bool operator<(const Priority& a, const Priority& b) {
+      return a.first < b.first || (!(b.first < a.first) && a.second < b.second);
+    }
+  };
+
+  struct Node {
+    State state;
+    Cost cost;   // g: what the neighbours know
+    Cost ahead;  // rhs: one step of looking ahead
+    Index next = kNowhere;
+    Index place = kNowhere;  // in the heap
+    Priority priority{};
+  };
+
+  void begin(State start, State goal) {
+    start_ = last_ = node(start);
+    goal_ = node(goal);
+    nodes_[goal_].ahead = Cost{};
+    queue(goal_);
+  }
+
+  Index node(const State& s) {
+    const auto [at, is_new] = index_.try_emplace(s, static_cast<Index>(nodes_.size()));
+    if (is_new) nodes_.push_back({s, costs_.infinity(), costs_.infinity()});
+    return at->second;
+  }
+
+  /// The robot moved: what is queued became nearer by as much at most.
+  void take_move() {
+    if (last_ == start_) return;
+    moved_ = costs_.key_plus(moved_, costs_.weakened(graph_->heuristic(nodes_[last_].state, nodes_[start_].state)));
+    last_ = start_;
+  }
+
+  Priority priority(Index u) const {
+    const Node& n = nodes_[u];
+    const Cost& least = costs_.is_less(n.ahead, n.cost) ? n.ahead : n.cost;
+    if (costs_.is_infinite(least)) return {costs_.key_infinity(), costs_.key_infinity()};
+    const Key key = costs_.key(least);
+    const Key rest = costs_.weakened(graph_->heuristic(nodes_[last_].state, n.state));
+    return {costs_.key_plus(costs_.key_plus(key, rest), moved_), key};
+  }
+
+  bool is_unsettled() const {
+    if (heap_.empty()) return false;
+    const Node& s = nodes_[start_];
+    return nodes_[heap_[0]].priority < priority(start_) || costs_.is_less(s.cost, s.ahead);
+  }
+
+  void step() {
+    const Index u = heap_[0];
+    const Priority now = priority(u);
+    if (nodes_[u].priority < now) {
+      nodes_[u].priority = now;
+      sink(0);
+      return;
+    }
+    ++expanded_;
+    costs_.is_less(nodes_[u].ahead, nodes_[u].cost) ? settle(u) : raise(u);
+  }
+
+  void settle(Index u) {
+    nodes_[u].cost = nodes_[u].ahead;
+    queue(u);
+    const State state = nodes_[u].state;
+    graph_->each_in(state, [&](const State& from, const auto& edge) {
+      const Index s = node(from);
+      if (s == goal_ || s == u || !costs_.plus_is_less(edge, nodes_[u].cost, nodes_[s].ahead)) return;
+      nodes_[s].ahead = costs_.plus(edge, nodes_[u].cost);
+      nodes_[s].next = u;
+      queue(s);
+    });
+  }
+
+  void raise(Index u) {
+    nodes_[u].cost = costs_.infinity();
+    queue(u);
+    const State state = nodes_[u].state;
+    graph_->each_in(state, [&](const State& from, const auto&) {
+      const Index s = node(from);
+      if (s == goal_ || nodes_[s].next != u) return;
+      look_ahead(s);
+      queue(s);
+    });
+  }
+
+  void look_ahead(Index u) {
+    Cost least = costs_.infinity();
+    Index next = kNowhere;
+    const State state = nodes_[u].state;
+    graph_->each_out(state, [&](const State& to, const auto& edge) {
+      const Index s = node(to);
+      if (s == u || !costs_.plus_is_less(edge, nodes_[s].cost, least)) return;
+      least = costs_.plus(edge, nodes_[s].cost);
+      next = s;
+    });
+    // An equal sum keeps its name, so that comparing it stays cheap.
+    if (!costs_.is_equal(least, nodes_[u].ahead)) nodes_[u].ahead = least;
+    nodes_[u].next = next;
+  }
+
+  /// Into the queue, out of it or to another place in it.
+  void queue(Index u) {
+    Node& n = nodes_[u];
+    const bool settled = costs_.is_equal(n.cost, n.ahead);
+    if (settled && n.place == kNowhere) return;
+    if (settled) return leave(u);
+    n.priority = priority(u);
+    if (n.place == kNowhere) {
+      n.place = static_cast<Index>(heap_.size());
+      heap_.push_back(u);
+    }
+    rise(n.place);
+    sink(n.place);
+  }
+
+  void leave(Index u) {
+    const Index hole = nodes_[u].place, last = heap_.back();
+    nodes_[u].place = kNowhere;
+    heap_.pop_back();
+    if (last == u) return;
+    put(hole, last);
+    rise(hole);
+    sink(nodes_[last].place);
+  }
+
+  void put(Index place, Index u) {
+    heap_[place] = u;
+    nodes_[u].place = place;
+  }
+  /// Ties by the order in which states were met.
+  bool before(Index u, Index v) const {
+    if (nodes_[u].priority < nodes_[v].priority) return true;
+    return !(nodes_[v].priority < nodes_[u].priority) && u < v;
+  }
+  void rise(Index place) {
+    const Index u = heap_[place];
+    for (; place > 0 && before(u, heap_[(place - 1) / 2]); place = (place - 1) / 2) put(place, heap_[(place - 1) / 2]);
+    put(place, u);
+  }
+  void sink(Index place) {
+    const Index u = heap_[place];
+    const auto size = static_cast<Index>(heap_.size());
+    for (Index child = 2 * place + 1; child < size; child = 2 * place + 1) {
+      if (child + 1 < size && before(heap_[child + 1], heap_[child])) ++child;
+      if (!before(heap_[child], u)) break;
+      put(place, heap_[child]);
+      place = child;
+    }
+    put(place, u);
+  }
+
+  const Graph* graph_;
+  Costs costs_;
+  std::vector<Node> nodes_;
+  std::unordered_map<State, Index, Hash> index_;
+  std::vector<Index> heap_;
+  Index start_ = 0, goal_ = 0, last_ = 0;
+  Key moved_{};
+  std::size_t expanded_ = 0;
+};
+
+}  // namespace taut
