@@ -22,12 +22,13 @@ namespace taut::cli {
 namespace {
 
 /// `search` is shortest_path, cell_search, ...: what asks this graph.
-template <typename Graph, typename Search>
-PlannedRoadmap planned(std::shared_ptr<const Graph> graph, Search search) {
+template <typename Graph, typename Search, typename Query>
+PlannedRoadmap planned(std::shared_ptr<const Graph> graph, Search search, Query query) {
   return {std::shared_ptr<const Roadmap>(graph, &graph->roadmap()),
           [graph, search](Point from, const Goal& to, GraphAlgorithm algorithm) {
             return search(*graph, from, to, algorithm);
-          }};
+          },
+          [graph, query](Point from, const Goal& to) { return query(*graph, from, to); }};
 }
 
 GraphSearchResult search_visibility(const VisibilityGraph& graph, Point from, const Goal& to,
@@ -45,10 +46,11 @@ RoadmapKind visibility(const char* name, const char* title, VisibilityKind kind)
           true,
           false,
           [kind](const FreeSpace& space, const BuildRequest&) {
-            return planned(std::make_shared<const VisibilityGraph>(space, kind), search_visibility);
+            return planned(std::make_shared<const VisibilityGraph>(space, kind), search_visibility, visibility_query);
           },
           [kind](const FreeSpace& space, Roadmap roadmap) {
-            return planned(std::make_shared<const VisibilityGraph>(space, kind, std::move(roadmap)), search_visibility);
+            return planned(std::make_shared<const VisibilityGraph>(space, kind, std::move(roadmap)), search_visibility,
+                           visibility_query);
           }};
 }
 
@@ -58,16 +60,21 @@ RoadmapKind cells(const char* name, const char* title, CellNeighbours neighbours
           false,
           false,
           [neighbours](const FreeSpace& space, const BuildRequest&) {
-            return planned(std::make_shared<const CellGraph>(space, neighbours), search_cells);
+            return planned(std::make_shared<const CellGraph>(space, neighbours), search_cells, cell_query);
           },
           [neighbours](const FreeSpace& space, Roadmap roadmap) {
-            return planned(std::make_shared<const CellGraph>(space, neighbours, std::move(roadmap)), search_cells);
+            return planned(std::make_shared<const CellGraph>(space, neighbours, std::move(roadmap)), search_cells,
+                           cell_query);
           }};
 }
 
 PlannedRoadmap planned_prm(const FreeSpace& space, std::shared_ptr<const Roadmap> roadmap, double clearance) {
-  return {roadmap, [space, roadmap, clearance](Point from, const Goal& to, GraphAlgorithm algorithm) {
+  return {roadmap,
+          [space, roadmap, clearance](Point from, const Goal& to, GraphAlgorithm algorithm) {
             return graph_search(*roadmap, prm_query(space, *roadmap, from, to, clearance), algorithm);
+          },
+          [space, roadmap, clearance](Point from, const Goal& to) {
+            return prm_query(space, *roadmap, from, to, clearance);
           }};
 }
 

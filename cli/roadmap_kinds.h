@@ -22,9 +22,10 @@ namespace taut::cli {
 struct PlannedRoadmap {
   std::shared_ptr<const Roadmap> roadmap;  ///< empty where there is no graph
   std::function<GraphSearchResult(Point, const Goal&, GraphAlgorithm)> search;
-  std::string how{};                                ///< the settings it was built with, for saved files
-  std::shared_ptr<const VoronoiRoadmap> diagram{};  ///< when `roadmap` only stands for it
-  std::optional<PrmConnectivity> prm{};             ///< of a PRM that was grown for a query
+  std::function<GraphQuery(Point, const Goal&)> query{};  ///< what `search` asks; empty where that is no graph search
+  std::string how{};                                      ///< the settings it was built with, for saved files
+  std::shared_ptr<const VoronoiRoadmap> diagram{};        ///< when `roadmap` only stands for it
+  std::optional<PrmConnectivity> prm{};                   ///< of a PRM that was grown for a query
 };
 
 /// What a builder may want to know besides the space.

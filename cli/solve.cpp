@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <taut/cli/anytime.h>
 #include <taut/cli/arcs.h>
 #include <taut/cli/clearance.h>
 #include <taut/cli/command.h>
@@ -40,6 +41,7 @@ struct SolveOptions {
   OutputOptions output;
   CommonOptions common;
   GraphAlgorithm algorithm = GraphAlgorithm::astar;
+  AnytimeOptions anytime;
   ClearanceQuery clearance;
   bool no_verify = false;
   bool path = false;
@@ -82,6 +84,10 @@ void require_consistent(const SolveOptions& options) {
     throw CLI::ValidationError("--arcs has a roadmap of its own: not with --roadmap, --save, --load or --clearance");
   if (options.arcs && options.query.robot.kind() != Footprint::Kind::disc)
     throw CLI::ValidationError("--arcs needs --robot disc:R");
+  require_anytime_fits(options.anytime, options.kind, options.algorithm);
+  if (options.anytime.wanted &&
+      (options.shorten || options.arcs || options.clearance.kind != ClearanceQuery::Kind::none))
+    throw CLI::ValidationError("--anytime makes no sense with --shorten, --arcs, --clearance, --widest or --tradeoff");
   if (options.load == "-" && options.world.file == "-")
     throw CLI::ValidationError("FILE and --load cannot both come from standard input");
   if (options.kind && !options.kind->graph && options.algorithm == GraphAlgorithm::dijkstra)
@@ -118,6 +124,7 @@ void add_options(CLI::App& app, SolveOptions& options) {
       ->group("Query");
   app.add_flag("--no-verify", options.no_verify, "Do not check the answer independently")->group("Query");
   app.add_flag("--path", options.path, "Print the points of the path, one `x y` a line")->group("Output");
+  add_anytime_options(app, options.anytime);
   add_clearance_options(app, options.clearance);
   add_output_options(app, options.output);
   app.callback([&options] { require_consistent(options); });
@@ -147,7 +154,7 @@ class Solver {
     result_.roadmap = kind_->name;
     result_.prm = planned_.prm;
     result_.optimal = kind_->optimal;
-    search(space);
+    options_.anytime.wanted ? search_anytime() : search(space);
     if (result_.status == SearchStatus::none) prove_none(space);
     if (result_.status == SearchStatus::found && !options_.no_verify) verify_answer(space);
     result_.seconds.total = total_.seconds();
@@ -188,7 +195,8 @@ class Solver {
 
   PlannedRoadmap build_or_load(const FreeSpace& space) {
     if (options_.load.empty()) {
-      const bool graph = !options_.save.empty() || options_.algorithm == GraphAlgorithm::dijkstra;
+      const bool graph =
+          !options_.save.empty() || options_.anytime.wanted || options_.algorithm == GraphAlgorithm::dijkstra;
       kind_ = options_.kind ? options_.kind : roadmap_kind(graph ? "visibility" : "polyanya");
       return kind_->build(space, {options_.common.seed, result_.start, result_.goal, options_.prm,
                                   options_.common.limits.seconds.has_value(), prm_progress(options_.output.quiet)});
@@ -209,6 +217,26 @@ class Solver {
     if (!options_.shorten || result_.status != SearchStatus::found || kind_->optimal) return;
     result_.unpulled = result_.path.length;
     result_.path = shortened(space, result_.path).value();
+  }
+
+  void search_anytime() {
+    const std::optional<double> most = options_.common.limits.seconds;
+    const double budget = most ? seconds_for_search(*most, total_.seconds()) : 1e300;
+    const bool told = options_.output.stats || (is_progress_shown() && !options_.output.quiet);
+    AnytimeAnswer found = timed("search", result_.seconds.search, [&] {
+      return solve_anytime(planned_, *result_.start, result_.goal, options_.anytime, budget, told);
+    });
+    result_.status = found.result.status;
+    result_.path = std::move(found.result.path);
+    result_.expanded = found.result.expanded;
+    result_.improvements = std::move(found.improvements);
+    if (result_.status == SearchStatus::found) {
+      result_.bound = found.bound;
+      result_.optimal = kind_->optimal && found.optimal;
+    }
+    if (result_.status != SearchStatus::stopped) return;
+    result_.stage = "search";
+    result_.reason = fmt::format("--max-seconds {}", *most);
   }
 
   // A roadmap that is not all there is says nothing about the plane: there the walls have to.
@@ -276,13 +304,17 @@ class Solver {
     if (result_.status == SearchStatus::none) return {"no path", seconds_text(result_.seconds.total)};
     if (result_.status == SearchStatus::stopped) return {result_.reason, seconds_text(result_.seconds.total)};
     const std::size_t points = result_.path.points.size();
-    const std::string claim = kind_->optimal ? ""
+    const std::string claim = kind_->optimal        ? ""
+                              : result_.bound > 1.0 ? fmt::format(" (in the roadmap {})", kind_->name)
                               : result_.unpulled
                                   ? fmt::format(" (pulled taut from {} in the roadmap {}; not proven optimal)",
                                                 length_text(*result_.unpulled), kind_->name)
                                   : fmt::format(" (shortest in the roadmap {}; not proven optimal)", kind_->name);
-    return {"length " + length_text(result_.path.length) + claim, count_text(points > 2 ? points - 2 : 0, "corner"),
-            seconds_text(result_.seconds.total)};
+    std::vector<std::string> facts{"length " + length_text(result_.path.length) + claim};
+    if (result_.bound) facts.push_back("bound " + bound_text(*result_.bound));
+    facts.push_back(count_text(points > 2 ? points - 2 : 0, "corner"));
+    facts.push_back(seconds_text(result_.seconds.total));
+    return facts;
   }
 
   std::string line() const {
@@ -322,7 +354,8 @@ class Solver {
     if (planned_.prm) note(connectivity_text(*planned_.prm));
     row("search", s.search,
         fmt::format("{} expanded ({})", result_.expanded,
-                    !kind_->graph                                 ? kind_->name
+                    options_.anytime.wanted                       ? "anytime"
+                    : !kind_->graph                               ? kind_->name
                     : options_.algorithm == GraphAlgorithm::astar ? "astar"
                                                                   : "dijkstra"));
     row("verify", s.verify,

@@ -33,6 +33,17 @@ Json seconds_of(const StageSeconds& s) {
           {"search", s.search}, {"verify", s.verify}, {"total", s.total}};
 }
 
+Json improvements_of(const std::vector<AnytimeImprovement>& improvements) {
+  Json json = Json::array();
+  for (const AnytimeImprovement& i : improvements)
+    json.push_back({{"epsilon", i.epsilon},
+                    {"bound", i.bound},
+                    {"length", i.length.value()},
+                    {"expanded", i.expanded},
+                    {"seconds", i.seconds}});
+  return json;
+}
+
 void add_path(Json& json, const PlanResult& result) {
   const Length& length = result.path.length;
   json["length"] = length.value();
@@ -72,6 +83,10 @@ std::string result_json(const PlanResult& result) {
   json["expanded"] = result.expanded;
   if (result.unpulled) json["length_in_roadmap"] = result.unpulled->value();
   if (result.prm) json["prm"] = json_of(*result.prm);
+  if (result.bound) {
+    json["bound"] = *result.bound;
+    json["improvements"] = improvements_of(result.improvements);
+  }
   json["seconds"] = seconds_of(result.seconds);
   return detail::json_text(json);
 }

@@ -7,6 +7,7 @@
 
 #include <taut/geometry/footprint.h>
 #include <taut/geometry/world.h>
+#include <taut/search/anytime_search.h>
 #include <taut/search/graph_search.h>
 #include <taut/search/path.h>
 #include <taut/search/prm_planner.h>
@@ -44,6 +45,8 @@ struct PlanResult {
   std::size_t expanded = 0;
   std::optional<Length> unpulled;      ///< the length before the path was pulled taut, if it was
   std::optional<PrmConnectivity> prm;  ///< of a PRM that was grown for the query
+  std::optional<double> bound;         ///< of an anytime search that found a path
+  std::vector<AnytimeImprovement> improvements;
   StageSeconds seconds;
 };
 
@@ -59,7 +62,7 @@ struct PlanResult {
 ///  length          number, within one ulp of the exact length
 ///  length_text     the exact length, correctly rounded to 15 decimals
 ///  length_interval [lo, hi], doubles that enclose the exact length
-///  optimal         true when this is the shortest path in the plane, false when only in the roadmap
+///  optimal         true when this is the shortest path in the plane, false when only in the roadmap or not proven
 ///  points          [[x, y], ...] from start to goal
 ///  corners         number of points between start and goal
 ///  clearance       least distance of the path to an obstacle, 0 when it touches one; null when it was not verified or
@@ -81,6 +84,9 @@ struct PlanResult {
 ///  length_in_roadmap  of the path in the roadmap, when it was pulled taut after that (--shorten)
 ///  prm             of a probabilistic roadmap: {"samples", "vertices", "edges", "edges_tested", "components", "start_part",
 ///                  "goal_part"}; the parts are the vertices that hang together with an end
+///  bound           of an anytime search that found a path: it is at most this many times as long as the shortest in the roadmap;
+///                  1 when it is proven to be that
+///  improvements    [{"epsilon", "bound", "length", "expanded", "seconds"}, ...] with `bound`: the stages finished
 ///  seconds         {"read", "space", "roadmap", "search", "verify", "total"}, 0 for what was not done
 /// Bytes of names that are no UTF-8 become U+FFFD.
 std::string result_json(const PlanResult& result);

@@ -34,13 +34,21 @@ GraphQuery to_room(const CellGraph& graph, Point from, const std::vector<Box>& r
   return query;
 }
 
+GraphQuery query_of(const CellGraph& graph, Point from, const Goal& to) {
+  return to.point ? to_point(graph, from, *to.point) : to_room(graph, from, to.room);
+}
+
 }  // namespace
+
+GraphQuery cell_query(const CellGraph& graph, Point from, const Goal& to) {
+  if (detail::answer_at_start(graph.space(), from, to)) return detail::query_at_start(from);
+  return query_of(graph, from, to);
+}
 
 GraphSearchResult cell_search(const CellGraph& graph, Point from, const Goal& to, GraphAlgorithm algorithm,
                               const SearchLimits& limits) {
   if (auto answer = detail::answer_at_start(graph.space(), from, to)) return *answer;
-  return graph_search(graph.roadmap(), to.point ? to_point(graph, from, *to.point) : to_room(graph, from, to.room),
-                      algorithm, limits);
+  return graph_search(graph.roadmap(), query_of(graph, from, to), algorithm, limits);
 }
 
 }  // namespace taut

@@ -36,13 +36,21 @@ GraphQuery to_room(const VisibilityGraph& graph, Point from, const std::vector<B
   return query;
 }
 
+GraphQuery query_of(const VisibilityGraph& graph, Point from, const Goal& to) {
+  return to.point ? to_point(graph, from, *to.point) : to_room(graph, from, to.room);
+}
+
 }  // namespace
+
+GraphQuery visibility_query(const VisibilityGraph& graph, Point from, const Goal& to) {
+  if (detail::answer_at_start(graph.space(), from, to)) return detail::query_at_start(from);
+  return query_of(graph, from, to);
+}
 
 GraphSearchResult shortest_path(const VisibilityGraph& graph, Point from, const Goal& to, GraphAlgorithm algorithm,
                                 const SearchLimits& limits) {
   if (auto answer = detail::answer_at_start(graph.space(), from, to)) return *answer;
-  return graph_search(graph.roadmap(), to.point ? to_point(graph, from, *to.point) : to_room(graph, from, to.room),
-                      algorithm, limits);
+  return graph_search(graph.roadmap(), query_of(graph, from, to), algorithm, limits);
 }
 
 std::optional<Path> shortest_path(const FreeSpace& space, Point from, const Goal& to) {

@@ -15,6 +15,9 @@ Point middle(const Box& box);
 /// the goal room already: from there the middle of one of its boxes is seen.
 std::optional<GraphSearchResult> answer_at_start(const FreeSpace& space, Point from, const Goal& to);
 
+/// The query whose answer is that path: one leg of length 0.
+inline GraphQuery query_at_start(Point from) { return {{from, {}}, {{from, {}}}, {0}}; }
+
 /// A side of one box of a room that no other box of it shares, and the middle of the box.
 struct RoomSide {
   Segment side;  ///< axis-parallel, a < b

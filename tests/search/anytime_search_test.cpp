@@ -117,6 +117,23 @@ TEST(AnytimeSearch, TakesTheTemptingWayFirstAndTheShortestInTheEnd) {
   EXPECT_GT(search.expanded(), first.expanded);
 }
 
+TEST(AnytimeSearch, ComesBackToWhatItFoundAShorterWayToTooLate) {
+  //              4             0 start, 5 goal. The pull takes 1 and 3 first; then 2, by which 3 is nearer, though it
+  //       1                    is closed in this round; then 4 and the goal. The way by 2 counts all the same.
+  //   0       3      5
+  //     2
+  const auto map =
+      std::make_shared<const Roadmap>(std::vector<Point>{{0, 0}, {8, 5}, {1, -3}, {10, 0}, {10, 20}, {20, 0}},
+                                      Edges{{0, 1}, {1, 3}, {0, 2}, {2, 3}, {3, 4}, {4, 5}});
+  AnytimeSearch search(map, between(*map, 0, 5), 10);
+  ASSERT_EQ(search.improve(), SearchStatus::found);
+  EXPECT_FALSE(search.optimal());
+  EXPECT_EQ(search.best().points[1], (Point{8, 5}));
+  while (!search.optimal()) ASSERT_EQ(search.improve(), SearchStatus::found);
+  EXPECT_EQ(search.best().points[1], (Point{1, -3}));
+  EXPECT_EQ(search.best().length, graph_search(*map, between(*map, 0, 5)).path.length);
+}
+
 TEST(AnytimeSearch, IsAStarWhenEpsilonIsOne) {
   const Map map = lattice(40);
   AnytimeSearch search(map, between(*map, 3, 1590), 1);

@@ -1,0 +1,91 @@
+#include <taut/cli/anytime.h>
+
+#include <fmt/format.h>
+#include <CLI/Error.hpp>
+#include <CLI/Option.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+#include <taut/cli/messages.h>
+#include <taut/cli/options.h>
+#include <taut/cli/report.h>
+
+namespace taut::cli {
+
+namespace {
+
+constexpr double kEpsilon = 3;
+
+double epsilon_of(const std::string& text) {
+  const double epsilon = number_of(text);
+  if (!(epsilon >= 1 && epsilon <= AnytimeSearch::kLargestEpsilon))
+    throw CLI::ValidationError("--epsilon: '" + text + "' is not a factor from 1 to 1000000");
+  return epsilon;
+}
+
+void tell(const AnytimeImprovement& stage) {
+  note(fmt::format("epsilon {:.4g}: length {}, bound {}, {} expanded, {}", stage.epsilon, stage.length.decimals(6),
+                   bound_text(stage.bound), stage.expanded, seconds_text(stage.seconds)));
+}
+
+}  // namespace
+
+void add_anytime_options(CLI::App& app, AnytimeOptions& options) {
+  app.add_flag("--anytime", options.wanted,
+               "A path soon, then better ones, until it is the shortest or --max-seconds end; says how far from the "
+               "shortest it can be at most (ARA*)")
+      ->group("Query");
+  app.add_option_function<std::string>(
+         "--epsilon", [&options](const std::string& text) { options.epsilon = epsilon_of(text); },
+         "With --anytime: the first path is at most so many times as long as the shortest (default: 3)")
+      ->type_name("E")
+      ->group("Query");
+}
+
+void require_anytime_fits(const AnytimeOptions& options, const RoadmapKind* kind, GraphAlgorithm algorithm) {
+  if (options.epsilon && !options.wanted) throw CLI::ValidationError("--epsilon makes no sense without --anytime");
+  if (!options.wanted) return;
+  if (algorithm == GraphAlgorithm::dijkstra)
+    throw CLI::ValidationError("--anytime makes no sense with --algorithm dijkstra: it has a search of its own");
+  if (kind && (!kind->graph || kind == roadmap_kind("voronoi")))
+    throw CLI::ValidationError(
+        fmt::format("--anytime makes no sense with the roadmap {}, which is no graph of "
+                    "straight legs",
+                    kind->name));
+}
+
+AnytimeAnswer solve_anytime(const PlannedRoadmap& planned, Point from, const Goal& to, const AnytimeOptions& options,
+                            double seconds, bool told) {
+  AnytimeSearch search(planned.roadmap, planned.query(from, to), options.epsilon.value_or(kEpsilon));
+  AnytimeAnswer answer;
+  SearchStatus status = SearchStatus::found;
+  while (status == SearchStatus::found && !search.optimal()) {
+    status = search.improve({.seconds = std::max(0.0, seconds - search.seconds())});
+    if (status != SearchStatus::found) continue;
+    answer.improvements.push_back(search.latest());
+    if (told) tell(answer.improvements.back());
+  }
+  answer.result.path = search.best();
+  answer.result.status = answer.result.path.points.empty() ? status : SearchStatus::found;
+  answer.result.goal = search.goal();
+  answer.result.expanded = search.expanded();
+  answer.result.generated = search.generated();
+  answer.bound = search.bound();
+  answer.optimal = search.optimal();
+  return answer;
+}
+
+double seconds_for_search(double most, double spent) {
+  const double left = std::max(0.0, most - spent);
+  return left - std::min(left / 2, std::max(0.02, most / 10));
+}
+
+std::string bound_text(double bound) {
+  if (!(bound < 1e9)) return "none";
+  const double up = std::ceil((bound - 1) * 1e4);
+  const auto text = [](double count) { return fmt::format("{:.6g}", 1 + count / 1e4); };
+  return std::stod(text(up)) >= bound ? text(up) : text(up + 1);
+}
+
+}  // namespace taut::cli
