@@ -441,7 +441,7 @@ TEST_F(MouseSpeed, ShowsTheFastestBesideTheShortest) {
 TEST_F(MouseSpeed, TakesItsModelFromAFile) {
   const std::string query = "mouse speed --json - " + maze("mouse_16.num"), model = " --model ";
   EXPECT_EQ(run_taut(query).out, run_taut(query + model + maze("mouse_speed.json")).out);
-  const std::string slow = folder.file("slow.json", R"({"straight": {"top_speed": 2}})");
+  const std::string slow = folder.file("slow.json", R"({"straight": {"top_speed": 1.6}})");
   EXPECT_GT(json::parse(run_taut(query + model + slow).out)["fastest"]["seconds"],
             json::parse(run_taut(query).out)["fastest"]["seconds"]);
   const Outcome bad = run_taut(query + model + folder.file("bad.json", "{\"wheels\": 4}"));

@@ -332,15 +332,19 @@ TEST(SpeedRun, TurnsOnTheSpotWhereThereIsNoOtherWay) {
 }
 
 TEST(SpeedRun, DrivesAStaircaseAsADiagonal) {
-  GridMaze maze(6, 6, true);
-  for (int k = 0; k < 5; ++k) maze.set_wall({k, k}, Side::north, false), maze.set_wall({k, k + 1}, Side::east, false);
-  maze.goal = {{5, 5}};
+  GridMaze maze(6, 10, true);
+  for (const Cell c : {Cell{0, 0}, Cell{0, 1}, Cell{5, 7}, Cell{5, 8}}) maze.set_wall(c, Side::north, false);
+  for (int k = 0; k < 5; ++k) {
+    maze.set_wall({k, k + 2}, Side::north, false);
+    maze.set_wall({k, k + 3}, Side::east, false);
+  }
+  maze.goal = {{5, 9}};
   const auto run = speed_run(maze);
   ASSERT_TRUE(run);
   expect_sound(*run, maze, {});
   double diagonal = 0;
   for (const Drive& d : run->drives) diagonal += name(d) == "diagonal" ? d.metres : 0;
-  EXPECT_NEAR(diagonal, 7 * 0.09 * kRoot, 1e-9);
+  EXPECT_NEAR(diagonal, 8 * 0.09 * kRoot, 1e-9);
 }
 
 TEST(SpeedRun, IsAbsentWithoutAWay) {
