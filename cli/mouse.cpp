@@ -84,6 +84,11 @@ MouseMaze read_mouse_maze(const std::string& file, std::optional<Format> format)
   if (read.unknown_walls > 0)
     note(fmt::format("taut: {}: {} in the drawing, taken as open", read.name,
                      count_text(read.unknown_walls, "unknown wall")));
+  try {
+    micromouse::task_of(read.maze);
+  } catch (const InputError& error) {
+    throw InputError(read.name, 0, error.what());
+  }
   return read;
 }
 

@@ -114,7 +114,7 @@ std::string MouseSheet::style() const {
          css("unseen", 0.05, fmt::format(";stroke-dasharray:{0} {0}", svg_number(pitch_ / 9)).c_str()) +
          css("run1", 0.07, ";stroke-linejoin:round;stroke-linecap:round") +
          css("run2", 0.16, ";stroke-linejoin:round;stroke-linecap:round") +
-         css("fastest", 0.16, ";stroke-linejoin:round;stroke-linecap:round") + css("wedge", 0.04, "") +
+         css("fastest", 0.08, ";stroke-linejoin:round;stroke-linecap:round") + css("wedge", 0.04, "") +
          fmt::format(".mouse .flood{{font-size:{}px}}\n", svg_number(pitch_ * 0.27)) + "</style>\n";
 }
 
