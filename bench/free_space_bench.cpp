@@ -11,6 +11,7 @@
 #include <taut/geometry/detail/obstacles.h>
 #include <taut/geometry/free_space.h>
 #include <taut/geometry/maze_generator.h>
+#include <taut/geometry/predicates.h>
 
 namespace {
 
@@ -29,14 +30,45 @@ World turned_maze(int cells) {
   return World(parts);
 }
 
-void unite(benchmark::State& state, const World& world) {
+double doubled_area(const std::vector<Polygon>& polygons) {
+  double sum = 0;
+  for (const Polygon& polygon : polygons) {
+    sum += ring_area(polygon.outer);
+    for (const Ring& hole : polygon.holes) sum += ring_area(hole);
+  }
+  return sum;
+}
+
+/// Of a perfect maze of n x n cells, its walls 1/4 thick: each cell leaves a square of 3/4, each of the n^2 - 1 passages a rectangle of
+/// 3/4 x 1/4 more between two of them.
+double free_area(double n) { return (9 * n * n + 3 * (n * n - 1)) / 16; }
+double free_outline(double n) { return 3 * n * n - (n * n - 1); }
+
+bool near(double value, double expected) { return std::abs(value - expected) <= 1e-9 * expected; }
+
+double length(const detail::Outline& outline) {
+  double sum = 0;
+  for (const detail::Edge& e : outline.edges) sum += std::hypot(e.b.x - e.a.x, e.b.y - e.a.y);
+  return sum;
+}
+
+/// `rim`: the length of the outline round the whole maze, when the world shows it.
+void unite(benchmark::State& state, const World& world, double rim) {
   const auto pieces = detail::obstacles_of(world, Footprint::point()).pieces;
-  for (auto _ : state) benchmark::DoNotOptimize(detail::outline_of_union(pieces, world.box()));
+  const double expected = free_outline(static_cast<double>(state.range(0))) + rim;
+  detail::Outline outline;
+  for (auto _ : state) benchmark::DoNotOptimize(outline = detail::outline_of_union(pieces, world.box()));
+  if (!near(length(outline), expected)) state.SkipWithError("the outline has another length than the walls of a maze");
   state.counters["walls"] = static_cast<double>(world.walls().size());
 }
 
-void BM_UniteStraight(benchmark::State& state) { unite(state, thick_maze(static_cast<int>(state.range(0)))); }
-void BM_UniteTurned(benchmark::State& state) { unite(state, turned_maze(static_cast<int>(state.range(0)))); }
+void BM_UniteStraight(benchmark::State& state) { unite(state, thick_maze(static_cast<int>(state.range(0))), 0); }
+void BM_UniteTurned(benchmark::State& state) {
+  const int cells = static_cast<int>(state.range(0));
+  const World world = turned_maze(cells);
+  const Box box = world.box();  // the outline of an open world is part of it
+  unite(state, world, 4 * (cells + 0.25) + 2 * (box.max.x - box.min.x + box.max.y - box.min.y));
+}
 
 void BM_UniteStraightByCgal(benchmark::State& state) {
   using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
@@ -49,23 +81,37 @@ void BM_UniteStraightByCgal(benchmark::State& state) {
   for (auto _ : state) {
     CGAL::Polygon_set_2<Kernel> set;
     set.join(rings.begin(), rings.end());
-    benchmark::DoNotOptimize(set.number_of_polygons_with_holes());
+    // The walls of a perfect maze hang together around one connected inside.
+    if (set.number_of_polygons_with_holes() != 1) state.SkipWithError("the walls are one polygon");
   }
   state.counters["walls"] = static_cast<double>(world.walls().size());
 }
 
-void free_space(benchmark::State& state, const World& world) {
+void free_space(benchmark::State& state, const World& world, double area) {
   std::size_t triangles = 0;
-  for (auto _ : state) triangles = FreeSpace(world).triangulation().triangles.size();
+  for (auto _ : state) {
+    const FreeSpace space(world);
+    triangles = space.triangulation().triangles.size();
+    if (!near(doubled_area(space.polygons()), 2 * area)) state.SkipWithError("the free space has another area");
+  }
   state.counters["triangles"] = static_cast<double>(triangles);
 }
 
 void BM_FreeSpaceThin(benchmark::State& state) {
   const int cells = static_cast<int>(state.range(0));
-  free_space(state, world_of(std::make_shared<GridMaze>(generate_backtracker(cells, cells, 1))));
+  free_space(state, world_of(std::make_shared<GridMaze>(generate_backtracker(cells, cells, 1))), double(cells) * cells);
 }
-void BM_FreeSpaceThick(benchmark::State& state) { free_space(state, thick_maze(static_cast<int>(state.range(0)))); }
-void BM_FreeSpaceTurned(benchmark::State& state) { free_space(state, turned_maze(static_cast<int>(state.range(0)))); }
+void BM_FreeSpaceThick(benchmark::State& state) {
+  const int cells = static_cast<int>(state.range(0));
+  free_space(state, thick_maze(cells), free_area(cells));
+}
+void BM_FreeSpaceTurned(benchmark::State& state) {
+  const int cells = static_cast<int>(state.range(0));
+  const World world = turned_maze(cells);
+  const Box box = world.box();
+  const double all = (box.max.x - box.min.x) * (box.max.y - box.min.y), maze = (cells + 0.25) * (cells + 0.25);
+  free_space(state, world, all - maze + free_area(cells));
+}
 
 BENCHMARK(BM_UniteStraight)->Arg(25)->Arg(50)->Arg(100)->Arg(300)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_UniteStraightByCgal)->Arg(25)->Arg(50)->Arg(100)->Unit(benchmark::kMillisecond)->Iterations(1);

@@ -12,6 +12,8 @@
 
 #include <taut/geometry/maze_generator.h>
 #include <taut/roadmaps/visibility_graph.h>
+#include <taut/search/shortest_path.h>
+#include <taut/search/verify.h>
 
 namespace {
 
@@ -23,14 +25,43 @@ FreeSpace maze(int cells, double opened) {
   return FreeSpace(world_of(std::move(grid)));
 }
 
+/// The edges of 500 vertices, spread evenly, against FreeSpace::sees.
+const char* fault_of(const Roadmap& roadmap, const FreeSpace& space) {
+  const std::size_t vertices = roadmap.vertex_count(), step = vertices / 500 + 1;
+  if (roadmap.edge_count() < vertices / 2) return "hardly any edges";
+  for (std::size_t v = 0; v < vertices; v += step) {
+    const auto u = static_cast<Roadmap::Vertex>(v);
+    for (const Roadmap::Vertex w : roadmap.neighbours(u))
+      if (!space.sees(roadmap.point(u), roadmap.point(w))) return "an edge between places that do not see each other";
+  }
+  return nullptr;
+}
+
+/// Reduced or full, the shortest path is the same: found in both, of exactly equal length, and valid.
+void check_paths(benchmark::State& state, const FreeSpace& space, int cells) {
+  const Point from{0.5, 0.5};
+  const Goal to{Point{cells - 0.5, cells - 0.5}, {}};
+  const auto path = shortest_path(VisibilityGraph(space, VisibilityKind::reduced), from, to);
+  if (path.status != SearchStatus::found || !verify(path.path, space, from, to).valid)
+    return state.SkipWithError("no valid path from corner to corner");
+  if (cells > 100) return;  // the full graph takes its time
+  const auto other = shortest_path(VisibilityGraph(space, VisibilityKind::full), from, to);
+  if (other.status != SearchStatus::found || other.path.length != path.path.length)
+    state.SkipWithError("the reduced graph's path is not the full graph's");
+}
+
 void build(benchmark::State& state, double opened, VisibilityKind kind) {
   const FreeSpace space = maze(static_cast<int>(state.range(0)), opened);
   std::size_t edges = 0, vertices = 0;
   for (auto _ : state) {
     const VisibilityGraph graph(space, kind);
+    state.PauseTiming();
+    if (const char* fault = fault_of(graph.roadmap(), space)) state.SkipWithError(fault);
+    state.ResumeTiming();
     edges = graph.roadmap().edge_count();
     vertices = graph.roadmap().vertex_count();
   }
+  check_paths(state, space, static_cast<int>(state.range(0)));
   state.counters["vertices"] = static_cast<double>(vertices);
   state.counters["edges"] = static_cast<double>(edges);
   state.counters["edges/s"] =
@@ -70,6 +101,8 @@ void cgal_regions(benchmark::State& state, double opened) {
       } while (++edge != first);
     }
   }
+  // A region has three corners at least.
+  if (vertices < 3 * walls.number_of_vertices()) state.SkipWithError("regions are missing");
   state.counters["region vertices"] = static_cast<double>(vertices);
   state.counters["failures"] = static_cast<double>(failures);
 }

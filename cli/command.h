@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include <taut/cli/options.h>
 
@@ -22,8 +23,10 @@ Command solve_command(CLI::App& app);
 Command check_command(CLI::App& app);
 Command roadmap_command(CLI::App& app);
 Command compare_command(CLI::App& app);
+Command passage_command(CLI::App& app);
 Command generate_command(CLI::App& app);
 Command convert_command(CLI::App& app);
+Command batch_command(CLI::App& app);
 
 /// Adds a subcommand whose options live as long as the parser: `add` fills the parser, `run` does the work, both with
 /// the same Options, which has a member `common`.
@@ -35,6 +38,13 @@ Command command(CLI::App& app, const char* name, const char* description, void (
   add(*sub, *options);
   add_common_options(*sub, options->common);
   return {sub, std::shared_ptr<CommonOptions>(options, &options->common), [options, run] { return run(*options); }};
+}
+
+/// A subcommand that only holds others, as `taut grid` holds `solve`: one of them has to follow.
+inline CLI::App& command_group(CLI::App& app, const char* name, const char* description) {
+  CLI::App* group = app.add_subcommand(name, description);
+  group->require_subcommand(1);
+  return *group;
 }
 
 }  // namespace taut::cli

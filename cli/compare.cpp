@@ -33,6 +33,7 @@ struct CompareOptions {
   CommonOptions common;
   std::vector<const Planner*> chosen;
   std::size_t runs = 1;
+  PrmRequest prm;
 };
 
 std::vector<const Planner*> planners_in(const std::string& list) {
@@ -60,7 +61,18 @@ void add_options(CLI::App& app, CompareOptions& options) {
       ->type_name("N")
       ->check(CLI::Range(1, 100000))
       ->group("Planners");
+  add_prm_options(app, options.prm, true);
   add_output_options(app, options.output);
+  app.callback([&options] {
+    if (options.output.svg == "-" && options.output.json == "-")
+      throw CLI::ValidationError("--svg - and --json - cannot both have standard output");
+    const auto is_prm = [](const Planner* p) { return roadmap_kind(p->kind)->is_prm; };
+    if (!options.prm.first().empty() && !options.chosen.empty() &&
+        std::none_of(options.chosen.begin(), options.chosen.end(), is_prm))
+      throw CLI::ValidationError(options.prm.first() + " makes no sense here: none of --planners is a prm");
+    for (const Planner* p : options.chosen)
+      if (is_prm(p)) require_prm_options_fit(options.prm, *roadmap_kind(p->kind));
+  });
 }
 
 std::string unfit(const Planner& planner, const FreeSpace& space, bool asked_for) {
@@ -74,7 +86,9 @@ Comparison compare(const CompareOptions& options, const Input& input, const Free
   Comparison comparison{input.name, *input.world.start(), input.world.goal(), options.common.seed, options.runs, {},
                         {}};
   const auto run = [&](const Planner& p) {
-    return run_planner(p, space, comparison.start, comparison.goal, options.common.seed, options.runs);
+    return run_planner(
+        p, space, comparison.start, comparison.goal, options.common.seed, options.runs,
+        {1, {}, {}, options.prm, options.common.limits.seconds.has_value(), prm_progress(options.output.quiet)});
   };
   std::vector<const Planner*> list = options.chosen;
   if (list.empty())

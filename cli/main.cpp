@@ -28,18 +28,36 @@ constexpr const char* kFooter =
     "3 wrong input, 4 stopped by a limit or an interrupt, 70 a defect of the program.\n\n"
     "  taut generate --size 45x45 --seed 1 | taut solve - --svg maze.svg\n";
 
+// The subcommand that was chosen, as far down as the words go.
+const CLI::App& chosen(const CLI::App& app) {
+  const auto parsed = app.get_subcommands();
+  return parsed.empty() ? app : chosen(*parsed.front());
+}
+
+// `taut grid solve`
+std::string full_name(const CLI::App& app) {
+  return app.get_parent() == nullptr ? app.get_name() : full_name(*app.get_parent()) + " " + app.get_name();
+}
+
+// `solve, check, roadmap`
+std::string choices(const CLI::App& app) {
+  std::string names;
+  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+    names += (names.empty() ? "" : ", ") + sub->get_name();
+  return names;
+}
+
 // CLI11's words, except where there is no subcommand to blame.
-std::string reason(const CLI::App& app, const CLI::ParseError& error) {
-  if (!app.get_subcommands().empty()) return error.what();
-  const std::vector<std::string> rest = app.remaining();
-  return rest.empty() ? "which of solve, check, roadmap, compare, generate, convert?"
+std::string reason(const CLI::App& at, const CLI::ParseError& error) {
+  if (at.get_require_subcommand_min() == 0) return error.what();
+  const std::vector<std::string> rest = at.remaining();
+  return rest.empty() ? fmt::format("which of {}?", choices(at))
                       : fmt::format("there is no subcommand or option '{}'", rest.front());
 }
 
 int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
-  const auto chosen = app.get_subcommands();
-  complain(fmt::format("{}; see `taut {}--help`", reason(app, error),
-                       chosen.empty() ? "" : chosen.front()->get_name() + " "));
+  const CLI::App& at = chosen(app);
+  complain(fmt::format("{}; see `{} --help`", reason(at, error), full_name(at)));
   return kUsage;
 }
 
@@ -61,14 +79,27 @@ int parse(CLI::App& app, int argc, char** argv) {
   }
 }
 
+// In the order of --help. A group, like `grid`, brings several.
+std::vector<Command> all_commands(CLI::App& app) {
+  std::vector<Command> commands;
+  commands.push_back(solve_command(app));
+  commands.push_back(check_command(app));
+  commands.push_back(roadmap_command(app));
+  commands.push_back(compare_command(app));
+  commands.push_back(passage_command(app));
+  commands.push_back(generate_command(app));
+  commands.push_back(convert_command(app));
+  commands.push_back(batch_command(app));
+  return commands;
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Exact motion planning in the plane: shortest paths, or the walls that leave none.", "taut");
   app.set_version_flag("--version", "taut " TAUT_VERSION, "Print the version and exit");
   app.set_help_flag("--help,-h", "Print this help and exit");
   app.require_subcommand(1);
   app.footer(kFooter);
-  const std::vector<Command> commands{solve_command(app),   check_command(app),    roadmap_command(app),
-                                      compare_command(app), generate_command(app), convert_command(app)};
+  const std::vector<Command> commands = all_commands(app);
   if (const int code = parse(app, argc, argv); code >= 0) return code;
   for (const Command& command : commands)
     if (command.app->parsed()) {

@@ -94,7 +94,7 @@ Footprint footprint_of(const std::string& text) {
 
 Format format_of(const std::string& text) {
   const std::optional<Format> format = format_named(text);
-  if (!format) refuse(text, "one of segments, cells, drawing, maz, num, wkt, geojson");
+  if (!format) refuse(text, "one of segments, cells, drawing, maz, num, wkt, geojson, movingai");
   return *format;
 }
 
@@ -118,7 +118,8 @@ void add_world_options(CLI::App& app, WorldOptions& options) {
   app.add_option("FILE", options.file, "The world to read; - is standard input")->required();
   const auto parse_format = [](const std::string& text) { return std::optional(format_of(text)); };
   add(app, "--format", options.read.format, parse_format,
-      "What FILE is written in: segments, cells, drawing, maz, num, wkt, geojson (default: found out from its content)")
+      "What FILE is written in: segments, cells, drawing, maz, num, wkt, geojson, movingai (default: found out from "
+      "its content)")
       ->type_name("NAME")
       ->group("World");
   add(app, "--polygons", options.read.polygons, polygons_of,

@@ -5,17 +5,18 @@
 
 #include <taut/cli/timing.h>
 #include <taut/geometry/errors.h>
+#include <taut/search/funnel.h>
 
 namespace taut::cli {
 
 namespace {
 
 PlannerRun run_once(const Planner& planner, const RoadmapKind& kind, const FreeSpace& space, Point from, const Goal& to,
-                    std::uint64_t seed) {
+                    BuildRequest request) {
   PlannerRun run;
-  const PlannedRoadmap planned = timed(planner.name, run.build_seconds, [&] {
-    return kind.build(space, {seed, from, to});
-  });
+  request.from = from;
+  request.to = to;
+  const PlannedRoadmap planned = timed(planner.name, run.build_seconds, [&] { return kind.build(space, request); });
   GraphSearchResult found =
       timed(planner.name, run.query_seconds, [&] { return planned.search(from, to, planner.algorithm); });
   run.roadmap = planned.roadmap;
@@ -25,6 +26,7 @@ PlannerRun run_once(const Planner& planner, const RoadmapKind& kind, const FreeS
   run.solved = found.status == SearchStatus::found;
   if (!run.solved) return run;
   run.path = std::move(found.path);
+  if (planner.shortens) run.path = shortened(space, run.path).value();
   const Verdict verdict = verify(run.path, space, from, to);
   run.verified = verdict.valid;
   if (verdict.valid && std::isfinite(verdict.clearance)) run.clearance = verdict.clearance;
@@ -35,13 +37,16 @@ PlannerRun run_once(const Planner& planner, const RoadmapKind& kind, const FreeS
 
 std::span<const Planner> planners() {
   static constexpr Planner kPlanners[] = {
+      {"polyanya", "polyanya", GraphAlgorithm::astar},
       {"visibility-astar", "visibility", GraphAlgorithm::astar},
       {"visibility-dijkstra", "visibility", GraphAlgorithm::dijkstra},
       {"full-visibility", "full", GraphAlgorithm::astar},
       {"cells4", "cells", GraphAlgorithm::astar},
       {"cells8", "cells8", GraphAlgorithm::astar},
       {"prm", "prm", GraphAlgorithm::astar},
+      {"prm-funnel", "prm", GraphAlgorithm::astar, true},
       {"prm-lattice", "prm-lattice", GraphAlgorithm::astar},
+      {"voronoi", "voronoi", GraphAlgorithm::astar},
   };
   return kPlanners;
 }
@@ -82,12 +87,16 @@ double PlannerRuns::median(double (*number)(const PlannerRun&)) const {
 }
 
 PlannerRuns run_planner(const Planner& planner, const FreeSpace& space, Point from, const Goal& to, std::uint64_t seed,
-                        std::size_t runs) {
+                        std::size_t runs, const BuildRequest& request) {
   const RoadmapKind& kind = *roadmap_kind(planner.kind);
   PlannerRuns all{&planner, kind.optimal, {}};
   try {
-    for (std::size_t i = 0; i < (kind.random ? runs : 1); ++i)
-      all.runs.push_back(run_once(planner, kind, space, from, to, seed + i));
+    for (std::size_t i = 0; i < (kind.random ? runs : 1); ++i) {
+      BuildRequest wishes = request;
+      wishes.seed = seed + i;
+      if (!kind.is_prm) wishes.prm = {};
+      all.runs.push_back(run_once(planner, kind, space, from, to, std::move(wishes)));
+    }
   } catch (const InputError& error) {
     all.runs.clear();
     all.unfit = error.what();

@@ -16,6 +16,7 @@ struct Planner {
   const char* name;  ///< in tables and in --planners
   const char* kind;  ///< of roadmap_kinds()
   GraphAlgorithm algorithm = GraphAlgorithm::astar;
+  bool shortens = false;  ///< pulls the path taut (shortened)
 };
 
 std::span<const Planner> planners();
@@ -54,8 +55,8 @@ struct PlannerRuns {
   double median(double (*number)(const PlannerRun&)) const;
 };
 
-/// Runs a planner `runs` times with seeds seed, seed + 1, ...; once when it is not random. A world that does not suit it is `unfit`.
+/// Runs a planner `runs` times with seeds seed, seed + 1, ... and the other wishes of `request`; once when it is not random. A world that does not suit it is `unfit`.
 PlannerRuns run_planner(const Planner& planner, const FreeSpace& space, Point from, const Goal& to, std::uint64_t seed,
-                        std::size_t runs);
+                        std::size_t runs, const BuildRequest& request = {});
 
 }  // namespace taut::cli

@@ -17,6 +17,7 @@
 #include <taut/io/roadmap_export.h>
 #include <taut/io/roadmap_json.h>
 #include <taut/io/svg.h>
+#include <taut/io/voronoi_export.h>
 
 namespace taut::cli {
 
@@ -29,6 +30,7 @@ struct RoadmapOptions {
   CommonOptions common;
   const RoadmapKind* kind = roadmap_kind("visibility");
   bool full = false;
+  PrmRequest prm;
   std::string graphml;
   std::string geojson;
   std::string save;
@@ -52,6 +54,7 @@ void add_options(CLI::App& app, RoadmapOptions& options) {
   app.add_flag("--full", options.full,
                "Of a visibility graph all pairs that see each other, not only those a shortest path can use")
       ->group("Roadmap");
+  add_prm_options(app, options.prm, false);
   add_output_options(app, options.output);
   app.add_option("--graphml", options.graphml, "Write it as GraphML; - is standard output")
       ->type_name("FILE")
@@ -61,6 +64,10 @@ void add_options(CLI::App& app, RoadmapOptions& options) {
       ->group("Output");
   app.add_option("--save", options.save, "Keep it for `taut solve --load`")->type_name("FILE")->group("Output");
   app.callback([&options] {
+    if (!options.chosen().graph)
+      throw CLI::ValidationError(fmt::format("--kind {} makes no graph", options.chosen().name));
+    if (!options.save.empty()) require_savable(options.chosen());
+    require_prm_options_fit(options.prm, options.chosen());
     const auto files = options.files();
     if (std::count(files.begin(), files.end(), "-") > 1)
       throw CLI::ValidationError("only one of --svg, --json, --graphml, --geojson and --save can have standard output");
@@ -72,6 +79,49 @@ std::string made_for(const std::string& file, const std::function<std::string()>
   return file.empty() ? std::string() : make();
 }
 
+std::vector<std::string> facts_of(const PlannedRoadmap& planned, const RoadmapKind& kind, double seconds) {
+  const auto facts = [&](std::size_t vertices, std::size_t edges) {
+    return std::vector<std::string>{kind.title, count_text(vertices, "vertex", "vertices"), count_text(edges, "edge")};
+  };
+  if (!planned.diagram) {
+    std::vector<std::string> all = facts(planned.roadmap->vertex_count(), planned.roadmap->edge_count());
+    all.push_back(seconds_text(seconds));
+    return all;
+  }
+  const VoronoiRoadmap& map = *planned.diagram;
+  std::vector<std::string> all = facts(map.vertices().size(), map.edges().size());
+  const auto arcs = std::count_if(map.edges().begin(), map.edges().end(),
+                                  [](const VoronoiEdge& e) { return e.kind == VoronoiEdge::Kind::parabola; });
+  all.push_back(count_text(static_cast<std::size_t>(arcs), "arc"));
+  all.push_back(fmt::format("vertices within {:.2g}", map.max_error()));
+  all.push_back(seconds_text(seconds));
+  return all;
+}
+
+std::string drawn(const PlannedRoadmap& planned, const FreeSpace& space, const std::string& title,
+                  const std::vector<std::string>& facts) {
+  SvgPicture picture;
+  picture.title = title;
+  picture.facts = facts;
+  if (planned.diagram)
+    picture.diagram = planned.diagram.get();
+  else
+    picture.roadmap = planned.roadmap.get();
+  picture.start = space.world().start();
+  picture.goal = space.world().goal();
+  return svg(space, picture);
+}
+
+std::string json_of(const PlannedRoadmap& planned, const RoadmapKind& kind, const std::string& source, double seconds) {
+  return planned.diagram ? voronoi_json(*planned.diagram, source, seconds)
+                         : roadmap_json(*planned.roadmap, kind.title, source, seconds, planned.prm);
+}
+
+std::string geojson_of(const PlannedRoadmap& planned, const FreeSpace& space) {
+  return planned.diagram ? voronoi_geojson(*planned.diagram, corridor_width(space) * kArcTolerance)
+                         : roadmap_geojson(*planned.roadmap);
+}
+
 int run(const RoadmapOptions& options) {
   const std::vector<std::string> files = options.files();
   for (const std::string& file : files) require_writable(file);
@@ -80,18 +130,18 @@ int run(const RoadmapOptions& options) {
   const Input input = timed("read", read, [&] { return read_input(options.world, options.query); });
   const FreeSpace space = timed("space", build, [&] { return FreeSpace(input.world, options.query.robot); });
   const PlannedRoadmap planned = timed("roadmap", roadmap_seconds, [&] {
-    return kind.build(space, {options.common.seed, input.world.start(), input.world.goal()});
+    return kind.build(space, {options.common.seed, input.world.start(), input.world.goal(), options.prm,
+                              options.common.limits.seconds.has_value(), prm_progress(options.output.quiet)});
   });
+  end_progress();
   begin_stage("write");
-  const Roadmap& roadmap = *planned.roadmap;
-  const std::vector<std::string> facts{kind.title, count_text(roadmap.vertex_count(), "vertex", "vertices"),
-                                       count_text(roadmap.edge_count(), "edge"), seconds_text(roadmap_seconds)};
-  SvgPicture picture{title_of(input.name), facts, &roadmap, nullptr, {}, input.world.start(), input.world.goal()};
+  const std::vector<std::string> facts = facts_of(planned, kind, roadmap_seconds);
   const std::string texts[] = {
-      made_for(options.output.svg, [&] { return svg(space, picture); }),
-      made_for(options.output.json, [&] { return roadmap_json(roadmap, kind.title, input.name, roadmap_seconds); }),
-      made_for(options.graphml, [&] { return roadmap_graphml(roadmap); }),
-      made_for(options.geojson, [&] { return roadmap_geojson(roadmap); }),
+      made_for(options.output.svg, [&] { return drawn(planned, space, title_of(input.name), facts); }),
+      made_for(options.output.json, [&] { return json_of(planned, kind, input.name, roadmap_seconds); }),
+      made_for(options.graphml,
+               [&] { return planned.diagram ? voronoi_graphml(*planned.diagram) : roadmap_graphml(*planned.roadmap); }),
+      made_for(options.geojson, [&] { return geojson_of(planned, space); }),
       made_for(options.save, [&] { return saved_text(kind, planned, space); })};
   finish();
   for (std::size_t i = 0; i < files.size(); ++i) write_file(files[i], texts[i]);
@@ -100,6 +150,7 @@ int run(const RoadmapOptions& options) {
   if (options.output.stats)
     note(fmt::format("read {:.4f} s, free space {:.4f} s, roadmap {:.4f} s, peak memory {}", read, build,
                      roadmap_seconds, peak_memory_text()));
+  if (options.output.stats && planned.prm) note(connectivity_text(*planned.prm));
   return kFound;
 }
 

@@ -7,11 +7,15 @@
 
 #include <taut/io/read_world.h>
 #include <taut/io/roadmap_file.h>
+#include <taut/io/svg.h>
 #include <taut/roadmaps/cell_graph.h>
 #include <taut/roadmaps/visibility_graph.h>
+#include <taut/roadmaps/voronoi_legs.h>
 #include <taut/search/cell_search.h>
+#include <taut/search/polyanya.h>
 #include <taut/search/prm_planner.h>
 #include <taut/search/shortest_path.h>
+#include <taut/search/voronoi_search.h>
 
 namespace taut::cli {
 
@@ -61,12 +65,14 @@ RoadmapKind cells(const char* name, const char* title, CellNeighbours neighbours
           }};
 }
 
-constexpr double kPrmSeconds = 60;
-
 PlannedRoadmap planned_prm(const FreeSpace& space, std::shared_ptr<const Roadmap> roadmap, double clearance) {
   return {roadmap, [space, roadmap, clearance](Point from, const Goal& to, GraphAlgorithm algorithm) {
             return graph_search(*roadmap, prm_query(space, *roadmap, from, to, clearance), algorithm);
           }};
+}
+
+std::shared_ptr<const Roadmap> prm_alone(const FreeSpace& space, const PrmOptions& options) {
+  return std::make_shared<const Roadmap>(prm(space, options));
 }
 
 /// A PRM that grows until it joins the ends, when they are known.
@@ -76,18 +82,20 @@ RoadmapKind growing_prm(const char* name, const char* title, PrmSampler sampler,
           false,
           random,
           [sampler](const FreeSpace& space, const BuildRequest& request) {
-            PrmPlan plan;
-            plan.roadmap.sampler = sampler;
-            plan.roadmap.seed = request.seed;
-            plan.roadmap.connection.rule = PrmConnection::Rule::visible;
-            plan.seconds = kPrmSeconds;
-            Roadmap roadmap =
-                request.from ? prm_path(space, *request.from, request.to, plan).roadmap : prm(space, plan.roadmap);
-            return planned_prm(space, std::make_shared<const Roadmap>(std::move(roadmap)), 0);
+            PrmPlan plan = plan_of(request.prm, sampler, request.seed, request.is_limited);
+            plan.progress = request.progress;
+            const double clearance = plan.roadmap.clearance;
+            if (!request.from) return planned_prm(space, prm_alone(space, plan.roadmap), clearance);
+            PrmResult result = prm_path(space, *request.from, request.to, plan);
+            const PrmConnectivity connectivity = result.connectivity();
+            auto planned = planned_prm(space, std::make_shared<const Roadmap>(std::move(result.roadmap)), clearance);
+            planned.prm = connectivity;
+            return planned;
           },
           [](const FreeSpace& space, Roadmap roadmap) {
             return planned_prm(space, std::make_shared<const Roadmap>(std::move(roadmap)), 0);
-          }};
+          },
+          true};
 }
 
 /// The student exercise as written: 500 uniform samples at least 0.1 from every wall, each joined to its 8 nearest.
@@ -102,10 +110,43 @@ RoadmapKind homework_prm() {
           }};
 }
 
+RoadmapKind voronoi() {
+  return {"voronoi", "segment Voronoi diagram", false, false, [](const FreeSpace& space, const BuildRequest&) {
+            const double tolerance = corridor_width(space) * kArcTolerance;
+            const auto map = std::make_shared<const VoronoiRoadmap>(space);
+            PlannedRoadmap planned{std::make_shared<const Roadmap>(voronoi_legs(*map, tolerance)),
+                                   [map, tolerance](Point from, const Goal& to, GraphAlgorithm) {
+                                     return voronoi_search(*map, from, to, tolerance);
+                                   }};
+            planned.diagram = map;
+            return planned;
+          }};
+}
+
+/// A search on the navigation mesh; there is no graph.
+RoadmapKind polyanya() {
+  return {"polyanya",
+          "navigation mesh",
+          true,
+          false,
+          [](const FreeSpace& space, const BuildRequest&) {
+            const auto search = std::make_shared<PolyanyaSearch>(Polyanya(space));
+            return PlannedRoadmap{std::make_shared<const Roadmap>(),
+                                  [search](Point from, const Goal& to, GraphAlgorithm) {
+                                    search->find(from, to);
+                                    return search->result();
+                                  }};
+          },
+          {},
+          false,
+          false};
+}
+
 }  // namespace
 
 std::span<const RoadmapKind> roadmap_kinds() {
   static const RoadmapKind kinds[] = {
+      polyanya(),
       visibility("visibility", "reduced visibility graph", VisibilityKind::reduced),
       visibility("full", "full visibility graph", VisibilityKind::full),
       cells("cells", "cells with 4 neighbours", CellNeighbours::four),
@@ -113,6 +154,7 @@ std::span<const RoadmapKind> roadmap_kinds() {
       growing_prm("prm", "probabilistic roadmap", PrmSampler::uniform, true),
       growing_prm("prm-lattice", "probabilistic roadmap on a lattice", PrmSampler::lattice, false),
       homework_prm(),
+      voronoi(),
   };
   return kinds;
 }
@@ -129,15 +171,22 @@ const RoadmapKind* roadmap_kind(const std::string& name) {
   return nullptr;
 }
 
-void add_roadmap_kind(CLI::App& app, const std::string& option, const RoadmapKind*& kind, const std::string& group) {
+void add_roadmap_kind(CLI::App& app, const std::string& option, const RoadmapKind*& kind, const std::string& group,
+                      const std::string& standard) {
   const auto take = [&kind, option](const std::string& text) {
     const RoadmapKind* named = roadmap_kind(text);
     if (!named) throw CLI::ValidationError(option + ": '" + text + "' is not one of " + roadmap_kind_names());
     kind = named;
   };
-  app.add_option_function<std::string>(option, take, roadmap_kind_names() + " (default: visibility)")
+  app.add_option_function<std::string>(option, take, roadmap_kind_names() + " (default: " + standard + ")")
       ->type_name("NAME")
       ->group(group);
+}
+
+void require_savable(const RoadmapKind& kind) {
+  if (!kind.restore)
+    throw CLI::ValidationError(std::string("--save: a roadmap of the kind '") + kind.name +
+                               "' cannot be kept in a file; it is built anew each time");
 }
 
 std::string saved_text(const RoadmapKind& kind, const PlannedRoadmap& planned, const FreeSpace& space) {

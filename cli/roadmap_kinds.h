@@ -10,17 +10,21 @@
 #include <span>
 #include <string>
 
+#include <taut/cli/prm_options.h>
 #include <taut/geometry/free_space.h>
 #include <taut/roadmaps/roadmap.h>
+#include <taut/roadmaps/voronoi.h>
 #include <taut/search/graph_search.h>
 
 namespace taut::cli {
 
 /// A finished roadmap, and how it answers: from a start to a goal.
 struct PlannedRoadmap {
-  std::shared_ptr<const Roadmap> roadmap;
+  std::shared_ptr<const Roadmap> roadmap;  ///< empty where there is no graph
   std::function<GraphSearchResult(Point, const Goal&, GraphAlgorithm)> search;
-  std::string how{};  ///< the settings it was built with, for saved files
+  std::string how{};                                ///< the settings it was built with, for saved files
+  std::shared_ptr<const VoronoiRoadmap> diagram{};  ///< when `roadmap` only stands for it
+  std::optional<PrmConnectivity> prm{};             ///< of a PRM that was grown for a query
 };
 
 /// What a builder may want to know besides the space.
@@ -29,6 +33,9 @@ struct BuildRequest {
   std::optional<Point>
       from{};  ///< the ends of the first query, for builders that grow until it is solved; may be absent
   Goal to{};
+  PrmRequest prm{};
+  bool is_limited = false;  ///< there is --max-seconds
+  std::function<bool(const PrmProgress&)> progress{};
 };
 
 struct RoadmapKind {
@@ -40,7 +47,12 @@ struct RoadmapKind {
   std::function<PlannedRoadmap(const FreeSpace&, const BuildRequest&)> build;
   /// The same from its vertices and edges, read from a file; empty where these are not all there is to it.
   std::function<PlannedRoadmap(const FreeSpace&, Roadmap)> restore{};
+  bool is_prm = false;  ///< heeds BuildRequest::prm
+  bool graph = true;    ///< does it make a graph at all, to be shown and saved?
 };
+
+/// Legs that stand for an arc leave it by at most this part of the mean width of a corridor.
+inline constexpr double kArcTolerance = 1.0 / 512;
 
 std::span<const RoadmapKind> roadmap_kinds();
 
@@ -51,7 +63,12 @@ std::string roadmap_kind_names();
 const RoadmapKind* roadmap_kind(const std::string& name);
 
 /// --OPTION NAME, one of the kinds; anything else is a CLI::ValidationError. `kind` keeps its value when the option is not given.
-void add_roadmap_kind(CLI::App& app, const std::string& option, const RoadmapKind*& kind, const std::string& group);
+/// `standard` is the name of that one, for --help.
+void add_roadmap_kind(CLI::App& app, const std::string& option, const RoadmapKind*& kind, const std::string& group,
+                      const std::string& standard = "visibility");
+
+/// Throws CLI::ValidationError when roadmaps of that kind cannot be kept in files: what they hold besides legs is not in them.
+void require_savable(const RoadmapKind& kind);
 
 /// The file of a roadmap of that kind (roadmap_file).
 std::string saved_text(const RoadmapKind& kind, const PlannedRoadmap& planned, const FreeSpace& space);

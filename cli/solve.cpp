@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <taut/cli/arcs.h>
+#include <taut/cli/clearance.h>
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
@@ -15,6 +17,7 @@
 #include <taut/cli/timing.h>
 #include <taut/io/result_json.h>
 #include <taut/io/svg.h>
+#include <taut/search/funnel.h>
 #include <taut/search/query_ends.h>
 #include <taut/search/verify.h>
 
@@ -37,14 +40,53 @@ struct SolveOptions {
   OutputOptions output;
   CommonOptions common;
   GraphAlgorithm algorithm = GraphAlgorithm::astar;
+  ClearanceQuery clearance;
   bool no_verify = false;
   bool path = false;
-  const RoadmapKind* kind = nullptr;  // visibility, or what --load finds
+  bool shorten = false;
+  PrmRequest prm;
+  bool arcs = false;
+  const RoadmapKind* kind = nullptr;  // when it is given
   std::string save;
   std::string load;
 
+  ClearanceRequest clearance_request() const { return {world, query, output, clearance, !no_verify, path}; }
   bool stdout_taken() const { return output.stdout_taken() || save == "-"; }
 };
+
+// Options that exclude each other. Throws CLI::ValidationError.
+void require_consistent(const SolveOptions& options) {
+  if (options.clearance.kind != ClearanceQuery::Kind::none) {
+    if ((options.kind && options.kind != roadmap_kind("voronoi")) || !options.save.empty() || !options.load.empty() ||
+        options.shorten)
+      throw CLI::ValidationError(
+          "--clearance, --widest and --tradeoff go along the Voronoi diagram, not another roadmap");
+    require_suitable(options.clearance_request());
+  }
+  if (options.kind && !options.kind->graph && !options.save.empty())
+    throw CLI::ValidationError(fmt::format("--roadmap {} makes no graph that --save could keep", options.kind->name));
+  if (options.kind && !options.save.empty()) require_savable(*options.kind);
+  const RoadmapKind& kind = options.kind ? *options.kind : *roadmap_kind("visibility");
+  if (!options.load.empty() && !options.prm.first().empty())
+    throw CLI::ValidationError(options.prm.first() + " makes no sense with --load: that roadmap is built already");
+  require_prm_options_fit(options.prm, kind);
+  if (options.shorten && kind.optimal && options.load.empty())
+    throw CLI::ValidationError(
+        fmt::format("--shorten makes no sense with the roadmap {}: its paths are the shortest", kind.name));
+  if (options.shorten && options.prm.clearance.value_or(0) > 0)
+    throw CLI::ValidationError("--shorten makes no sense with --prm-clearance: a taut path touches corners");
+  if ((options.output.svg == "-") + (options.output.json == "-") + (options.save == "-") > 1)
+    throw CLI::ValidationError("only one of --svg, --json and --save can have standard output");
+  if (options.arcs && (options.kind || !options.save.empty() || !options.load.empty() || options.shorten ||
+                       options.clearance.kind != ClearanceQuery::Kind::none))
+    throw CLI::ValidationError("--arcs has a roadmap of its own: not with --roadmap, --save, --load or --clearance");
+  if (options.arcs && options.query.robot.kind() != Footprint::Kind::disc)
+    throw CLI::ValidationError("--arcs needs --robot disc:R");
+  if (options.load == "-" && options.world.file == "-")
+    throw CLI::ValidationError("FILE and --load cannot both come from standard input");
+  if (options.kind && !options.kind->graph && options.algorithm == GraphAlgorithm::dijkstra)
+    throw CLI::ValidationError(fmt::format("--roadmap {} makes no graph for --algorithm dijkstra", options.kind->name));
+}
 
 void add_options(CLI::App& app, SolveOptions& options) {
   add_world_options(app, options.world);
@@ -59,22 +101,26 @@ void add_options(CLI::App& app, SolveOptions& options) {
          "astar (default) or dijkstra; the path is the same length")
       ->type_name("NAME")
       ->group("Query");
-  add_roadmap_kind(app, "--roadmap", options.kind, "Roadmap");
+  add_roadmap_kind(app, "--roadmap", options.kind, "Roadmap",
+                   "polyanya; visibility with --algorithm dijkstra, --save or --load");
   app.add_option("--save", options.save, "Keep the roadmap for --load; - is standard output")
       ->type_name("FILE")
       ->group("Roadmap");
   app.add_option("--load", options.load, "Take the roadmap from here instead of building it; - is standard input")
       ->type_name("FILE")
       ->group("Roadmap");
+  app.add_flag("--shorten", options.shorten,
+               "Pull the path found in the roadmap taut: the shortest of its homotopy class")
+      ->group("Roadmap");
+  add_prm_options(app, options.prm, true);
+  app.add_flag("--arcs", options.arcs,
+               "With --robot disc:R: the disc itself, not a polygon around it; the path bends in arcs")
+      ->group("Query");
   app.add_flag("--no-verify", options.no_verify, "Do not check the answer independently")->group("Query");
   app.add_flag("--path", options.path, "Print the points of the path, one `x y` a line")->group("Output");
+  add_clearance_options(app, options.clearance);
   add_output_options(app, options.output);
-  app.callback([&options] {
-    if ((options.output.svg == "-") + (options.output.json == "-") + (options.save == "-") > 1)
-      throw CLI::ValidationError("only one of --svg, --json and --save can have standard output");
-    if (options.load == "-" && options.world.file == "-")
-      throw CLI::ValidationError("FILE and --load cannot both come from standard input");
-  });
+  app.callback([&options] { require_consistent(options); });
 }
 
 class Solver {
@@ -97,9 +143,11 @@ class Solver {
     require_free(space, *result_.start, "start");
     if (result_.goal.point) require_free(space, *result_.goal.point, "goal");
     planned_ = timed("roadmap", result_.seconds.roadmap, [&] { return build_or_load(space); });
+    end_progress();
     result_.roadmap = kind_->name;
+    result_.prm = planned_.prm;
     result_.optimal = kind_->optimal;
-    search();
+    search(space);
     if (result_.status == SearchStatus::none) prove_none(space);
     if (result_.status == SearchStatus::found && !options_.no_verify) verify_answer(space);
     result_.seconds.total = total_.seconds();
@@ -140,8 +188,10 @@ class Solver {
 
   PlannedRoadmap build_or_load(const FreeSpace& space) {
     if (options_.load.empty()) {
-      if (options_.kind) kind_ = options_.kind;
-      return kind_->build(space, {options_.common.seed, result_.start, result_.goal});
+      const bool graph = !options_.save.empty() || options_.algorithm == GraphAlgorithm::dijkstra;
+      kind_ = options_.kind ? options_.kind : roadmap_kind(graph ? "visibility" : "polyanya");
+      return kind_->build(space, {options_.common.seed, result_.start, result_.goal, options_.prm,
+                                  options_.common.limits.seconds.has_value(), prm_progress(options_.output.quiet)});
     }
     PlannedRoadmap loaded = load_roadmap(options_.load, space, kind_);
     if (options_.kind && options_.kind != kind_)
@@ -150,12 +200,15 @@ class Solver {
     return loaded;
   }
 
-  void search() {
+  void search(const FreeSpace& space) {
     GraphSearchResult found = timed("search", result_.seconds.search,
                                     [&] { return planned_.search(*result_.start, result_.goal, options_.algorithm); });
     result_.status = found.status;
     result_.path = std::move(found.path);
     result_.expanded = found.expanded;
+    if (!options_.shorten || result_.status != SearchStatus::found || kind_->optimal) return;
+    result_.unpulled = result_.path.length;
+    result_.path = shortened(space, result_.path).value();
   }
 
   // A roadmap that is not all there is says nothing about the plane: there the walls have to.
@@ -165,6 +218,9 @@ class Solver {
     result_.status = SearchStatus::stopped;
     result_.stage = "search";
     result_.reason = fmt::format("no path in the roadmap {}, which does not prove that there is none", kind_->name);
+    if (planned_.prm)
+      result_.reason += fmt::format(" ({} samples, {} vertices at the start, {} at the goal)",
+                                    planned_.prm->counts.drawn, planned_.prm->start_part, planned_.prm->goal_part);
   }
 
   void verify_answer(const FreeSpace& space) {
@@ -205,7 +261,10 @@ class Solver {
     SvgPicture picture;
     picture.title = title_of(result_.source);
     picture.facts = facts();
-    if (planned_.roadmap->edge_count() <= kEdgesInBackground) picture.roadmap = planned_.roadmap.get();
+    if (planned_.diagram)
+      picture.diagram = planned_.diagram.get();
+    else if (planned_.roadmap->edge_count() <= kEdgesInBackground)
+      picture.roadmap = planned_.roadmap.get();
     if (result_.status == SearchStatus::found) picture.path = &result_.path;
     picture.separation = result_.separation;
     picture.start = result_.start;
@@ -217,8 +276,11 @@ class Solver {
     if (result_.status == SearchStatus::none) return {"no path", seconds_text(result_.seconds.total)};
     if (result_.status == SearchStatus::stopped) return {result_.reason, seconds_text(result_.seconds.total)};
     const std::size_t points = result_.path.points.size();
-    const std::string claim =
-        kind_->optimal ? "" : fmt::format(" (shortest in the roadmap {}; not proven optimal)", kind_->name);
+    const std::string claim = kind_->optimal ? ""
+                              : result_.unpulled
+                                  ? fmt::format(" (pulled taut from {} in the roadmap {}; not proven optimal)",
+                                                length_text(*result_.unpulled), kind_->name)
+                                  : fmt::format(" (shortest in the roadmap {}; not proven optimal)", kind_->name);
     return {"length " + length_text(result_.path.length) + claim, count_text(points > 2 ? points - 2 : 0, "corner"),
             seconds_text(result_.seconds.total)};
   }
@@ -253,12 +315,16 @@ class Solver {
                     count_text(space.triangulation().triangles.size(), "triangle"), report.seconds_union,
                     report.seconds_triangulation, report.displacement));
     row("roadmap", s.roadmap,
-        count_text(planned_.roadmap->vertex_count(), "vertex", "vertices") + ", " +
-            count_text(planned_.roadmap->edge_count(), "edge") + " (" +
-            (options_.load.empty() ? kind_->title : "loaded from " + options_.load) + ")");
+        !kind_->graph ? kind_->title
+                      : count_text(planned_.roadmap->vertex_count(), "vertex", "vertices") + ", " +
+                            count_text(planned_.roadmap->edge_count(), "edge") + " (" +
+                            (options_.load.empty() ? kind_->title : "loaded from " + options_.load) + ")");
+    if (planned_.prm) note(connectivity_text(*planned_.prm));
     row("search", s.search,
         fmt::format("{} expanded ({})", result_.expanded,
-                    options_.algorithm == GraphAlgorithm::astar ? "astar" : "dijkstra"));
+                    !kind_->graph                                 ? kind_->name
+                    : options_.algorithm == GraphAlgorithm::astar ? "astar"
+                                                                  : "dijkstra"));
     row("verify", s.verify,
         result_.verified ? fmt::format("valid, clearance {:.6g}", result_.clearance.value_or(0)) : "not done");
     row("total", s.total, "peak memory " + peak_memory_text());
@@ -271,7 +337,12 @@ class Solver {
   Stopwatch total_;
 };
 
-int run(const SolveOptions& options) { return Solver(options).run(); }
+int run(const SolveOptions& options) {
+  if (options.clearance.kind != ClearanceQuery::Kind::none) return solve_with_clearance(options.clearance_request());
+  if (options.arcs)
+    return solve_with_arcs(options.world, options.query, options.output, !options.no_verify, options.path);
+  return Solver(options).run();
+}
 
 }  // namespace
 

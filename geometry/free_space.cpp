@@ -10,6 +10,7 @@
 #include <taut/geometry/detail/outline_rings.h>
 #include <taut/geometry/detail/ray_walk.h>
 #include <taut/geometry/detail/triangulate.h>
+#include <taut/geometry/predicates.h>
 
 namespace taut {
 
@@ -88,6 +89,19 @@ std::uint32_t number_components(const Triangulation& tri, std::vector<std::uint3
   return count;
 }
 
+/// Is the part of the surroundings of a place that lies towards q free?
+bool looks_towards(const Triangulation& tri, const Location& at, Point q) {
+  if (at.kind == Location::Kind::vertex) {
+    const auto sectors = tri.sectors_at(tri.triangles[at.triangle][at.index]);
+    return std::any_of(sectors.begin(), sectors.end(), [&](const auto& s) { return tri.looks_to(s, q); });
+  }
+  if (at.kind != Location::Kind::side) return true;
+  const auto& corners = tri.triangles[at.triangle];
+  const std::uint32_t n = tri.neighbours[at.triangle][at.index];
+  return (n != kNone && tri.free[n]) || orientation(tri.points[corners[Triangulation::ccw(at.index)]],
+                                                    tri.points[corners[Triangulation::cw(at.index)]], q) >= 0;
+}
+
 }  // namespace
 
 FreeSpace::FreeSpace(World world, Footprint footprint) {
@@ -143,7 +157,7 @@ Location FreeSpace::locate(Point p) const { return impl_->locator.locate(impl_->
 bool FreeSpace::sees(Point p, Point q, std::optional<Point> towards) const {
   const Location from = locate(p);
   if (from.kind == Location::Kind::outside || locate(q).kind == Location::Kind::outside) return false;
-  if (p == q) return true;
+  if (p == q) return !towards || looks_towards(impl_->tri, from, *towards);
   detail::RayWalk walk(impl_->tri, p, q, true);
   auto end = walk.start(from, towards);
   while (end == detail::RayWalk::End::vertex) end = walk.next();

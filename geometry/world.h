@@ -51,6 +51,7 @@ struct WorldParts {
   std::optional<Point> start;
   Goal goal;
   std::shared_ptr<const GridMaze> grid;  ///< the grid it came from, when there was one
+  bool y_down = false;  ///< the format's own y grows downwards, so pictures show it that way; nothing else asks
 };
 
 /// An immutable, checked world.
@@ -81,6 +82,8 @@ class World {
   const std::optional<Point>& start() const { return parts_.start; }
   const Goal& goal() const { return parts_.goal; }
   const std::shared_ptr<const GridMaze>& grid() const { return parts_.grid; }
+
+  bool y_down() const { return parts_.y_down; }
 
   /// The box around `areas`.
   Box box() const { return box_; }

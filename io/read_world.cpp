@@ -11,14 +11,17 @@
 #include <memory>
 #include <utility>
 
+#include <taut/geometry/occupancy_world.h>
 #include <taut/io/detail/formats.h>
 #include <taut/io/detail/text_input.h>
+#include <taut/io/gzip.h>
+#include <taut/io/movingai.h>
 
 namespace taut {
 
 namespace {
 
-constexpr std::array<std::pair<Format, std::string_view>, 7> kNames{{
+constexpr std::array<std::pair<Format, std::string_view>, 8> kNames{{
     {Format::segments, "segments"},
     {Format::cell_values, "cells"},
     {Format::drawing, "drawing"},
@@ -26,6 +29,7 @@ constexpr std::array<std::pair<Format, std::string_view>, 7> kNames{{
     {Format::num, "num"},
     {Format::wkt, "wkt"},
     {Format::geojson, "geojson"},
+    {Format::movingai, "movingai"},
 }};
 
 bool is_text(std::string_view bytes) {
@@ -74,6 +78,7 @@ std::optional<Format> format_of_line(std::string_view line) {
   if (detail::is_row_of_posts(line)) return Format::drawing;
   const std::string word = first_word(line);
   if (begins_wkt(word)) return Format::wkt;
+  if (word == "TYPE" || word == "HEIGHT" || word == "WIDTH") return Format::movingai;
   if (word == "START" || word == "GOAL" || word == "BOUNDARY") return Format::segments;
   const bool number =
       std::isdigit(static_cast<unsigned char>(line[0])) || line[0] == '-' || line[0] == '+' || line[0] == '.';
@@ -103,6 +108,10 @@ std::string drain(std::istream& in) {
   while (in.read(block.data(), block.size()) || in.gcount() > 0)
     bytes.append(block.data(), static_cast<std::size_t>(in.gcount()));
   return bytes;
+}
+
+std::string unpacked(std::string bytes, const std::string& source) {
+  return is_gzip(bytes) ? gunzip(bytes, source) : std::move(bytes);
 }
 
 }  // namespace
@@ -153,12 +162,13 @@ World read_world(std::string_view bytes, const ReadOptions& options, ReadNotes* 
     case Format::num: return read_grid(detail::read_num(bytes, options.source), options);
     case Format::wkt: return World(detail::read_wkt(bytes, options));
     case Format::geojson: return World(detail::read_geojson(bytes, options));
+    case Format::movingai: return world_of(read_movingai_map(bytes, options.source), options.source);
   }
   throw InputError(options.source, 0, "unknown format");
 }
 
 World read_world(std::istream& in, const ReadOptions& options, ReadNotes* notes) {
-  return read_world(drain(in), options, notes);
+  return read_world(unpacked(drain(in), options.source), options, notes);
 }
 
 World read_world_file(const std::string& path, ReadOptions options, ReadNotes* notes) {
@@ -167,7 +177,7 @@ World read_world_file(const std::string& path, ReadOptions options, ReadNotes* n
 }
 
 std::string read_bytes(const std::string& path) {
-  if (path == "-") return drain(std::cin);
+  if (path == "-") return unpacked(drain(std::cin), "<stdin>");
   const std::string shown = detail::printable_name(path);
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) throw InputError(shown, 0, "is a directory, not a file");
@@ -176,7 +186,7 @@ std::string read_bytes(const std::string& path) {
   if (!in) throw InputError(shown, 0, std::string("cannot be opened: ") + std::strerror(errno));
   std::string bytes = drain(in);
   if (in.bad()) throw InputError(shown, 0, "cannot be read");
-  return bytes;
+  return unpacked(std::move(bytes), shown);
 }
 
 }  // namespace taut

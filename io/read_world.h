@@ -34,12 +34,14 @@ namespace taut {
 ///               "obstacle" | "wall" | "start" | "goal", "thickness" of walls, "boundary" = "walled" | "limit" of free polygons. Without a
 ///               role polygons are as ReadOptions says, lines are walls, the first point is the start, the second the goal. A goal that is a
 ///               polygon or multipolygon of axis-parallel rectangles is a room; the outline of a polygon with role "wall" is walls.
+///  movingai     MovingAI grid map: `type octile`, `height H`, `width W`, `map`, H rows of W cells; `.` `G` `S` free, `@` `O` `T` `W`
+///               blocked. In the map's own coordinates: cell (column c, row r) is [c, c + 1] x [r, r + 1], y downwards. No start, no goal.
 ///
 /// Of drawing, maz and num: without S the start is the bottom left cell; without G the goal is the room in the middle, 2 cells wide
 /// in an even direction and 1 in an odd one, unless the border has exactly two openings: then the world goes from the one to the other.
-enum class Format { segments, cell_values, drawing, maz, num, wkt, geojson };
+enum class Format { segments, cell_values, drawing, maz, num, wkt, geojson, movingai };
 
-/// The word for it in options: `segments`, `cells`, `drawing`, `maz`, `num`, `wkt`, `geojson`.
+/// The word for it in options: `segments`, `cells`, `drawing`, `maz`, `num`, `wkt`, `geojson`, `movingai`.
 std::string_view name(Format format);
 std::optional<Format> format_named(std::string_view word);
 
@@ -70,7 +72,7 @@ World read_world(std::istream& in, const ReadOptions& options = {}, ReadNotes* n
 /// The same from a file, `-` for standard input. options.source is replaced by the path or `<stdin>`.
 World read_world_file(const std::string& path, ReadOptions options = {}, ReadNotes* notes = nullptr);
 
-/// The bytes of a file, `-` for standard input. Throws InputError when it is missing, a directory or unreadable.
+/// The bytes of a file, `-` for standard input; what gzip packed is unpacked. Throws InputError when it is missing, a directory or unreadable.
 std::string read_bytes(const std::string& path);
 
 }  // namespace taut

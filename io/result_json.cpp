@@ -70,6 +70,8 @@ std::string result_json(const PlanResult& result) {
   json["wall_thickness"] = result.wall_thickness;
   json["displacement"] = result.displacement;
   json["expanded"] = result.expanded;
+  if (result.unpulled) json["length_in_roadmap"] = result.unpulled->value();
+  if (result.prm) json["prm"] = json_of(*result.prm);
   json["seconds"] = seconds_of(result.seconds);
   return detail::json_text(json);
 }

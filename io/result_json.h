@@ -9,6 +9,7 @@
 #include <taut/geometry/world.h>
 #include <taut/search/graph_search.h>
 #include <taut/search/path.h>
+#include <taut/search/prm_planner.h>
 
 namespace taut {
 
@@ -41,6 +42,8 @@ struct PlanResult {
   double wall_thickness = 0;           ///< the largest of the world
   double displacement = 0;             ///< FreeSpaceReport
   std::size_t expanded = 0;
+  std::optional<Length> unpulled;      ///< the length before the path was pulled taut, if it was
+  std::optional<PrmConnectivity> prm;  ///< of a PRM that was grown for the query
   StageSeconds seconds;
 };
 
@@ -75,6 +78,9 @@ struct PlanResult {
 ///  wall_thickness  the largest thickness of a wall
 ///  displacement    how far rounding moved any constructed point at most
 ///  expanded        vertices the search took from its queue for good
+///  length_in_roadmap  of the path in the roadmap, when it was pulled taut after that (--shorten)
+///  prm             of a probabilistic roadmap: {"samples", "vertices", "edges", "edges_tested", "components", "start_part",
+///                  "goal_part"}; the parts are the vertices that hang together with an end
 ///  seconds         {"read", "space", "roadmap", "search", "verify", "total"}, 0 for what was not done
 /// Bytes of names that are no UTF-8 become U+FFFD.
 std::string result_json(const PlanResult& result);

@@ -3,31 +3,18 @@
 #include <boost/property_map/dynamic_property_map.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
-#include <ostream>
 #include <sstream>
 #include <string>
-#include <string_view>
 
-#include <taut/geometry/detail/text.h>
 #include <taut/geometry/length.h>
+#include <taut/io/detail/graphml_number.h>
 #include <taut/io/roadmap_export.h>
 
 namespace taut {
 
 namespace {
 
-/// Boost.Graph prints doubles with six digits. These it takes for strings.
-struct Number {
-  double value;
-  friend std::ostream& operator<<(std::ostream& out, Number n) { return out << detail::text(n.value); }
-};
-
-std::string with_doubles(std::string text) {
-  constexpr std::string_view kString = "attr.type=\"string\"", kDouble = "attr.type=\"double\"";
-  for (std::size_t at = 0; (at = text.find(kString, at)) != std::string::npos;)
-    text.replace(at, kString.size(), kDouble);
-  return text;
-}
+using Number = detail::GraphmlNumber;
 
 }  // namespace
 
@@ -52,7 +39,7 @@ std::string roadmap_graphml(const Roadmap& roadmap) {
   properties.property("length", boost::make_function_property_map<Edge>(length));
   std::ostringstream out;
   boost::write_graphml(out, graph, properties, true);
-  return with_doubles(out.str());
+  return detail::with_doubles(out.str());
 }
 
 }  // namespace taut

@@ -5,6 +5,8 @@
 
 #include <iterator>
 
+#include <taut/io/detail/result_values.h>
+
 namespace taut {
 
 namespace {
@@ -16,12 +18,14 @@ std::string quoted(const std::string& text) {
 }  // namespace
 
 // Written by hand: a tree of millions of edges would take gigabytes.
-std::string roadmap_json(const Roadmap& roadmap, const std::string& kind, const std::string& source, double seconds) {
+std::string roadmap_json(const Roadmap& roadmap, const std::string& kind, const std::string& source, double seconds,
+                         const std::optional<PrmConnectivity>& prm) {
   fmt::memory_buffer out;
   const auto put = std::back_inserter(out);
-  fmt::format_to(
-      put, "{{\n  \"program\": \"taut\",\n  \"kind\": {},\n  \"source\": {},\n  \"seconds\": {},\n  \"vertices\": [",
-      quoted(kind), quoted(source), seconds);
+  fmt::format_to(put, "{{\n  \"program\": \"taut\",\n  \"kind\": {},\n  \"source\": {},\n  \"seconds\": {},\n",
+                 quoted(kind), quoted(source), seconds);
+  if (prm) fmt::format_to(put, "  \"prm\": {},\n", detail::json_of(*prm).dump());
+  fmt::format_to(put, "  \"vertices\": [");
   const char* separator = "\n    ";
   for (const Point& p : roadmap.points()) {
     fmt::format_to(put, "{}[{}, {}]", separator, p.x, p.y);

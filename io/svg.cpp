@@ -35,7 +35,7 @@ class Picture {
     const Point aspect{(box_.max.x - box_.min.x) / extent_, (box_.max.y - box_.min.y) / extent_};
     page_ = detail::page_for(aspect, corridor_width(space) / extent_, keys_);
     const int decimals = std::clamp(static_cast<int>(std::ceil(std::log10(60 / page_.corridor))), 1, 4);
-    scale_.emplace(box_, page_.map.min, extent_, detail::kMapPixels, decimals);
+    scale_.emplace(box_, page_.map.min, extent_, detail::kMapPixels, decimals, world_.y_down());
   }
 
   std::string draw() {
@@ -44,9 +44,12 @@ class Picture {
     free();
     rooms();
     roadmap();
+    diagram();
     lines("openings", world_.openings());
     walls();
     lines("separation", what_.separation);
+    lines("gates", what_.gates);
+    shades();
     path();
     marker("start", what_.start);
     marker("goal", goal_point());
@@ -87,9 +90,10 @@ class Picture {
     if (what_.start) keys.emplace_back("start");
     if (goal_point()) keys.emplace_back("goal");
     if (!what_.goal.room.empty()) keys.emplace_back("rooms");
-    if (what_.path) keys.emplace_back("path");
+    if (what_.path || what_.arcs || !what_.curves.empty()) keys.emplace_back("path");
     if (!what_.separation.empty()) keys.emplace_back("separation");
-    if (roadmap_is_drawn()) keys.emplace_back("roadmap");
+    if (!what_.gates.empty()) keys.emplace_back("gates");
+    if (roadmap_is_drawn() || diagram_is_drawn()) keys.emplace_back("roadmap");
     if (space_.footprint().kind() != Footprint::Kind::point) keys.emplace_back("solid");
     return keys;
   }
@@ -98,14 +102,19 @@ class Picture {
     std::vector<std::string> facts = what_.facts;
     if (what_.roadmap && !roadmap_is_drawn())
       facts.push_back(fmt::format("roadmap of {} edges not drawn", what_.roadmap->edge_count()));
+    if (what_.diagram && !diagram_is_drawn())
+      facts.push_back(fmt::format("diagram of {} edges not drawn", what_.diagram->edges().size()));
     return facts;
   }
+
+  bool diagram_is_drawn() const { return what_.diagram && what_.diagram->edges().size() <= kSvgRoadmapEdges; }
 
   bool roadmap_is_drawn() const { return what_.roadmap && what_.roadmap->edge_count() <= kSvgRoadmapEdges; }
 
   std::optional<Point> goal_point() const {
     if (what_.goal.point) return what_.goal.point;
     if (what_.path && !what_.path->points.empty()) return what_.path->points.back();
+    if (!what_.curves.empty()) return what_.curves.back().to;
     return std::nullopt;
   }
 
@@ -160,6 +169,32 @@ class Picture {
     group("roadmap", path);
   }
 
+  void diagram() {
+    if (!diagram_is_drawn()) return;
+    SvgPath path(*scale_);
+    std::vector<VoronoiCurve> curves;
+    for (const VoronoiEdge& e : what_.diagram->edges()) curves.push_back(what_.diagram->curve(e));
+    path.chain(curves);
+    group("roadmap", path);
+  }
+
+  void shades() {
+    if (what_.shades.empty()) return;
+    out_ += "<g class=\"shades\">";
+    // Where paths run together, those below show as rims.
+    double width = page_.path_stroke() * 2;
+    const double step = page_.path_stroke() * 1.2 / static_cast<double>(what_.shades.size());
+    for (const SvgShade& s : what_.shades) {
+      SvgPath path(*scale_);
+      path.chain(s.curves);
+      if (!path.empty())
+        out_ += fmt::format("<path style=\"stroke:{};stroke-width:{}\" d=\"{}\"/>", shade_colour(s.shade),
+                            detail::svg_number(width), path.text());
+      width -= step;
+    }
+    out_ += "</g>\n";
+  }
+
   void walls() {
     std::map<double, SvgPath> by_thickness;
     for (const Wall& wall : world_.walls())
@@ -178,9 +213,16 @@ class Picture {
   }
 
   void path() {
-    if (!what_.path) return;
     SvgPath line(*scale_);
-    line.chain(what_.path->points);
+    if (what_.path) line.chain(what_.path->points);
+    if (what_.arcs)
+      for (const ArcPiece& piece : pieces(*what_.arcs)) {
+        if (piece.turn == 0)
+          line.segment({piece.from, piece.to});
+        else
+          line.arc(piece.from, piece.to, what_.arcs->radius, piece.turn > 0);
+      }
+    if (!what_.curves.empty()) line.chain(what_.curves);
     if (line.empty()) return;
     out_ += fmt::format("<g class=\"path\"><path class=\"casing\" d=\"{0}\"/><path class=\"line\" d=\"{0}\"/></g>\n",
                         line.text());
@@ -225,6 +267,18 @@ double corridor_width(const FreeSpace& space) {
   for (const Constraint& c : space.constraints())
     if (c.is_wall()) outline += 2 * std::hypot((c.b.x - c.a.x) / extent, (c.b.y - c.a.y) / extent);
   return extent * (outline > 0 && area > 0 ? std::clamp(area / outline, 1e-4, 0.125) : 0.125);
+}
+
+std::string shade_colour(double shade) {
+  // Viridis without its palest end, which is lost on white.
+  static constexpr double kStops[][3] = {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {226, 200, 24}};
+  const double at = 4 * std::clamp(shade, 0.0, 1.0);
+  const auto i = std::min(static_cast<std::size_t>(at), std::size_t{3});
+  const double part = at - static_cast<double>(i);
+  const auto channel = [&](int k) {
+    return static_cast<int>(std::lround(kStops[i][k] + part * (kStops[i + 1][k] - kStops[i][k])));
+  };
+  return fmt::format("#{:02x}{:02x}{:02x}", channel(0), channel(1), channel(2));
 }
 
 std::string svg(const FreeSpace& space, const SvgPicture& picture) { return Picture(space, picture).draw(); }

@@ -7,9 +7,20 @@
 
 #include <taut/geometry/free_space.h>
 #include <taut/roadmaps/roadmap.h>
+#include <taut/roadmaps/voronoi.h>
+#include <taut/search/arc_path.h>
 #include <taut/search/path.h>
 
 namespace taut {
+
+/// A path in a colour of its own: 0 the dark end of the scale, 1 the bright one.
+struct SvgShade {
+  std::vector<VoronoiCurve> curves;
+  double shade = 0;
+};
+
+/// The scale of SvgShade as `#rrggbb`.
+std::string shade_colour(double shade);
 
 /// What to draw besides the free space. Pointers may be null and are only read during the call.
 struct SvgPicture {
@@ -20,6 +31,11 @@ struct SvgPicture {
   std::vector<Segment> separation;  ///< the walls that separate start and goal
   std::optional<Point> start;
   Goal goal;
+  const VoronoiRoadmap* diagram = nullptr;  ///< drawn as the roadmap, arcs as Bezier curves
+  std::vector<VoronoiCurve> curves;         ///< the path, when it is one of curves
+  std::vector<SvgShade> shades;             ///< further paths, the first at the bottom
+  std::vector<Segment> gates;               ///< narrow places
+  const ArcPath* arcs = nullptr;            ///< drawn as `path`, with true arcs
 };
 
 /// The picture as one SVG 1.1 document, north up.
@@ -29,8 +45,8 @@ struct SvgPicture {
 ///     (corridor_width), so that 5 x 7 and 300 x 300 cells both read well.
 ///  2. Groups, bottom to top, absent when they have nothing to show: `solid` (where the reference point cannot be),
 ///     `free` (polygons with holes), `rooms` (the goal's), `roadmap`, `openings`, `walls` (as the world gives them: a
-///     line, or a bar as wide as it is thick), `separation`, `path` (a casing and the line), `start`, `goal`; beside
-///     them `legend`. Each is a <g> of that class under svg.taut, coloured by the <style> block alone; there are no
+///     line, or a bar as wide as it is thick), `separation`, `gates`, `shades`, `path` (a casing and the line), `start`,
+///     `goal`; beside them `legend`. Each is a <g> of that class under svg.taut, coloured by the <style> block alone; there are no
 ///     ids, so pictures can share a page. Colours follow `prefers-color-scheme`.
 ///  3. Each group is a few <path> elements with relative, rounded coordinates: about 4 bytes a corner. A roadmap of
 ///     more than kSvgRoadmapEdges edges is left out and the legend says so.

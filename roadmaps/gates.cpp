@@ -118,13 +118,17 @@ std::strong_ordering Gates::compare_widths(std::uint32_t i, std::uint32_t j) con
   return compare(impl_->squared[i], impl_->squared[j]);
 }
 
-std::string Gates::name(std::uint32_t i) const {
+std::string Gates::width_text(std::uint32_t i) const {
   const Gate& gate = impl_->gates[i];
   std::optional<std::string> width;
   if (gate.foot_is_exact) width = printed_distance(gate.end, gate.foot, gate.to_opening ? 2 : 1);
+  return width.value_or(fmt::format("{}", gate.width));
+}
+
+std::string Gates::name(std::uint32_t i) const {
+  const Gate& gate = impl_->gates[i];
   const auto [p, q] = std::minmax(gate.end, gate.foot);
-  return fmt::format("{} between ({}, {}) and ({}, {})", width.value_or(fmt::format("{}", gate.width)), p.x, p.y, q.x,
-                     q.y);
+  return fmt::format("{} between ({}, {}) and ({}, {})", width_text(i), p.x, p.y, q.x, q.y);
 }
 
 }  // namespace taut

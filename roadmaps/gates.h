@@ -61,6 +61,8 @@ class Gates {
   std::strong_ordering compare_width(std::uint32_t i, double diameter) const;
   std::strong_ordering compare_widths(std::uint32_t i, std::uint32_t j) const;
 
+  /// For people: `2/5`, a fraction as in name().
+  std::string width_text(std::uint32_t i) const;
   /// For people: `2/5 between (7.5, 3) and (7.9, 3)`. The width is a fraction when it is one with a denominator up to
   /// 1000, of the coordinates read as the decimals they are printed as; else the nearest double.
   std::string name(std::uint32_t i) const;

@@ -41,7 +41,8 @@ struct PrmConnection {
     nearest,  ///< each vertex and its `count` nearest (Kavraki, Svestka, Latombe, Overmars 1996)
     visible,  ///< each vertex and the `count` nearest that pass the test, among its 4 * `count` nearest
     radius,   ///< each vertex and all within `radius`
-    star,     ///< nearest, with count = ceil(e (1 + 1/2) ln n) of n vertices (k-PRM*: Karaman, Frazzoli 2011)
+    forest,  ///< as nearest, among 4 * `count`, but no pair that hangs together already: quick, no cycles, long ways (same source)
+    star,  ///< nearest, with count = ceil(e (1 + 1/2) ln n) of n vertices (k-PRM*: Karaman, Frazzoli 2011)
   };
   Rule rule = Rule::nearest;
   std::size_t count = 8;  ///< >= 1

@@ -139,13 +139,16 @@ struct ClearanceSearch::Impl {
     using Open = std::pair<double, std::uint32_t>;
     Tree tree{std::vector<std::uint32_t>(nodes, kNone), std::vector<double>(nodes, kFar)};
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
+    std::size_t expanded = 0;
     tree.length[start_node] = 0;
     open.push({0, start_node});
     while (!open.empty()) {
-      const auto [length, v] = open.top();
+      const double length = open.top().first;
+      const std::uint32_t v = open.top().second;
       open.pop();
-      if (v == goal_node) return found(tree);
+      if (v == goal_node) return found(tree, expanded);
       if (length > tree.length[v]) continue;
+      ++expanded;
       each_arc(v, rank, [&](std::uint32_t a, std::uint32_t w) {
         if (length + arcs[a].length >= tree.length[w]) return;
         tree.length[w] = length + arcs[a].length;
@@ -178,8 +181,9 @@ struct ClearanceSearch::Impl {
     return std::nullopt;
   }
 
-  Found found(const Tree& tree) const {
+  Found found(const Tree& tree, std::size_t expanded) const {
     ClearancePath result;
+    result.expanded = expanded;
     result.length = tree.length[goal_node];
     std::uint32_t narrowest = kNone;
     for (std::uint32_t v = goal_node; v != start_node;) {

@@ -25,9 +25,10 @@ struct Pinch {
 /// A path along the diagram: from the start straight away from its nearest wall, along edges, and likewise to the goal.
 struct ClearancePath {
   std::vector<VoronoiCurve>
-      curves;         ///< chained; none when start and goal are one point. sampled() makes points of them
-  double length = 0;  ///< to about 1e-13 of itself
-  Pinch pinch;        ///< of several equally narrow places the first
+      curves;                ///< chained; none when start and goal are one point. sampled() makes points of them
+  double length = 0;         ///< to about 1e-13 of itself
+  Pinch pinch;               ///< of several equally narrow places the first
+  std::size_t expanded = 0;  ///< places the search took from its queue for good
 };
 
 /// The disc a robot may be at most, against the way it then has to go.

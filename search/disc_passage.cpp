@@ -74,6 +74,26 @@ double root_below(const mpq_class& squared) {
   return r;
 }
 
+/// The components of free space that p touches: on a wall several.
+std::vector<std::uint32_t> components_at(const FreeSpace& space, Point p) {
+  const Triangulation& tri = space.triangulation();
+  const Location at = space.locate(p);
+  std::vector<std::uint32_t> touched{space.component(at.triangle)};
+  if (at.kind == Location::Kind::side) {
+    const std::uint32_t other = tri.neighbours[at.triangle][at.index];
+    if (other != kNone && tri.free[other]) touched.push_back(space.component(other));
+  }
+  if (at.kind == Location::Kind::vertex)
+    for (const auto& sector : tri.sectors_at(tri.triangles[at.triangle][at.index]))
+      touched.push_back(space.component(sector.triangle));
+  return touched;
+}
+
+bool share_component(const FreeSpace& space, Point s, Point g) {
+  const auto at_s = components_at(space, s), at_g = components_at(space, g);
+  return std::find_first_of(at_s.begin(), at_s.end(), at_g.begin(), at_g.end()) != at_s.end();
+}
+
 /// What the ends allow, and the gates that matter below that.
 struct Ends {
   WidestPassage widest;
@@ -112,9 +132,10 @@ DiscPassage disc_passage(const FreeSpace& space, Point s, Point g, double r) {
 std::optional<WidestPassage> widest_passage(const Gates& gates, Point s, Point g) {
   if (is_outside(gates, s) || is_outside(gates, g)) return std::nullopt;
   const FreeSpace& space = gates.space();
-  if (space.component(space.locate(s).triangle) != space.component(space.locate(g).triangle)) return std::nullopt;
+  const bool joined = space.component(space.locate(s).triangle) == space.component(space.locate(g).triangle);
   auto [widest, count] = limit_of_ends(gates, s, g);
-  if (widest.radius == 0) return widest;
+  if (widest.radius == 0 && share_component(space, s, g)) return widest;
+  if (!joined) return std::nullopt;
   auto chain = detail::separating_chain(gates, s, g, count);
   if (!chain || chain->last_gate == kNone) return widest;
   const std::uint32_t gate = chain->last_gate;

@@ -130,25 +130,28 @@ class PrmRun {
   void finish() {
     result_.roadmap = growth_.roadmap();
     result_.counts = growth_.counts();
-    result_.coverage = coverage();
+    std::vector<bool> reached(result_.roadmap.vertex_count()), from_goal(reached);
+    result_.start_part = reach(query_.start.vertices, reached);
+    std::vector<Vertex> at_goal;
+    for (const Terminal& goal : query_.goals) at_goal.insert(at_goal.end(), goal.vertices.begin(), goal.vertices.end());
+    result_.goal_part = reach(at_goal, from_goal);
+    const std::size_t covered = result_.start_part + reach(at_goal, reached), count = reached.size();
+    result_.coverage = count == 0 ? 0 : static_cast<double>(covered) / static_cast<double>(count);
     result_.seconds = seconds();
   }
 
-  double coverage() const {
-    const std::size_t count = result_.roadmap.vertex_count();
-    std::vector<Vertex> open = query_.start.vertices;
-    for (const Terminal& goal : query_.goals) open.insert(open.end(), goal.vertices.begin(), goal.vertices.end());
-    std::vector<bool> reached(count);
-    std::size_t covered = 0;
+  /// Marks what hangs together with `open`; how many vertices that adds.
+  std::size_t reach(std::vector<Vertex> open, std::vector<bool>& reached) const {
+    std::size_t added = 0;
     while (!open.empty()) {
       const Vertex v = open.back();
       open.pop_back();
       if (reached[v]) continue;
       reached[v] = true;
-      ++covered;
+      ++added;
       for (const Vertex w : result_.roadmap.neighbours(v)) open.push_back(w);
     }
-    return count == 0 ? 0 : static_cast<double>(covered) / static_cast<double>(count);
+    return added;
   }
 
   const PrmPlan& plan_;

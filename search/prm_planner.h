@@ -28,14 +28,24 @@ struct PrmPlan {
   std::function<bool(const PrmProgress&)> progress{};
 };
 
+/// How far a roadmap hangs together.
+struct PrmConnectivity {
+  PrmCounts counts;
+  std::size_t start_part = 0;  ///< vertices that hang together with the start
+  std::size_t goal_part = 0;   ///< with the goal, of a room any of its boxes
+};
+
 struct PrmResult {
   /// found: the path is the shortest in the roadmap as it was then, not in the world. none: start and goal lie in different components of
   /// the space, which proves that there is no path at all (nothing is sampled). stopped: the budget ended first; proves nothing.
   GraphSearchResult search;
   Roadmap roadmap;  ///< of the edges that were tested and found free
   PrmCounts counts;
+  std::size_t start_part = 0, goal_part = 0;  ///< as in PrmConnectivity
   double coverage = 0;  ///< share of the vertices that hang together with the start or the goal, 0 .. 1
   double seconds = 0;
+
+  PrmConnectivity connectivity() const { return {counts, start_part, goal_part}; }
 };
 
 /// Grows a PRM batch by batch until it joins `from` and the goal.
@@ -45,7 +55,7 @@ struct PrmResult {
 ///  3. A room is reached when the path is in the middle of one of its boxes; boxes whose middle is not free are no goals.
 ///  4. Lazy or not, the same samples are drawn and the path found has the same length. Lazy: A* in doubles tests an edge when it takes it from its
 ///     queue (Cohen, Phillips, Likhachev 2014); then the exact search runs on what is not known to be blocked, and every edge of its
-///     answer is tested, until all are free (lazy PRM: Bohlin, Kavraki 2000). With Rule::visible growth can't be lazy: it is Rule::nearest then.
+///     answer is tested, until all are free (lazy PRM: Bohlin, Kavraki 2000). With Rules visible and forest growth can't be lazy: they are Rule::nearest then.
 ///  5. Same bytes for the same seed, unless time or `progress` ended it.
 /// Throws InputError when `from` or the goal is outside or inside an obstacle, and as prm().
 PrmResult prm_path(const FreeSpace& space, Point from, const Goal& to, const PrmPlan& plan = {});

@@ -21,6 +21,7 @@ double text_width(std::string_view text, double size) { return 0.55 * size * sta
 std::string_view label(std::string_view key) {
   if (key == "rooms") return "goal room";
   if (key == "solid") return "out of reach";
+  if (key == "gates") return "narrow place";
   if (key == "separation") return "walls between start and goal";
   return key;
 }
@@ -78,6 +79,7 @@ constexpr std::string_view kColours = R"(
 .taut .walls .bar{stroke:#4b5668}
 .taut .walls .area{fill:#4b5668;fill-rule:evenodd;stroke:none}
 .taut .separation{stroke:#d3245e}
+.taut .gates{stroke:#0b7fc1}
 .taut .path .line{stroke:#ee5a10}
 .taut .path .casing{stroke:#fff}
 .taut .start{fill:#12965f;stroke:#12965f}
@@ -96,6 +98,7 @@ constexpr std::string_view kColours = R"(
 .taut .walls .bar{stroke:#8e9aad}
 .taut .walls .area{fill:#8e9aad}
 .taut .separation{stroke:#ff5c8d}
+.taut .gates{stroke:#4cc2ff}
 .taut .path .line{stroke:#ff8340}
 .taut .path .casing,.taut .rim{stroke:#12161d}
 .taut .start{fill:#35c98c;stroke:#35c98c}
@@ -109,6 +112,7 @@ constexpr std::string_view kColours = R"(
 
 double SvgPage::wall_stroke() const { return std::clamp(0.11 * corridor, 0.5, 5.0); }
 double SvgPage::path_stroke() const { return std::clamp(0.17 * corridor, 1.6, 6.0); }
+double SvgPage::gate_stroke() const { return std::clamp(0.12 * corridor, 2.0, 5.0); }
 double SvgPage::roadmap_stroke() const { return std::clamp(0.02 * corridor, 0.15, 1.0); }
 double SvgPage::marker_radius() const { return std::clamp(0.27 * corridor, 6.0, 11.0); }
 
@@ -130,13 +134,14 @@ std::string style(const SvgPage& page) {
   const auto px = [](double v) { return svg_number(v); };
   return fmt::format(
       "<style>{}"
-      ".taut .roadmap,.taut .openings,.taut .walls,.taut .separation,.taut "
+      ".taut .roadmap,.taut .openings,.taut .walls,.taut .separation,.taut .gates,.taut .shades,.taut "
       ".path{{fill:none;stroke-linecap:round;stroke-linejoin:round}}\n"
       ".taut .roadmap{{stroke-width:{}}}\n"
       ".taut .openings{{stroke-width:{};stroke-dasharray:{}}}\n"
       ".taut .walls{{stroke-width:{}}}\n"
       ".taut .walls .bar{{stroke-linecap:square}}\n"
       ".taut .separation{{stroke-width:{}}}\n"
+      ".taut .gates{{stroke-width:{}}}\n"
       ".taut .path .line{{stroke-width:{}}}\n"
       ".taut .path .casing{{stroke-width:{}}}\n"
       ".taut .sample{{stroke-width:3}}\n"
@@ -147,8 +152,8 @@ std::string style(const SvgPage& page) {
       ".taut .title{{font-size:{}px;font-weight:600}}\n"
       "</style>\n",
       kColours, px(page.roadmap_stroke()), px(0.6 * page.wall_stroke()), px(std::max(2.0, 2 * page.wall_stroke())),
-      px(page.wall_stroke()), px(std::max(1.7 * page.wall_stroke(), page.path_stroke())), px(page.path_stroke()),
-      px(page.path_stroke() * 1.5 + 0.4), kTextSize, kTitleSize);
+      px(page.wall_stroke()), px(std::max(1.7 * page.wall_stroke(), page.path_stroke())), px(page.gate_stroke()),
+      px(page.path_stroke()), px(page.path_stroke() * 1.5 + 0.4), kTextSize, kTitleSize);
 }
 
 std::string legend(const SvgPage& page, const std::string& title, const std::vector<std::string>& facts,

@@ -18,6 +18,7 @@ struct SvgPage {
 
   double wall_stroke() const;
   double path_stroke() const;
+  double gate_stroke() const;
   double roadmap_stroke() const;
   double marker_radius() const;
 };

@@ -50,9 +50,10 @@ std::size_t utf8_length(std::string_view text) {
 
 }  // namespace
 
-SvgScale::SvgScale(const Box& box, Point top_left, double extent, double pixels, int decimals)
-    : origin_{box.min.x, box.max.y},
+SvgScale::SvgScale(const Box& box, Point top_left, double extent, double pixels, int decimals, bool y_down)
+    : origin_{box.min.x, y_down ? box.min.y : box.max.y},
       top_left_(top_left),
+      down_(y_down ? 1 : -1),
       extent_(extent),
       pixels_(pixels),
       decimals_(decimals),
@@ -60,7 +61,7 @@ SvgScale::SvgScale(const Box& box, Point top_left, double extent, double pixels,
 
 Point SvgScale::pixel(Point p) const {
   const auto near = [](double v) { return std::clamp(v, -kFarthest, kFarthest); };
-  return {near(top_left_.x + length(p.x - origin_.x)), near(top_left_.y + length(origin_.y - p.y))};
+  return {near(top_left_.x + length(p.x - origin_.x)), near(top_left_.y + length(down_ * (p.y - origin_.y)))};
 }
 
 SvgScale::Dot SvgScale::dot(Point p) const {
@@ -109,6 +110,40 @@ void SvgPath::chain(const Ring& points) {
   for (const Point& p : points)
     if (const SvgScale::Dot to = scale_.dot(p); to != at_) line(to);
   if (text_.size() == length) line(at_);
+}
+
+void SvgPath::bend(SvgScale::Dot control, SvgScale::Dot to) {
+  text_ += 'q';
+  number(control.x - at_.x, true);
+  number(control.y - at_.y, false);
+  number(to.x - at_.x, false);
+  number(to.y - at_.y, false);
+  at_ = to;
+}
+
+void SvgPath::chain(const std::vector<VoronoiCurve>& curves) {
+  for (const VoronoiCurve& c : curves) {
+    const SvgScale::Dot from = scale_.dot(c.from), control = scale_.dot(c.control), to = scale_.dot(c.to);
+    if (!begun_ || from != at_) move(from);
+    if (to == from) continue;
+    // A dot to either side comes from rounding.
+    const auto far = [](std::int64_t v) { return v < -2 || v > 2; };
+    if (far(2 * control.x - from.x - to.x) || far(2 * control.y - from.y - to.y))
+      bend(control, to);
+    else
+      line(to);
+  }
+}
+
+void SvgPath::arc(Point from, Point to, double radius, bool counter_clockwise) {
+  const SvgScale::Dot a = scale_.dot(from), b = scale_.dot(to);
+  if (!begun_ || a != at_) move(a);
+  if (b == at_) return;
+  const std::string r = svg_number(scale_.length(radius));
+  text_.append("a").append(r).append(" ").append(r).append(counter_clockwise ? " 0 0 0 " : " 0 0 1 ");
+  number(b.x - at_.x, true);
+  number(b.y - at_.y, false);
+  at_ = b;
 }
 
 void SvgPath::ring(const Ring& ring) {

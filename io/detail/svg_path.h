@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <taut/geometry/point.h>
+#include <taut/roadmaps/voronoi.h>
 
 namespace taut::detail {
 
@@ -13,7 +15,8 @@ class SvgScale {
  public:
   /// `top_left` in pixels is where the box's north-west corner goes; `extent` > 0 in the world becomes `pixels`.
   /// Precondition: 0 <= decimals <= 6.
-  SvgScale(const Box& box, Point top_left, double extent, double pixels, int decimals);
+  /// With `y_down` the world's y grows downwards as well.
+  SvgScale(const Box& box, Point top_left, double extent, double pixels, int decimals, bool y_down = false);
 
   /// A pixel coordinate as a whole multiple of 10^-decimals; at most 10^6 pixels away from 0.
   struct Dot {
@@ -30,6 +33,7 @@ class SvgScale {
  private:
   Point origin_;  // the box's north-west corner, in the world
   Point top_left_;
+  double down_;  // 1 where the world's y grows downwards, else -1
   double extent_;
   double pixels_;
   int decimals_;
@@ -44,7 +48,11 @@ class SvgPath {
 
   void segment(const Segment& s);  ///< a zero-length one draws its caps
   void chain(const Ring& points);  ///< open
-  void ring(const Ring& ring);     ///< closed
+  /// Open; what is bent stays a quadratic Bezier curve.
+  void chain(const std::vector<VoronoiCurve>& curves);
+  /// On a circle of that radius (in the world), at most 180 degrees, counter-clockwise as the world has it.
+  void arc(Point from, Point to, double radius, bool counter_clockwise);
+  void ring(const Ring& ring);  ///< closed
   void polygon(const Polygon& polygon);
 
   const std::string& text() const { return text_; }
@@ -53,6 +61,7 @@ class SvgPath {
  private:
   void move(SvgScale::Dot to);
   void line(SvgScale::Dot to);
+  void bend(SvgScale::Dot control, SvgScale::Dot to);
   void number(std::int64_t ticks, bool first);
 
   const SvgScale& scale_;

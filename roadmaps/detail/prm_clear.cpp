@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <taut/geometry/detail/expects.h>
+#include <taut/geometry/detail/ray_walk.h>
 #include <taut/geometry/detail/segment_distance.h>
 
 namespace taut::detail {
@@ -40,6 +41,16 @@ Box PrmClear::widened(const Box& box, double by) {
 bool PrmClear::point(Point p) const { return is_untouched(p) && keeps_distance({p, p}); }
 
 bool PrmClear::leg(Point p, Point q) const { return space_.sees(p, q) && keeps_distance({p, q}); }
+
+bool PrmClear::leg(Point p, const Location& at, Point q) const {
+  if (p != q) {
+    RayWalk walk(space_.triangulation(), p, q, true);
+    auto end = walk.start(at);
+    while (end == RayWalk::End::vertex) end = walk.next();
+    if (end != RayWalk::End::reached) return false;
+  }
+  return keeps_distance({p, q});
+}
 
 bool PrmClear::is_untouched(Point p) const {
   const Location at = space_.locate(p);

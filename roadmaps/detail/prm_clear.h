@@ -14,6 +14,8 @@ class PrmClear {
   const FreeSpace& space() const { return space_; }
   bool point(Point p) const;
   bool leg(Point p, Point q) const;
+  /// The same for two points that are not outside, of which one has been located.
+  bool leg(Point p, const Location& at, Point q) const;
 
   /// Calls visit(i) for a superset of the constraints that are nearer to the box than `by`.
   template <class Visit>

@@ -42,12 +42,17 @@ PrmGrowth::PrmGrowth(const FreeSpace& space, const PrmOptions& options, bool laz
 void PrmGrowth::add(std::size_t draws) {
   const auto first = static_cast<Vertex>(points_.size());
   for (std::size_t i = 0; i < draws; ++i)
-    if (const auto p = samples_.draw()) points_.push_back(*p);
+    if (const auto p = samples_.draw()) {
+      points_.push_back(*p);
+      places_.push_back(clear_.space().locate(*p));
+    }
   drawn_ += draws;
   nearest_.add(std::span(points_).subspan(first));
   parts_.add(points_.size() - first);
   if (connection_.rule == PrmConnection::Rule::visible && !lazy_)
     connect_visible(first);
+  else if (connection_.rule == PrmConnection::Rule::forest && !lazy_)
+    connect_forest(first);
   else
     connect(first);
 }
@@ -96,10 +101,20 @@ void PrmGrowth::connect_visible(Vertex first) {
   }
 }
 
+void PrmGrowth::connect_forest(Vertex first) {
+  for (Vertex v = first; v < points_.size(); ++v)
+    for (const Vertex w : nearest_.nearest(points_[v], 4 * connection_.count + 1)) {
+      PrmEdge edge{std::min(v, w), std::max(v, w)};
+      if (parts_.part(v) == parts_.part(w) || !test(edge)) continue;
+      edges_.push_back(edge);
+      parts_.join(v, w);
+    }
+}
+
 bool PrmGrowth::test(PrmEdge& edge) {
   if (edge.state == PrmEdge::State::untested) {
     ++tested_;
-    const bool is_free = clear_.leg(points_[edge.u], points_[edge.v]);
+    const bool is_free = clear_.leg(points_[edge.u], places_[edge.u], points_[edge.v]);
     edge.state = is_free ? PrmEdge::State::free : PrmEdge::State::blocked;
   }
   return edge.state == PrmEdge::State::free;

@@ -38,7 +38,7 @@ struct PrmEdge {
 /// all vertices by the connection rule. One batch of all samples is the PRM of the textbook.
 class PrmGrowth {
  public:
-  /// Lazy: edges are not tested as they come. Rule::visible, which cannot do without, is then Rule::nearest.
+  /// Lazy: edges are not tested as they come. Rules visible and forest, which cannot do without, are then Rule::nearest.
   PrmGrowth(const FreeSpace& space, const PrmOptions& options, bool lazy = false);
   PrmGrowth(const PrmGrowth&) = delete;  // the samples refer to the clear test
   PrmGrowth& operator=(const PrmGrowth&) = delete;
@@ -65,6 +65,7 @@ class PrmGrowth {
   std::vector<Roadmap::Vertex> candidates(Roadmap::Vertex v) const;
   void connect(Roadmap::Vertex first);
   void connect_visible(Roadmap::Vertex first);
+  void connect_forest(Roadmap::Vertex first);
 
   PrmClear clear_;
   PrmSamples samples_;
@@ -73,7 +74,8 @@ class PrmGrowth {
   PrmNearest nearest_;
   PrmParts parts_;
   std::vector<Point> points_;
-  std::vector<PrmEdge> edges_;  // eager: the free ones only
+  std::vector<Location> places_;  // of points_
+  std::vector<PrmEdge> edges_;    // eager: the free ones only
   std::size_t drawn_ = 0, tested_ = 0;
 };
 

@@ -1,14 +1,19 @@
 #include <taut/roadmaps/detail/voronoi_diagram.h>
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
 #include <CGAL/Handle_hash_function.h>
 #include <CGAL/Segment_Delaunay_graph_2.h>
 #include <CGAL/Segment_Delaunay_graph_filtered_traits_2.h>
+#include <CGAL/Segment_Delaunay_graph_traits_2.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <unordered_map>
+
+#include <taut/geometry/detail/segment_distance.h>
 
 namespace taut::detail {
 
@@ -68,10 +73,45 @@ class Builder {
       face_[Graph::Face_handle(f)] = static_cast<std::uint32_t>(found_.size());
       std::array<Segment, 3> sites;
       for (int i = 0; i < 3; ++i) sites[i] = result_.sites[site_.at(f->vertex(i))];
-      found_.push_back(voronoi_point(sites, joint(sites) ? Point{} : guess(f)));
+      found_.push_back(point(sites, f));
     }
     cluster_.resize(found_.size());
     std::iota(cluster_.begin(), cluster_.end(), 0u);
+  }
+
+  /// Nearly parallel sites can leave doubles without any answer; exact numbers have one.
+  VoronoiPoint point(const std::array<Segment, 3>& sites, Graph::Face_handle f) const {
+    if (joint(sites)) return voronoi_point(sites, {});
+    const VoronoiPoint found = voronoi_point(sites, guess(f));
+    if (is_known(found)) return found;
+    return exact_point(sites).value_or(found);
+  }
+
+  static bool is_known(const VoronoiPoint& p) {
+    return p.clearance > 0 && std::isfinite(p.at.x + p.at.y + p.clearance);
+  }
+
+  /// Nothing where CGAL has no formula: two sites on one line.
+  static std::optional<VoronoiPoint> exact_point(const std::array<Segment, 3>& sites) try {
+    const Point at = exact_vertex(sites);
+    if (!std::isfinite(at.x + at.y)) return std::nullopt;
+    const VoronoiPoint again = voronoi_point(sites, at);
+    if (is_known(again) && std::isfinite(again.error)) return again;
+    return VoronoiPoint{at, segment_distance({at, at}, sites[0]), 0x1p-50 * (std::abs(at.x) + std::abs(at.y))};
+  } catch (const CGAL::Failure_exception&) {
+    return std::nullopt;
+  }
+
+  static Point exact_vertex(const std::array<Segment, 3>& sites) {
+    using Exact = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt;
+    using ExactTraits = CGAL::Segment_Delaunay_graph_traits_without_intersections_2<Exact, CGAL::Field_with_sqrt_tag>;
+    const auto exact = [](Point p) { return Exact::Point_2(p.x, p.y); };
+    const auto site = [&](const Segment& s) {
+      return s.a == s.b ? ExactTraits::Site_2::construct_site_2(exact(s.a))
+                        : ExactTraits::Site_2::construct_site_2(exact(s.a), exact(s.b));
+    };
+    const auto p = ExactTraits().construct_svd_vertex_2_object()(site(sites[0]), site(sites[1]), site(sites[2]));
+    return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
   }
 
   /// CGAL divides by zero when two of the sites are on one line; then voronoi_point has to do without.

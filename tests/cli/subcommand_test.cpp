@@ -59,7 +59,8 @@ TEST_F(Subcommand, SolveGivesTheSamePathByBothAlgorithms) {
 }
 
 TEST_F(Subcommand, SolvePutsStatisticsOnStderrOnly) {
-  const Outcome run = run_taut("solve - --stats", kRoom);
+  const Outcome run = run_taut("solve - --stats --roadmap visibility", kRoom);
+  EXPECT_THAT(run_taut("solve - --stats", kRoom).err, HasSubstr("navigation mesh"));
   EXPECT_THAT(run.out, StartsWith("<stdin>: length"));
   for (const char* word :
        {"read", "free space", "triangles", "vertices", "edge", "expanded", "displacement", "peak memory"})

@@ -42,7 +42,7 @@ PrmOptions any_options() {
   options.samples = 40;
   options.seed = static_cast<std::uint64_t>(any(0, 1000));
   options.clearance = any(0, 1) * any(0, 4) / 8.0;
-  options.connection.rule = Rule(any(0, 3));
+  options.connection.rule = Rule(any(0, 4));
   options.connection.count = static_cast<std::size_t>(any(1, 8));
   options.lattice = PrmLattice{{0.25, 0.5}, any(1, 4) / 4.0};
   return options;
@@ -188,6 +188,35 @@ TEST(Prm, RefusesEdgesThroughTheInsideOfAWallAndThroughAJoint) {
   EXPECT_FALSE(is_joined({{{5, 0}, {5, 6}}}, 0)) << "through a wall";
   EXPECT_FALSE(is_joined({{{5, 0}, {5, 4}}, {{5, 4}, {5, 10}}}, 0)) << "through a joint";
   EXPECT_FALSE(is_joined({{{5, 0}, {5, 4}}, {{5, 4}, {3, 10}}}, 0)) << "through a crooked joint";
+}
+
+RC_GTEST_PROP(Prm, IsAForestThatJoinsWhatItsNeighboursCouldJoin, ()) {
+  const FreeSpace space = any_world().space();
+  PrmOptions options = any_options();
+  options.connection.rule = Rule::forest;
+  PrmCounts forest, nearest;
+  prm(space, options, &forest);
+  options.connection.rule = Rule::nearest;
+  options.connection.count *= 4;
+  prm(space, options, &nearest);
+  RC_ASSERT(forest.edges + forest.components == forest.kept);
+  RC_ASSERT(forest.components == nearest.components);
+  RC_ASSERT(forest.edges_tested <= 2 * nearest.edges_tested);
+}
+
+TEST(Prm, RefusesEdgesThatGrazeAWallAndPassAJoint) {
+  // Each of these legs runs along a wall first: that is allowed. Where another wall leaves from it on the side it needs, it is not.
+  const auto is_joined = [](std::vector<Segment> walls) {
+    PrmOptions options = lattice(2);
+    options.connection = {.rule = Rule::radius, .radius = 8};
+    return joins(prm(SmallWorld{.walls = std::move(walls), .solids = {}}.space(), options), {2, 4}, {8, 4});
+  };
+  const Segment along{{4.5, 4}, {5.5, 4}};
+  EXPECT_TRUE(is_joined({along})) << "along a wall";
+  EXPECT_TRUE(is_joined({along, {{5, 4}, {5, 8}}})) << "below it there is room";
+  EXPECT_FALSE(is_joined({along, {{5, 4}, {5, 8}}, {{5.25, 4}, {5.25, 0}}})) << "a wall on either side";
+  EXPECT_FALSE(is_joined({{{5, 0}, {5, 4}}, {{5, 4}, {5.5, 4}}, {{5.5, 4}, {5.5, 8}}})) << "through two joints";
+  EXPECT_FALSE(is_joined({{{5, 3.999}, {5, 8}}})) << "through the inside of a wall, just beside its end";
 }
 
 TEST(Prm, CountsWhatItDid) {

@@ -159,6 +159,17 @@ TEST(DiscPassage, ClosedRoomsAreSeparatedForAnyRadius) {
   EXPECT_TRUE(separates(gates, blocked.barrier, {5, 2}, {5, 8}));
 }
 
+TEST(DiscPassage, AnEndOnAWallStandsOnBothOfItsSides) {
+  // The wall closes off the upper room; a point on it can be reached from either.
+  const Gates gates{FreeSpace(room({{{0, 5}, {10, 5}}}))};
+  for (const Point p : {Point{5, 2}, {5, 8}}) {
+    const auto widest = widest_passage(gates, p, {5, 5});
+    ASSERT_TRUE(widest);
+    EXPECT_EQ(widest->radius, 0);
+    EXPECT_EQ(widest->limit, WidestPassage::Limit::goal);
+  }
+}
+
 TEST(DiscPassage, APostInTheMiddleOfACorridorLeavesTheWiderSide) {
   const Gates gates{FreeSpace(room({{{0, 4}, {10, 4}}, {{0, 6}, {10, 6}}, {{5, 5.25}, {5.25, 5.25}}}))};
   const auto widest = widest_passage(gates, {2, 5}, {8, 5});

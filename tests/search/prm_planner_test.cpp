@@ -7,6 +7,7 @@
 #include <taut/geometry/errors.h>
 #include <taut/geometry/maze_generator.h>
 #include <taut/io/read_world.h>
+#include <taut/search/funnel.h>
 #include <taut/search/shortest_path.h>
 #include <taut/search/verify.h>
 
@@ -76,6 +77,33 @@ TEST(PrmPath, IsFoundByUniformSamplesInALargeMaze) {
     EXPECT_GT(result.coverage, 0);
     EXPECT_LE(result.coverage, 1);
   }
+}
+
+// Uniform samples, no lattice; the shared mazes are the course's own, the others come from its generator.
+void expect_all_seeds_to_solve(const World& world, int seeds) {
+  const FreeSpace space(world);
+  const Length optimum = shortest_path(space, *world.start(), world.goal())->length;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    PrmPlan plan;
+    plan.roadmap.seed = static_cast<std::uint64_t>(seed);
+    plan.roadmap.connection.rule = PrmConnection::Rule::visible;
+    const PrmResult result = prm_path(space, *world.start(), world.goal(), plan);
+    ASSERT_EQ(result.search.status, SearchStatus::found) << "seed " << seed;
+    EXPECT_EQ(verify(result.search.path, space, *world.start(), world.goal()).reason, "") << "seed " << seed;
+    EXPECT_EQ(shortened(space, result.search.path)->length, optimum) << "seed " << seed;
+  }
+}
+
+TEST(PrmPath, IsFoundWithTwentyOfTwentySeedsAt41And61) {
+  for (const int side : {41, 61})
+    expect_all_seeds_to_solve(world_of(std::make_shared<GridMaze>(generate_biased_maze(side, side, 1))), 20);
+}
+
+TEST(PrmPath, IsFoundWithTwentyOfTwentySeedsInTheHomeworksLargeMazes) {
+  const auto folder = test::shared_data_dir();
+  if (!folder) GTEST_SKIP() << "no shared data";
+  for (const char* name : {"maze_41x41_s1.txt", "maze_45x45_s1.txt"})
+    expect_all_seeds_to_solve(read_world_file((*folder / "prm" / name).string()), 20);
 }
 
 struct Ends {

@@ -1,0 +1,70 @@
+// The shortest path of a disc of radius 0.3 through mazes by size: true arcs. Peer: the space inflated by the circumscribed 64-gon and its reduced
+// visibility graph, space included, for an end-to-end answer.
+#include <benchmark/benchmark.h>
+
+#include <memory>
+
+#include <taut/geometry/maze_generator.h>
+#include <taut/search/arc_search.h>
+#include <taut/search/disc_passage.h>
+#include <taut/search/shortest_path.h>
+#include <taut/search/verify_arcs.h>
+
+namespace {
+
+using namespace taut;
+
+constexpr double kRadius = 0.3;
+
+/// A backtracker maze with a tenth of its walls taken down.
+World maze(int cells) {
+  auto maze = std::make_shared<GridMaze>(generate_backtracker(cells, cells, 1));
+  open_walls(*maze, 0.1, 1);
+  return world_of(maze);
+}
+
+Point corner(int cells) { return {cells - 0.5, cells - 0.5}; }
+
+void BM_TangentGraph(benchmark::State& state) {
+  const int cells = static_cast<int>(state.range(0));
+  const World world = maze(cells);
+  ArcSearchResult result;
+  std::size_t legs = 0;
+  for (auto _ : state) {
+    const TangentGraph graph(FreeSpace(world), kRadius);
+    result = arc_search(graph, {0.5, 0.5}, corner(cells));
+    legs = graph.leg_count();
+  }
+  const Gates gates{FreeSpace(world)};
+  if (result.status != ArcStatus::found || !verify_arcs(result.path, gates, {0.5, 0.5}, corner(cells)).valid)
+    state.SkipWithError("wrong answer");
+  state.counters["legs"] = static_cast<double>(legs);
+  state.counters["length"] = result.path.value();
+}
+
+void BM_Query(benchmark::State& state) {
+  const int cells = static_cast<int>(state.range(0));
+  const TangentGraph graph(FreeSpace(maze(cells)), kRadius);
+  for (auto _ : state)
+    if (arc_search(graph, {0.5, 0.5}, corner(cells)).status != ArcStatus::found) state.SkipWithError("wrong answer");
+}
+
+/// Its length is at most 0.121 % of the radius an arc longer, and never shorter.
+void BM_InflatedPolygon(benchmark::State& state) {
+  const int cells = static_cast<int>(state.range(0));
+  const World world = maze(cells);
+  double length = 0;
+  for (auto _ : state) {
+    const auto path = shortest_path(FreeSpace(world, Footprint::disc(kRadius)), {0.5, 0.5}, corner(cells));
+    length = path ? path->length.value() : 0;
+  }
+  const ArcSearchResult disc = arc_search(TangentGraph(FreeSpace(world), kRadius), {0.5, 0.5}, corner(cells));
+  if (length < disc.path.length.lo) state.SkipWithError("wrong answer");
+  state.counters["length"] = length;
+}
+
+BENCHMARK(BM_TangentGraph)->Arg(15)->Arg(45)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_Query)->Arg(15)->Arg(45)->Arg(100)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_InflatedPolygon)->Arg(15)->Arg(45)->Arg(100)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+}  // namespace

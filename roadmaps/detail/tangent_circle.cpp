@@ -1,0 +1,136 @@
+#include <taut/roadmaps/detail/tangent_circle.h>
+
+#include <taut/geometry/predicates.h>
+
+namespace taut::detail {
+
+namespace {
+
+template <class Number>
+struct Vector {
+  Number x, y;
+};
+
+template <class Number>
+Vector<Number> vector_of(const PlainDirection& v) {
+  Number x = Number(v.to.x) - Number(v.from.x), y = Number(v.to.y) - Number(v.from.y);
+  for (int i = 0; i < v.quarters; ++i) {
+    const Number next = -y;
+    y = x;
+    x = next;
+  }
+  return {x, y};
+}
+
+/// The sign of a * b in the product that `times` makes of two vectors.
+template <class Times>
+int product_sign(const SurdDirection& a, const SurdDirection& b, Times times) {
+  const Surd<mpq_class> P{times(a.ax, a.ay, b.ax, b.ay), times(a.bx, a.by, b.ax, b.ay)};
+  const Surd<mpq_class> Q{times(a.ax, a.ay, b.bx, b.by), times(a.bx, a.by, b.bx, b.by)};
+  return surd_sign(P, Q, a.R, b.R);
+}
+
+mpq_class cross(const mpq_class& ax, const mpq_class& ay, const mpq_class& bx, const mpq_class& by) {
+  return ax * by - ay * bx;
+}
+
+mpq_class dot(const mpq_class& ax, const mpq_class& ay, const mpq_class& bx, const mpq_class& by) {
+  return ax * bx + ay * by;
+}
+
+bool is_outer(const TangentPoint& p) { return p.here.side == p.other.side; }
+
+/// The sign of f(Range) or, when that cannot tell, of f(mpq_class).
+template <class F>
+int rational_sign(F f) {
+  if (const auto known = sign(f(Range()))) return *known;
+  return sgn(f(mpq_class()));
+}
+
+}  // namespace
+
+TangentPoint::TangentPoint(const TangentEnd& here_, const TangentEnd& there, double radius)
+    : here(here_), other(there), r(radius) {
+  const TangentFrame<Range> frame(here, other, r);
+  const Range S = root(frame.R), side = -double(here.side);
+  x = side * (frame.k * frame.dx - S * frame.dy) / frame.D;
+  y = side * (frame.k * frame.dy + S * frame.dx) / frame.D;
+}
+
+SurdDirection TangentPoint::exact() const {
+  const TangentFrame<mpq_class> frame(here, other, r);
+  const mpq_class side = -here.side;
+  return {side * frame.k * frame.dx, side * frame.k * frame.dy, -side * frame.dy, side * frame.dx, frame.R};
+}
+
+int cross_sign(const TangentPoint& a, const TangentPoint& b) {
+  if (is_outer(a) && is_outer(b))
+    return a.here.side * b.here.side * orientation(a.here.centre, a.other.centre, b.other.centre);
+  if (const auto known = sign(a.x * b.y - a.y * b.x)) return *known;
+  return product_sign(a.exact(), b.exact(), cross);
+}
+
+int dot_sign(const TangentPoint& a, const TangentPoint& b) {
+  if (const auto known = sign(a.x * b.x + a.y * b.y)) return *known;
+  return product_sign(a.exact(), b.exact(), dot);
+}
+
+int cross_sign(const TangentPoint& a, const SurdDirection& b) { return product_sign(a.exact(), b, cross); }
+
+int cross_sign(const TangentPoint& a, const mpq_class& x, const mpq_class& y) {
+  const SurdDirection e = a.exact();
+  return surd_sign(cross(e.ax, e.ay, x, y), cross(e.bx, e.by, x, y), e.R);
+}
+
+int cross_sign(const TangentPoint& a, const PlainDirection& v) {
+  const auto near = vector_of<Range>(v);
+  if (const auto known = sign(a.x * near.y - a.y * near.x)) return *known;
+  const auto exact = vector_of<mpq_class>(v);
+  return cross_sign(a, exact.x, exact.y);
+}
+
+Range angle_between(const TangentPoint& a, const TangentPoint& b) {
+  const Range sine = a.x * b.y - a.y * b.x, cosine = a.x * b.x + a.y * b.y;
+  const double angle = std::atan2(std::abs(sine.middle()), cosine.middle());
+  // Of unit vectors: the angle moves no more than sine and cosine do together.
+  const double error = 1.001 * (sine.width() + cosine.width()) + 8 * 0x1p-53 * angle;
+  return {std::max(0.0, angle - error), angle + error};
+}
+
+std::optional<PlainDirection> direction_forbidden(Point c, double r, Point w, Point v) {
+  // The sign of (v - w) (c - w), and of (w - v) (c - v).
+  const auto before = [&](Point p, Point q) {
+    return rational_sign([&](auto zero) {
+      using Number = decltype(zero);
+      const Number fx = Number(q.x) - Number(p.x), fy = Number(q.y) - Number(p.y);
+      const Number x = Number(c.x) - Number(p.x), y = Number(c.y) - Number(p.y);
+      const Number result = fx * x + fy * y;
+      return result;
+    });
+  };
+  const auto end = [&](Point p) -> std::optional<PlainDirection> {
+    const int order = rational_sign([&](auto zero) {
+      using Number = decltype(zero);
+      const Number x = Number(p.x) - Number(c.x), y = Number(p.y) - Number(c.y), reach = Number(2.0) * Number(r);
+      const Number result = x * x + y * y - reach * reach;
+      return result;
+    });
+    if (order >= 0) return std::nullopt;
+    return PlainDirection{c, p, 0};
+  };
+  if (before(w, v) <= 0) return end(w);
+  if (before(v, w) <= 0) return end(v);
+  const int order = rational_sign([&](auto zero) {
+    using Number = decltype(zero);
+    const Number fx = Number(v.x) - Number(w.x), fy = Number(v.y) - Number(w.y);
+    const Number x = Number(c.x) - Number(w.x), y = Number(c.y) - Number(w.y), reach = Number(2.0) * Number(r);
+    const Number off = fx * y - fy * x;
+    const Number result = off * off - reach * reach * (fx * fx + fy * fy);
+    return result;
+  });
+  if (order >= 0) return std::nullopt;
+  // c to the left of w -> v: the wall is to the right of c, a quarter turn back.
+  return PlainDirection{w, v, orientation(w, v, c) > 0 ? 3 : 1};
+}
+
+}  // namespace taut::detail

@@ -1,0 +1,50 @@
+// Points of one circle in exact order around it, and which walls cut its arcs. Private.
+#pragma once
+
+#include <gmpxx.h>
+
+#include <span>
+#include <vector>
+
+#include <taut/roadmaps/detail/tangent_line.h>
+
+namespace taut::detail {
+
+/// A direction from a centre, (a + b sqrt(R)) in each coordinate, up to a positive factor.
+struct SurdDirection {
+  mpq_class ax, ay, bx, by, R;
+};
+
+/// Where a tangent touches a circle, as a direction from its centre. `side` is the side that the tangent has the centre on when it leads away, to
+/// `other`.
+struct TangentPoint {
+  TangentPoint() = default;
+  TangentPoint(const TangentEnd& here, const TangentEnd& there, double r);
+
+  SurdDirection exact() const;
+
+  TangentEnd here, other;
+  double r = 0;
+  Range x, y;  ///< of the unit direction
+};
+
+/// The sign of a x b, of a b, and with rational directions to the point `to` as seen from the centre. Exact.
+int cross_sign(const TangentPoint& a, const TangentPoint& b);
+int dot_sign(const TangentPoint& a, const TangentPoint& b);
+int cross_sign(const TangentPoint& a, const SurdDirection& b);
+int cross_sign(const TangentPoint& a, const mpq_class& x, const mpq_class& y);
+/// The sign of a x v where v = (x, y) is enclosed first.
+struct PlainDirection {
+  Point from, to;    ///< v leads from one to the other, then
+  int quarters = 0;  ///< is turned left by so many right angles
+};
+int cross_sign(const TangentPoint& a, const PlainDirection& v);
+
+/// The angle from a to b, both on one circle and at most 180 degrees apart.
+Range angle_between(const TangentPoint& a, const TangentPoint& b);
+
+/// A wall that comes nearer than r to some point of a circle of radius r that it does not end in the centre of: the direction to its nearest point.
+/// The points it forbids are an open arc around that direction. Nothing when it is 2r away or farther. Exact.
+std::optional<PlainDirection> direction_forbidden(Point centre, double r, Point w, Point v);
+
+}  // namespace taut::detail

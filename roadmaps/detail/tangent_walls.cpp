@@ -1,0 +1,255 @@
+#include <taut/roadmaps/detail/tangent_walls.h>
+
+#include <algorithm>
+
+#include <taut/geometry/detail/expansion.h>
+#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/predicates.h>
+
+namespace taut::detail {
+
+namespace {
+
+using Tri = Triangulation;
+
+Triangulation without_openings(const GateWalls& walls) {
+  Triangulation tri = walls.triangulation();
+  for (std::uint32_t t = 0; t < tri.triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i)
+      if (const std::uint32_t c = walls.along(t, i); c != kNone && walls.is_opening(c) && tri.neighbours[t][i] != kNone)
+        tri.constrained[t] = static_cast<std::uint8_t>(tri.constrained[t] & ~(1 << i));
+  return tri;
+}
+
+/// Collects what an expansion sees.
+struct Seen {
+  const Triangulation& tri;
+  std::vector<std::uint32_t> vertices;
+
+  static bool hides(std::uint32_t) { return false; }
+  void vertex(std::uint32_t t, int k) { vertices.push_back(tri.triangles[t][k]); }
+  template <class Ray>
+  static void blocked(std::uint32_t, int, const Ray&, const Ray&) {}
+};
+
+/// Is a direction, given by its turn from each bound of a sector (the sign of bound x direction), in the closed sector? A path that bends to the
+/// left (bend = 1) leaves a left bound that it is parallel to, and so on.
+template <class Turn, class Along>
+bool in_sector(const Triangulation& tri, const Tri::Sector& sector, int bend, Turn turn, Along is_along) {
+  if (sector.full) return true;
+  const Point v = tri.points[sector.vertex], right = tri.points[sector.right], left = tri.points[sector.left];
+  const int from_right = turn(right), from_left = turn(left);
+  if (from_right == 0 && is_along(right)) return bend >= 0;
+  if (from_left == 0 && is_along(left)) return bend <= 0;
+  if (sector.right == sector.left) return true;
+  const int wide = orientation(v, right, left);
+  if (wide > 0) return from_right > 0 && from_left < 0;
+  if (wide < 0) return !(from_left > 0 && from_right < 0);
+  return from_right > 0;
+}
+
+int sign_of(const mpq_class& v) { return sgn(v); }
+
+}  // namespace
+
+TangentWalls::TangentWalls(const FreeSpace& space, double r)
+    : walls_(space), r_(r), open_(without_openings(walls_)), opening_boxes_([&] {
+        std::vector<Box> boxes;
+        for (std::uint32_t c = 0; c < walls_.ends().size(); ++c) {
+          if (!walls_.is_opening(c)) continue;
+          openings_.push_back(c);
+          boxes.push_back(box_around(walls_.segment(c).a, walls_.segment(c).b));
+        }
+        return boxes;
+      }()) {}
+
+bool TangentWalls::is_free(const TangentLine& line, std::uint32_t from_sector, std::uint32_t to_sector) const {
+  bool free = true;
+  const Box box = line.box();
+  walls_.walls_meeting(box, [&](std::uint32_t c) {
+    if (free) free = line.clears(walls_.segment(c).a, walls_.segment(c).b);
+  });
+  if (!free || openings_.empty()) return free;
+  opening_boxes_.meeting(box, [&](std::uint32_t i) {
+    if (!free) return;
+    const std::uint32_t c = openings_[i];
+    const Segment s = walls_.segment(c);
+    free = !line.leaves_by(s.a, s.b, space().constraints()[c].solid_left);
+    for (const std::uint32_t v : walls_.ends()[c])
+      if (free && !walls_.is_wall_vertex(v)) free = passes_vertex(line, v, from_sector, to_sector);
+  });
+  return free;
+}
+
+bool TangentWalls::is_nearer(Point p, const Segment& s) const {
+  const mpq_class fx = mpq_class(s.b.x) - s.a.x, fy = mpq_class(s.b.y) - s.a.y, r2 = mpq_class(r_) * mpq_class(r_);
+  const mpq_class x = mpq_class(p.x) - s.a.x, y = mpq_class(p.y) - s.a.y, F = fx * fx + fy * fy;
+  const mpq_class along = x * fx + y * fy, off = fx * y - fy * x;
+  if (along <= 0) return x * x + y * y < r2;
+  if (along < F) return off * off < r2 * F;
+  return (x - fx) * (x - fx) + (y - fy) * (y - fy) < r2;
+}
+
+bool TangentWalls::passes_vertex(const TangentLine& line, std::uint32_t v, std::uint32_t from_sector,
+                                 std::uint32_t to_sector) const {
+  const Triangulation& tri = walls_.triangulation();
+  const Point at = tri.points[v];
+  if (line.off(at) != 0) return true;
+  const int before = line.along(at), after = line.left_over(at);
+  if (before < 0 || after < 0) return true;
+  const std::span<const Tri::Sector> sectors = tri.sectors_at(v);
+  return std::any_of(sectors.begin(), sectors.end(), [&](const Tri::Sector& sector) {
+    const auto id = static_cast<std::uint32_t>(&sector - tri.sectors.data());
+    if (before == 0 && from_sector != kNone && from_sector != id) return false;
+    if (after == 0 && to_sector != kNone && to_sector != id) return false;
+    const auto holds = [&](int way) {
+      return in_sector(
+          tri, sector, 0, [&](Point bound) { return way * line.turn(at, bound); },
+          [&](Point bound) { return way * line.onward(at, bound) > 0; });
+    };
+    return (before == 0 || holds(-1)) && (after == 0 || holds(1));
+  });
+}
+
+CircleObstacles TangentWalls::around(Point centre) const {
+  CircleObstacles result;
+  const double more = 1e-12 * (std::abs(centre.x) + std::abs(centre.y));
+  const auto box = [&](double reach) {
+    return Box{{centre.x - reach - more, centre.y - reach - more}, {centre.x + reach + more, centre.y + reach + more}};
+  };
+  walls_.walls_meeting(box(2.001 * r_), [&](std::uint32_t c) {
+    const Segment s = walls_.segment(c);
+    if (s.a == centre || s.b == centre) return;
+    if (const auto direction = direction_forbidden(centre, r_, s.a, s.b)) result.forbidden.push_back(*direction);
+  });
+  if (openings_.empty()) return result;
+  const mpq_class r2 = mpq_class(r_) * mpq_class(r_);
+  opening_boxes_.meeting(box(1.001 * r_), [&](std::uint32_t i) {
+    const std::uint32_t c = openings_[i];
+    const Segment s = walls_.segment(c);
+    const mpq_class fx = mpq_class(s.b.x) - s.a.x, fy = mpq_class(s.b.y) - s.a.y;
+    const mpq_class x = mpq_class(s.a.x) - centre.x, y = mpq_class(s.a.y) - centre.y;
+    for (const std::uint32_t v : walls_.ends()[c]) {
+      const Point p = walls_.triangulation().points[v];
+      const mpq_class px = mpq_class(p.x) - centre.x, py = mpq_class(p.y) - centre.y;
+      if (!walls_.is_wall_vertex(v) && px * px + py * py == r2)
+        result.crossings.push_back({{px, py, 0, 0, 0}, kNone, v});
+    }
+    // The points a + t f with |a + t f|^2 = r^2.
+    const mpq_class F = fx * fx + fy * fy, half = (x * fx + y * fy) / F;
+    const mpq_class R = half * half - (x * x + y * y - r2) / F;
+    if (sgn(R) <= 0) return;
+    for (const int way : {-1, 1}) {
+      const mpq_class t = -half, rest = 1 - t, w = way;
+      if (surd_sign(t, w, R) <= 0 || surd_sign(rest, mpq_class(-way), R) <= 0) continue;
+      result.crossings.push_back({{x + t * fx, y + t * fy, w * fx, w * fy, R}, c, kNone});
+    }
+  });
+  return result;
+}
+
+bool TangentWalls::arc_is_free(const TangentPoint& a, const TangentPoint& b, const CircleObstacles& obstacles) const {
+  for (const PlainDirection& v : obstacles.forbidden)
+    if (cross_sign(a, v) > 0 && cross_sign(b, v) < 0) return false;
+  for (const CircleObstacles::Crossing& crossing : obstacles.crossings) {
+    const auto same = [&](const TangentPoint& p) {
+      if (cross_sign(p, crossing.at) != 0) return false;
+      const SurdDirection e = p.exact();
+      const Surd<mpq_class> P{e.ax * crossing.at.ax + e.ay * crossing.at.ay,
+                              e.bx * crossing.at.ax + e.by * crossing.at.ay};
+      const Surd<mpq_class> Q{e.ax * crossing.at.bx + e.ay * crossing.at.by,
+                              e.bx * crossing.at.bx + e.by * crossing.at.by};
+      return surd_sign(P, Q, e.R, crossing.at.R) > 0;
+    };
+    const bool at_a = same(a), at_b = same(b);
+    if (!at_a && !at_b && !(cross_sign(a, crossing.at) > 0 && cross_sign(b, crossing.at) < 0)) continue;
+    if (crossing.vertex != kNone) {
+      if (!arc_passes_vertex(a.here.centre, crossing.vertex, !at_a, !at_b)) return false;
+      continue;
+    }
+    if (!at_a && !at_b) return false;
+    const Segment s = walls_.segment(crossing.opening);
+    const mpq_class fx = mpq_class(s.b.x) - s.a.x, fy = mpq_class(s.b.y) - s.a.y;
+    const mpq_class plain = fx * crossing.at.ax + fy * crossing.at.ay,
+                    rooted = fx * crossing.at.bx + fy * crossing.at.by;
+    const int to_left = surd_sign(plain, rooted, crossing.at.R);  // going counter-clockwise
+    const int solid = space().constraints()[crossing.opening].solid_left ? 1 : -1;
+    if (at_a ? to_left == solid : to_left == -solid) return false;
+  }
+  return true;
+}
+
+bool TangentWalls::arc_passes_vertex(Point centre, std::uint32_t v, bool before, bool after) const {
+  const Triangulation& tri = walls_.triangulation();
+  const Point at = tri.points[v];
+  const mpq_class ux = mpq_class(centre.y) - at.y, uy = mpq_class(at.x) - centre.x;  // the way counter-clockwise
+  const std::span<const Tri::Sector> sectors = tri.sectors_at(v);
+  return std::any_of(sectors.begin(), sectors.end(), [&](const Tri::Sector& sector) {
+    const auto holds = [&](int way) {
+      const auto part = [&](Point bound, bool crossed) {
+        const mpq_class fx = mpq_class(bound.x) - at.x, fy = mpq_class(bound.y) - at.y;
+        const mpq_class value = crossed ? mpq_class(fx * uy - fy * ux) : mpq_class(fx * ux + fy * uy);
+        return way * sign_of(value);
+      };
+      return in_sector(
+          tri, sector, way, [&](Point bound) { return part(bound, true); },
+          [&](Point bound) { return part(bound, false) > 0; });
+    };
+    return (!before || holds(-1)) && (!after || holds(1));
+  });
+}
+
+template <class Coordinates>
+std::vector<std::uint32_t> TangentWalls::seen(const std::vector<std::array<std::uint32_t, 2>>& views,
+                                              typename Coordinates::Place origin) const {
+  Seen seen{open_, {}};
+  Expansion<Coordinates, Seen> expansion(open_, seen);
+  for (const auto& [t, side] : views) {
+    const int i = static_cast<int>(side);
+    const std::uint32_t right = open_.triangles[t][Tri::ccw(i)], left = open_.triangles[t][Tri::cw(i)];
+    seen.vertices.insert(seen.vertices.end(), {right, left});
+    expansion.spread(origin, t, i, expansion.ray(right), expansion.ray(left));
+  }
+  std::sort(seen.vertices.begin(), seen.vertices.end());
+  seen.vertices.erase(std::unique(seen.vertices.begin(), seen.vertices.end()), seen.vertices.end());
+  return std::move(seen.vertices);
+}
+
+std::vector<std::uint32_t> TangentWalls::seen_from_vertex(std::uint32_t v) const {
+  std::vector<std::array<std::uint32_t, 2>> views;
+  for (const std::uint32_t t : walls_.around(v)) views.push_back({t, static_cast<std::uint32_t>(open_.corner(t, v))});
+  if (open_.lattice.empty()) return seen<DoubleCoordinates>(views, open_.points[v]);
+  return seen<LatticeCoordinates>(views, open_.lattice[v]);
+}
+
+std::vector<std::uint32_t> TangentWalls::seen_from(Point p) const {
+  const Location at = space().locate(p);
+  if (at.kind == Location::Kind::outside) return {};
+  if (at.kind == Location::Kind::vertex) return seen_from_vertex(open_.triangles[at.triangle][at.index]);
+  std::vector<std::array<std::uint32_t, 2>> views;
+  const auto add = [&](std::uint32_t t, int except) {
+    for (int i = 0; i < 3; ++i)
+      if (i != except) views.push_back({t, static_cast<std::uint32_t>(i)});
+  };
+  const bool on_side = at.kind == Location::Kind::side;
+  add(at.triangle, on_side ? at.index : 3);
+  if (on_side && !open_.is_constrained(at.triangle, at.index))
+    add(open_.neighbours[at.triangle][at.index], open_.mirror(at.triangle, at.index));
+  return seen<DoubleCoordinates>(views, p);
+}
+
+std::uint32_t TangentWalls::too_near(Point p) const {
+  std::uint32_t nearest = kNone;
+  const double reach = 1.001 * r_ + 1e-12 * (std::abs(p.x) + std::abs(p.y));
+  const Segment here{p, p};
+  const auto segment = [&](std::uint32_t c) { return walls_.segment(c); };
+  walls_.walls_meeting({{p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}}, [&](std::uint32_t c) {
+    const Interval distance = segment_distance_interval(here, segment(c));
+    if (distance.lo >= r_ || (distance.hi >= r_ && !is_nearer(p, segment(c)))) return;
+    const int order = nearest == kNone ? -1 : compare_segment_distances(here, segment(c), here, segment(nearest));
+    if (order < 0 || (order == 0 && c < nearest)) nearest = c;
+  });
+  return nearest;
+}
+
+}  // namespace taut::detail

@@ -1,0 +1,62 @@
+// What stands in the way of a disc: legs and arcs against walls, openings and joints; and what a place sees. Private.
+#pragma once
+
+#include <vector>
+
+#include <taut/geometry/detail/box_index.h>
+#include <taut/roadmaps/detail/gate_walls.h>
+#include <taut/roadmaps/detail/tangent_circle.h>
+
+namespace taut::detail {
+
+/// Around a centre: the directions that walls forbid, and where openings meet the circle.
+struct CircleObstacles {
+  /// A circle of radius r meets an opening, or the end of one.
+  struct Crossing {
+    SurdDirection at;
+    std::uint32_t opening = kNone;  ///< met inside; or
+    std::uint32_t vertex = kNone;   ///< in this vertex
+  };
+  std::vector<PlainDirection> forbidden;
+  std::vector<Crossing> crossings;
+};
+
+class TangentWalls {
+ public:
+  TangentWalls(const FreeSpace& space, double r);
+
+  const GateWalls& walls() const { return walls_; }
+  const FreeSpace& space() const { return walls_.space(); }
+
+  /// Can the centre follow the leg: no wall nearer than r, no opening crossed, no joint slipped through? An end at a vertex stays in its sector
+  /// when one is named.
+  bool is_free(const TangentLine& line, std::uint32_t from_sector, std::uint32_t to_sector) const;
+
+  CircleObstacles around(Point centre) const;
+  /// Can the centre follow the arc from a to b, counter-clockwise by at most 180 degrees? Precondition: a and b keep their distance, a != b.
+  bool arc_is_free(const TangentPoint& a, const TangentPoint& b, const CircleObstacles& obstacles) const;
+
+  /// The vertices that see a vertex or a place, by a straight line that crosses no wall (openings it may), ascending.
+  std::vector<std::uint32_t> seen_from_vertex(std::uint32_t v) const;
+  std::vector<std::uint32_t> seen_from(Point p) const;
+
+  /// The nearest of the walls that are nearer to p than r; kNone when there is none. Exact.
+  std::uint32_t too_near(Point p) const;
+
+ private:
+  bool passes_vertex(const TangentLine& line, std::uint32_t v, std::uint32_t from_sector,
+                     std::uint32_t to_sector) const;
+  bool is_nearer(Point p, const Segment& s) const;
+  bool arc_passes_vertex(Point centre, std::uint32_t v, bool before, bool after) const;
+  template <class Coordinates>
+  std::vector<std::uint32_t> seen(const std::vector<std::array<std::uint32_t, 2>>& views,
+                                  typename Coordinates::Place origin) const;
+
+  GateWalls walls_;
+  double r_;
+  Triangulation open_;  // openings do not hinder sight
+  std::vector<std::uint32_t> openings_;
+  BoxIndex opening_boxes_;
+};
+
+}  // namespace taut::detail

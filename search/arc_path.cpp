@@ -1,0 +1,81 @@
+#include <taut/search/arc_path.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <taut/roadmaps/detail/tangent_circle.h>
+
+namespace taut {
+
+namespace {
+
+using detail::Range;
+using detail::TangentEnd;
+using detail::TangentPoint;
+
+/// The tangent point on the first end's circle.
+Point touched(const TangentPoint& at, double r) {
+  const Point c = at.here.centre;
+  if (at.here.side == 0) return c;
+  return {c.x + r * at.x.middle(), c.y + r * at.y.middle()};
+}
+
+Interval interval(const Range& range) { return {std::max(0.0, range.lo), range.hi}; }
+
+ArcPiece arc(const ArcBend& bend, const TangentPoint& in, const TangentPoint& out, double r) {
+  ArcPiece piece{touched(in, r), touched(out, r), bend.turn, bend.corner, 0, 0, {}};
+  const Range angle = detail::angle_between(in, out);
+  piece.from_angle = std::atan2(in.y.middle(), in.x.middle());
+  piece.sweep = angle.middle();
+  piece.length = interval(Range(r) * angle);
+  return piece;
+}
+
+}  // namespace
+
+std::vector<ArcPiece> pieces(const ArcPath& path) {
+  const double r = path.radius;
+  std::vector<ArcPiece> result;
+  if (path.start == path.goal && path.bends.empty()) return result;
+  std::vector<TangentEnd> ends{{path.start, 0}};
+  for (const ArcBend& bend : path.bends) ends.push_back({bend.corner, bend.turn});
+  ends.push_back({path.goal, 0});
+  std::optional<TangentPoint> arrived;
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+    const TangentEnd &from = ends[i], &to = ends[i + 1];
+    const TangentPoint leaves(from, to, r);
+    const TangentPoint arrives({to.centre, -to.side}, {from.centre, -from.side}, r);
+    if (from.side != 0) result.push_back(arc(path.bends[i - 1], *arrived, leaves, r));
+    const detail::TangentFrame<Range> frame(from, to, r);
+    result.push_back({touched(leaves, r), touched(arrives, r), 0, {}, 0, 0, interval(detail::root(frame.R))});
+    arrived = arrives;
+  }
+  return result;
+}
+
+Interval length_of(const std::vector<ArcPiece>& pieces) {
+  Range sum(0);
+  for (const ArcPiece& piece : pieces) sum = sum + Range(piece.length.lo, piece.length.hi);
+  return interval(sum);
+}
+
+std::vector<Point> sampled(const ArcPath& path, double tolerance) {
+  std::vector<Point> result{path.start};
+  const auto add = [&](Point p) {
+    if (result.back() != p) result.push_back(p);
+  };
+  const double step = 2 * std::acos(std::clamp(1 - tolerance / path.radius, 0.0, 1.0));
+  for (const ArcPiece& piece : pieces(path)) {
+    if (piece.turn != 0) {
+      const double parts = std::clamp(std::ceil(piece.sweep / step), 1.0, 65536.0);
+      for (double k = 1; k < parts; ++k) {
+        const double angle = piece.from_angle + piece.turn * piece.sweep * (k / parts);
+        add({piece.centre.x + path.radius * std::cos(angle), piece.centre.y + path.radius * std::sin(angle)});
+      }
+    }
+    add(piece.to);
+  }
+  return result;
+}
+
+}  // namespace taut

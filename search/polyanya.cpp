@@ -1,0 +1,211 @@
+#include <taut/search/polyanya.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <taut/geometry/predicates.h>
+#include <taut/search/detail/polyanya_engine.h>
+#include <taut/search/detail/room_entries.h>
+#include <taut/search/query_ends.h>
+
+namespace taut {
+
+namespace {
+
+/// The polygons that hold a place. `towards`: see FreeSpace::sees.
+class PolygonsAt {
+ public:
+  PolygonsAt(const FreeSpace& space, const Navmesh& mesh) : tri_(space.triangulation()), mesh_(mesh) {}
+
+  void operator()(Point p, const Location& at, std::optional<Point> towards, std::vector<std::uint32_t>& out) const {
+    out.clear();
+    switch (at.kind) {
+      case Location::Kind::outside: return;
+      case Location::Kind::triangle: in_triangle(p, at, out); break;
+      case Location::Kind::side: on_side(at, towards, out); break;
+      case Location::Kind::vertex: at_vertex(at, towards, out); break;
+    }
+    if (out.size() < 2) return;
+    std::sort(out.begin(), out.end());
+    out.erase(std::unique(out.begin(), out.end()), out.end());
+  }
+
+ private:
+  /// And the neighbour, when p lies on a portal.
+  void in_triangle(Point p, const Location& at, std::vector<std::uint32_t>& out) const {
+    const std::uint32_t polygon = mesh_.polygon_of[at.triangle];
+    out.push_back(polygon);
+    for (std::uint32_t c = mesh_.first[polygon]; c < mesh_.first[polygon + 1]; ++c) {
+      const std::uint32_t across = mesh_.corners[c].across;
+      if (across != kNone && on_segment(p, mesh_.corners[c].point, mesh_.corners[mesh_.next(c)].point))
+        out.push_back(mesh_.corners[across].polygon);
+    }
+  }
+
+  void on_side(const Location& at, std::optional<Point> towards, std::vector<std::uint32_t>& out) const {
+    const auto& corners = tri_.triangles[at.triangle];
+    const int turn = towards ? orientation(tri_.points[corners[Triangulation::ccw(at.index)]],
+                                           tri_.points[corners[Triangulation::cw(at.index)]], *towards)
+                             : 0;
+    const std::uint32_t n = tri_.neighbours[at.triangle][at.index];
+    if (turn >= 0) out.push_back(mesh_.polygon_of[at.triangle]);
+    if (turn <= 0 && n != kNone && tri_.free[n]) out.push_back(mesh_.polygon_of[n]);
+  }
+
+  void at_vertex(const Location& at, std::optional<Point> towards, std::vector<std::uint32_t>& out) const {
+    for (const Triangulation::Sector& sector : tri_.sectors_at(tri_.triangles[at.triangle][at.index]))
+      if (!towards || tri_.looks_to(sector, *towards))
+        each_triangle(tri_, sector, [&](std::uint32_t t, int) { out.push_back(mesh_.polygon_of[t]); });
+  }
+
+  const Triangulation& tri_;
+  const Navmesh& mesh_;
+};
+
+Location place_of(const FreeSpace& space, Point p, const char* role) {
+  const Location at = space.locate(p);
+  if (at.kind == Location::Kind::outside) require_free(space, p, role);
+  return at;
+}
+
+}  // namespace
+
+Polyanya::Polyanya(FreeSpace space)
+    : space_(std::move(space)), mesh_(std::make_shared<const Navmesh>(navmesh(space_))) {}
+
+Polyanya::Polyanya(FreeSpace space, Navmesh mesh)
+    : space_(std::move(space)), mesh_(std::make_shared<const Navmesh>(std::move(mesh))) {}
+
+struct PolyanyaSearch::Impl {
+  explicit Impl(Polyanya what)
+      : polyanya(std::move(what)),
+        space(polyanya.space()),
+        engine(polyanya.mesh()),
+        polygons_at(space, polyanya.mesh()) {}
+
+  SearchStatus start_search(Point from, bool nearest, const SearchLimits& limits) {
+    return search(from, nearest, false, limits, [](Point, std::uint32_t) {});
+  }
+
+  template <typename OnRoot>
+  SearchStatus search(Point from, bool nearest, bool other_ends, const SearchLimits& limits, OnRoot&& on_root) {
+    status = engine.run({from, starts, std::span(goals).first(goal_count), nearest, other_ends, limits}, on_root);
+    points.clear();
+    length = std::numeric_limits<double>::infinity();
+    if (nearest && engine.way().exists()) {
+      engine.points(engine.way(), points);
+      length = engine.way().length;
+      goal = engine.way().goal;
+    }
+    return status;
+  }
+
+  void place_start(Point from) {
+    polygons_at(from, place_of(space, from, "start"), std::nullopt, starts);
+    goal_count = 0;
+  }
+
+  void add_goal(Point p, const Location& at, std::optional<Point> towards = std::nullopt) {
+    if (goal_count == goals.size()) goals.emplace_back();
+    detail::MeshGoal& goal_place = goals[goal_count++];
+    goal_place.point = p;
+    polygons_at(p, at, towards, goal_place.polygons);
+  }
+
+  SearchStatus find_room(Point from, const std::vector<Box>& room, const SearchLimits& limits) {
+    place_start(from);
+    for (const detail::RoomEntry& entry : detail::room_entries(space, room))
+      add_goal(entry.point, space.locate(entry.point), entry.inside);
+    const std::vector<detail::RoomSide> sides = detail::room_sides(room);
+    return search(from, true, true, limits, [&](Point p, std::uint32_t root) {
+      for (const detail::RoomSide& side : sides) {
+        const auto foot = side.foot(p);
+        if (!foot || !engine.may_improve(root, std::max(std::abs(foot->x - p.x), std::abs(foot->y - p.y)))) continue;
+        if (space.locate(*foot).kind != Location::Kind::outside && space.sees(*foot, p, side.inside))
+          engine.add_way(root, *foot);
+      }
+    });
+  }
+
+  Polyanya polyanya;
+  const FreeSpace& space;
+  detail::PolyanyaEngine engine;
+  PolygonsAt polygons_at;
+
+  std::vector<std::uint32_t> starts;
+  std::vector<detail::MeshGoal> goals;  // the first goal_count; the others keep their memory
+  std::size_t goal_count = 0;
+
+  SearchStatus status = SearchStatus::none;
+  std::vector<Point> points;
+  double length = std::numeric_limits<double>::infinity();
+  std::size_t goal = 0;
+};
+
+PolyanyaSearch::PolyanyaSearch(Polyanya polyanya) : impl_(std::make_unique<Impl>(std::move(polyanya))) {}
+PolyanyaSearch::PolyanyaSearch(PolyanyaSearch&&) noexcept = default;
+PolyanyaSearch& PolyanyaSearch::operator=(PolyanyaSearch&&) noexcept = default;
+PolyanyaSearch::~PolyanyaSearch() = default;
+
+SearchStatus PolyanyaSearch::find(Point from, Point to, const SearchLimits& limits) {
+  impl_->place_start(from);
+  impl_->add_goal(to, place_of(impl_->space, to, "goal"));
+  return impl_->start_search(from, true, limits);
+}
+
+SearchStatus PolyanyaSearch::find(Point from, const Goal& to, const SearchLimits& limits) {
+  if (to.point) return find(from, *to.point, limits);
+  if (const auto here = detail::answer_at_start(impl_->space, from, to)) {
+    impl_->place_start(from);
+    impl_->add_goal(from, impl_->space.locate(from));
+    return impl_->start_search(from, true, {});
+  }
+  return impl_->find_room(from, to.room, limits);
+}
+
+SearchStatus PolyanyaSearch::find_nearest(Point from, std::span<const Point> goals, const SearchLimits& limits) {
+  impl_->place_start(from);
+  for (const Point p : goals) impl_->add_goal(p, impl_->space.locate(p));
+  return impl_->start_search(from, true, limits);
+}
+
+const std::vector<Point>& PolyanyaSearch::points() const { return impl_->points; }
+double PolyanyaSearch::length() const { return impl_->length; }
+std::size_t PolyanyaSearch::goal() const { return impl_->goal; }
+std::size_t PolyanyaSearch::expanded() const { return impl_->engine.expanded(); }
+std::size_t PolyanyaSearch::generated() const { return impl_->engine.generated(); }
+
+GraphSearchResult PolyanyaSearch::result() const {
+  GraphSearchResult result;
+  result.status = impl_->status;
+  result.path.points = impl_->points;
+  if (!impl_->points.empty()) result.path.length = Length(impl_->points);
+  result.goal = impl_->goal;
+  result.expanded = expanded();
+  result.generated = generated();
+  return result;
+}
+
+std::vector<std::optional<Path>> PolyanyaSearch::find_each(Point from, std::span<const Point> goals) {
+  impl_->place_start(from);
+  for (const Point p : goals) impl_->add_goal(p, impl_->space.locate(p));
+  impl_->start_search(from, false, {});
+  std::vector<std::optional<Path>> paths(goals.size());
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    if (!impl_->engine.way(i).exists()) continue;
+    Path path;
+    impl_->engine.points(impl_->engine.way(i), path.points);
+    path.length = Length(path.points);
+    paths[i] = std::move(path);
+  }
+  return paths;
+}
+
+GraphSearchResult shortest_path(const Polyanya& polyanya, Point from, const Goal& to, const SearchLimits& limits) {
+  PolyanyaSearch search(polyanya);
+  search.find(from, to, limits);
+  return search.result();
+}
+
+}  // namespace taut

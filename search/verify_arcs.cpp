@@ -1,0 +1,257 @@
+#include <taut/search/verify_arcs.h>
+
+#include <fmt/format.h>
+#include <gmpxx.h>
+
+#include <cmath>
+#include <memory>
+#include <optional>
+
+namespace taut {
+
+namespace {
+
+/// a + b sqrt(c) with a c that all numbers of one question share.
+struct Number {
+  mpq_class a, b;
+  const mpq_class* c;
+
+  Number operator+(const Number& o) const { return {a + o.a, b + o.b, c}; }
+  Number operator-(const Number& o) const { return {a - o.a, b - o.b, c}; }
+  Number operator*(const Number& o) const { return {a * o.a + b * o.b * *c, a * o.b + b * o.a, c}; }
+  int sign() const {
+    if (sgn(*c) == 0 || sgn(b) == 0) return sgn(a);
+    if (sgn(a) == 0 || sgn(a) == sgn(b)) return sgn(b);
+    const mpq_class difference = a * a - b * b * *c;
+    return sgn(difference) * sgn(a);
+  }
+};
+
+struct Place {
+  Number x, y;
+  Place operator-(const Place& o) const { return {x - o.x, y - o.y}; }
+};
+
+Number dot(const Place& u, const Place& v) { return u.x * v.x + u.y * v.y; }
+Number cross(const Place& u, const Place& v) { return u.x * v.y - u.y * v.x; }
+
+struct End {
+  Point at;
+  int turn;
+};
+
+/// A leg with its tangent points, exactly.
+class ExactLeg {
+ public:
+  ExactLeg(const End& p, const End& q, double r) : r2_(mpq_class(r) * mpq_class(r)) {
+    const mpq_class dx = mpq_class(q.at.x) - p.at.x, dy = mpq_class(q.at.y) - p.at.y, d2 = dx * dx + dy * dy;
+    const mpq_class k = mpq_class(r) * (q.turn - p.turn);
+    root_ = d2 - k * k;
+    if (sgn(d2) == 0 || sgn(root_) < 0) return;
+    const Place normal{Number{k * dx / d2, -dy / d2, &root_}, Number{k * dy / d2, dx / d2, &root_}};
+    const auto touch = [&](const End& end) {
+      const Number s = number(mpq_class(r) * end.turn), ex = number(end.at.x), ey = number(end.at.y);
+      return Place{ex - s * normal.x, ey - s * normal.y};
+    };
+    from_ = touch(p);
+    to_ = touch(q);
+    exists_ = touches(p, *from_, r) && touches(q, *to_, r);
+  }
+  ExactLeg(const ExactLeg&) = delete;
+  ExactLeg& operator=(const ExactLeg&) = delete;
+
+  bool exists() const { return exists_; }
+  const Place& from() const { return *from_; }
+  const Place& to() const { return *to_; }
+  const mpq_class& root() const { return root_; }
+  Place place(Point p) const { return {number(p.x), number(p.y)}; }
+  Number number(const mpq_class& v) const { return {v, 0, &root_}; }
+
+  bool keeps_away(const Segment& wall) const {
+    const Place a = place(wall.a), b = place(wall.b);
+    return far(a, *from_, *to_) && far(b, *from_, *to_) && far(*from_, a, b) && far(*to_, a, b) && !crosses(a, b);
+  }
+  /// Goes from one side of the segment's inside to the other, or into the wrong one.
+  bool crosses_opening(const Constraint& c) const {
+    const Place a = place(c.a), b = place(c.b);
+    const int solid = c.solid_left ? 1 : -1;
+    if (side(*from_, *to_, a) * side(*from_, *to_, b) >= 0) return false;
+    const int s = side(a, b, *from_), t = side(a, b, *to_);
+    return s * t < 0 || (s == 0 && t == solid) || (t == 0 && s == solid);
+  }
+
+ private:
+  static int side(const Place& a, const Place& b, const Place& p) { return cross(b - a, p - a).sign(); }
+  bool crosses(const Place& a, const Place& b) const {
+    return side(*from_, *to_, a) * side(*from_, *to_, b) < 0 && side(a, b, *from_) * side(a, b, *to_) < 0;
+  }
+  /// |p - segment a b| >= r.
+  bool far(const Place& p, const Place& a, const Place& b) const {
+    const Place u = b - a, v = p - a, w = p - b;
+    const Number r2 = number(r2_);
+    if (dot(u, v).sign() <= 0) return (dot(v, v) - r2).sign() >= 0;
+    if (dot(u, w).sign() >= 0) return (dot(w, w) - r2).sign() >= 0;
+    const Number area = cross(u, v);
+    return (area * area - r2 * dot(u, u)).sign() >= 0;
+  }
+  /// The point is on the end's circle, the leg perpendicular to its radius, the centre on the right side.
+  bool touches(const End& end, const Place& at, double) const {
+    const Place radius = at - place(end.at), way = *to_ - *from_;
+    if (end.turn == 0) return dot(radius, radius).sign() == 0;
+    if ((dot(radius, radius) - number(r2_)).sign() != 0 || dot(radius, way).sign() != 0) return false;
+    return sgn(root_) == 0 || cross(way, radius).sign() * end.turn < 0;
+  }
+
+  mpq_class r2_, root_;
+  std::optional<Place> from_, to_;
+  bool exists_ = false;
+};
+
+constexpr int kBits = 512;
+struct Fine {
+  mpf_class x, y;
+};
+Fine fine(const Place& p) {
+  const mpf_class root = sqrt(mpf_class(*p.x.c, kBits));
+  return {mpf_class(p.x.a, kBits) + mpf_class(p.x.b, kBits) * root,
+          mpf_class(p.y.a, kBits) + mpf_class(p.y.b, kBits) * root};
+}
+
+class Arc {
+ public:
+  Arc(const End& end, const ExactLeg& in, const ExactLeg& out, double r)
+      : end_(end), in_(in), out_(out), r_(r), from_(fine(in.to())), to_(fine(out.from())) {
+    for (Fine* p : {&from_, &to_}) {
+      p->x -= end.at.x;
+      p->y -= end.at.y;
+    }
+    const mpf_class together = from_.x * to_.x + from_.y * to_.y, t(end.turn, kBits);
+    mpf_class mx(0, kBits), my(0, kBits);
+    if (together > 0) {
+      mx = from_.x + to_.x;
+      my = from_.y + to_.y;
+    } else {
+      mx = t * (to_.y - from_.y);
+      my = t * (from_.x - to_.x);
+    }
+    middle_x_ = mpq_class(mx);
+    middle_y_ = mpq_class(my);
+  }
+
+  bool is_sound() const { return turn_from(middle_x_, middle_y_) > 0 && turn_to(middle_x_, middle_y_) > 0; }
+
+  bool keeps_away(const Segment& wall) const {
+    const mpq_class fx = mpq_class(wall.b.x) - wall.a.x, fy = mpq_class(wall.b.y) - wall.a.y;
+    mpq_class x = mpq_class(wall.a.x) - end_.at.x, y = mpq_class(wall.a.y) - end_.at.y;
+    mpq_class t = -(x * fx + y * fy) / (fx * fx + fy * fy);
+    if (t < 0) t = 0;
+    if (t > 1) t = 1;
+    x += t * fx;
+    y += t * fy;
+    if (x * x + y * y >= 4 * mpq_class(r_) * mpq_class(r_)) return true;
+    if (x == 0 && y == 0) {
+      x = t == 0 ? fx : mpq_class(-fx);
+      y = t == 0 ? fy : mpq_class(-fy);
+    }
+    return !passes(x, y);
+  }
+
+  bool crosses_opening(const Segment& s) const {
+    const mpf_class ax(s.a.x - 0.0, kBits), ay(s.a.y - 0.0, kBits);
+    const mpf_class x = ax - end_.at.x, y = ay - end_.at.y, fx = mpf_class(s.b.x, kBits) - ax,
+                    fy = mpf_class(s.b.y, kBits) - ay;
+    const mpf_class F = fx * fx + fy * fy, half = (x * fx + y * fy) / F;
+    const mpf_class disc = half * half - (x * x + y * y - mpf_class(r_, kBits) * r_) / F;
+    if (disc <= tiny()) return false;
+    for (const int way : {-1, 1}) {
+      const mpf_class at = -half + way * sqrt(disc);
+      if (at <= tiny() || at >= 1 - tiny()) continue;
+      const mpf_class px = x + at * fx, py = y + at * fy;
+      const mpf_class after = end_.turn * (from_.x * py - from_.y * px), before = end_.turn * (px * to_.y - py * to_.x);
+      if (after > tiny() && before > tiny()) return true;
+    }
+    return false;
+  }
+
+ private:
+  static mpf_class tiny() { return mpf_class("1e-100", kBits); }
+  int turn_from(const mpq_class& x, const mpq_class& y) const {
+    const Place radius = in_.to() - in_.place(end_.at);
+    return end_.turn * cross(radius, {in_.number(x), in_.number(y)}).sign();
+  }
+  int turn_to(const mpq_class& x, const mpq_class& y) const {
+    const Place radius = out_.from() - out_.place(end_.at);
+    return end_.turn * cross({out_.number(x), out_.number(y)}, radius).sign();
+  }
+  /// Is the direction strictly within one of the halves, or the middle itself?
+  bool passes(const mpq_class& x, const mpq_class& y) const {
+    const int beside = end_.turn * sgn(mpq_class(middle_x_ * y - middle_y_ * x));
+    const bool same = sgn(mpq_class(middle_x_ * x + middle_y_ * y)) > 0;
+    if (beside == 0) return same;
+    return beside > 0 ? turn_to(x, y) > 0 && (same || turn_from(x, y) >= 0)
+                      : turn_from(x, y) > 0 && (same || turn_to(x, y) >= 0);
+  }
+
+  const End& end_;
+  const ExactLeg& in_;
+  const ExactLeg& out_;
+  double r_;
+  Fine from_, to_;
+  mpq_class middle_x_, middle_y_;
+};
+
+std::string text(const Segment& s) { return fmt::format("({}, {}) to ({}, {})", s.a.x, s.a.y, s.b.x, s.b.y); }
+
+/// Farther from all a piece can reach than doubles can err.
+bool is_far(const Segment& s, Point p, Point q, double reach) {
+  const double scale =
+      std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y) + std::abs(s.a.x) + std::abs(s.a.y);
+  const double more = reach * 1.001 + 1e-9 * scale;
+  return std::min(s.a.x, s.b.x) > std::max(p.x, q.x) + more || std::max(s.a.x, s.b.x) < std::min(p.x, q.x) - more ||
+         std::min(s.a.y, s.b.y) > std::max(p.y, q.y) + more || std::max(s.a.y, s.b.y) < std::min(p.y, q.y) - more;
+}
+
+}  // namespace
+
+ArcVerdict verify_arcs(const ArcPath& path, const Gates& gates, Point from, Point to) {
+  const auto refuse = [](std::string reason) { return ArcVerdict{false, std::move(reason)}; };
+  if (path.start != from || path.goal != to) return refuse("does not lead from start to goal");
+  if (!(path.radius > 0) || !std::isfinite(path.radius)) return refuse("has no radius");
+  const FreeSpace& space = gates.space();
+  for (const Point p : {from, to})
+    if (space.locate(p).kind == Location::Kind::outside) return refuse("has an end outside");
+  const double r = path.radius;
+  std::vector<End> ends{{from, 0}};
+  for (const ArcBend& bend : path.bends) ends.push_back({bend.corner, bend.turn});
+  ends.push_back({to, 0});
+  const bool stays = ends.size() == 2 && from == to;
+  std::vector<std::unique_ptr<ExactLeg>> legs;
+  for (std::size_t i = 0; !stays && i + 1 < ends.size(); ++i) {
+    legs.push_back(std::make_unique<ExactLeg>(ends[i], ends[i + 1], r));
+    if (!legs.back()->exists()) return refuse(fmt::format("leg {} does not exist", i));
+  }
+  const auto& constraints = space.constraints();
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    const bool bends = i > 0 && ends[i].turn != 0;
+    const std::optional<Arc> arc =
+        bends ? std::optional<Arc>(std::in_place, ends[i], *legs[i - 1], *legs[i], r) : std::nullopt;
+    if (arc && !arc->is_sound()) return refuse(fmt::format("arc {} does not turn as it says", i - 1));
+    for (std::uint32_t c = 0; c < constraints.size(); ++c) {
+      const Segment s{constraints[c].a, constraints[c].b};
+      if (is_far(s, ends[i].at, ends[i + 1].at, 2 * r)) continue;
+      if (gates.is_opening(c)) {
+        if (legs[i]->crosses_opening(constraints[c]) || (arc && arc->crosses_opening(s)))
+          return refuse(fmt::format("piece {} crosses the opening {}", i, text(s)));
+        continue;
+      }
+      if (!legs[i]->keeps_away(s)) return refuse(fmt::format("leg {} comes too near the wall {}", i, text(s)));
+      if (arc && !arc->keeps_away(s)) return refuse(fmt::format("arc {} comes too near the wall {}", i - 1, text(s)));
+    }
+  }
+  const Interval length = length_of(pieces(path));
+  if (!(path.length.lo <= length.hi * (1 + 1e-9) && path.length.hi >= length.lo * (1 - 1e-9)))
+    return refuse("is not as long as it says");
+  return {true, {}};
+}
+
+}  // namespace taut

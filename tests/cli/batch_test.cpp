@@ -1,0 +1,122 @@
+// taut batch, and grid maps in the program.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/paths.h"
+#include "support/run_program.h"
+
+namespace taut::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+constexpr const char* kMap =
+    "type octile\nheight 5\nwidth 5\nmap\n"
+    ".....\n"
+    ".@@@.\n"
+    ".@.@.\n"
+    ".@@@.\n"
+    ".....\n";
+
+class Batch : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!program()) GTEST_SKIP() << "the program is not built";
+    map = folder.file("x.map", kMap);
+  }
+  Outcome run(const std::string& queries, const std::string& options = "") {
+    return run_taut("batch " + map + " - " + options, queries);
+  }
+  Folder folder;
+  std::string map;
+};
+
+TEST_F(Batch, AnswersEachLineInTheMapsOwnCoordinates) {
+  const Outcome outcome = run("# head\n0.5 0.5 4.5 0.5\n\n0.5 0.5 4.5 4.5 # corner to corner\n0.5,0.5,0.5,0.5\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "2 4\n4 7.0710678118654755\n5 0\n");
+  EXPECT_THAT(outcome.err, HasSubstr("3 queries, 0 without an answer, 0 compared, 0 mismatches"));
+}
+
+TEST_F(Batch, ComparesWhereALengthIsGivenAndNamesMismatches) {
+  const Outcome outcome = run("0.5 0.5 4.5 0.5 4.0000005\n0.5 0.5 4.5 0.5 4.1\n0.5 0.5 2.5 2.5 none\n", "-q");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_THAT(outcome.err, HasSubstr("<stdin>:2: expected 4.1, found 4"));
+  EXPECT_THAT(outcome.err, HasSubstr("3 queries, 0 without an answer, 3 compared, 1 mismatch;"));
+}
+
+TEST_F(Batch, SaysNoneAndBlockedAndGoesOn) {
+  const Outcome outcome = run("0.5 0.5 2.5 2.5\n1.5 1.5 0.5 0.5\n0.5 0.5 9 9\n0.5 0.5 0.5 1.5\n");
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(outcome.out, "1 none\n2 blocked\n3 blocked\n4 1\n");
+  EXPECT_THAT(outcome.err, HasSubstr("3 without an answer"));
+}
+
+TEST_F(Batch, SpeaksJsonLines) {
+  const Outcome outcome = run("0.5 0.5 4.5 0.5 4\n1.5 1.5 0.5 0.5\n", "--json --path");
+  const std::size_t end = outcome.out.find('\n');
+  EXPECT_EQ(json::parse(outcome.out.substr(0, end)),
+            json::parse(R"({"line": 1, "status": "found", "length": 4.0, "expected": 4.0, "matches": true,
+                            "path": [[0.5, 0.5], [4.5, 0.5]]})"));
+  EXPECT_EQ(json::parse(outcome.out.substr(end)),
+            json::parse(R"({"line": 2, "status": "blocked", "blocked": "start"})"));
+}
+
+TEST_F(Batch, RefusesBrokenLinesByNumber) {
+  const Outcome few = run("0.5 0.5 4.5 0.5\n1 2 3\n");
+  EXPECT_EQ(few.code, 3);
+  EXPECT_THAT(few.err, HasSubstr("<stdin>:2: too few numbers"));
+  EXPECT_THAT(run("1 2 3 x\n").err, HasSubstr("<stdin>:1: 'x' is not a number"));
+  EXPECT_THAT(run("1 2 3 4 5 6\n").err, HasSubstr("'6' follows the length"));
+  EXPECT_EQ(run_taut("batch - -", kMap).code, 2);
+  EXPECT_EQ(run_taut("batch " + map + " /nowhere/x").code, 3);
+}
+
+TEST_F(Batch, AnswersALineBeforeTheNextOneComes) {
+  const Outcome outcome = run_script("mkfifo \"" + (folder / "in").string() + "\" \"" + (folder / "out").string() +
+                                     "\"\n\"$taut\" batch \"" + map + "\" - < \"" + (folder / "in").string() +
+                                     "\" > \"" + (folder / "out").string() +
+                                     "\" 2>/dev/null &\n"
+                                     "exec 3> \"" +
+                                     (folder / "in").string() + "\" 4< \"" + (folder / "out").string() +
+                                     "\"\n"
+                                     "echo 0.5 0.5 4.5 0.5 >&3; read answer <&4; echo \"got $answer\"\n"
+                                     "echo 0.5 0.5 0.5 0.5 >&3; read answer <&4; echo \"got $answer\"\n"
+                                     "exec 3>&-; wait\n");
+  EXPECT_EQ(outcome.out, "got 1 4\ngot 2 0\n") << outcome.err;
+}
+
+TEST_F(Batch, TakesAnyWorldAndPackedFiles) {
+  const std::string maze = (data_dir() / "maze_25x25.txt").string(), packed = (folder / "maze.gz").string(),
+                    queries = folder.file("q", "0.5 0.5 0.5 0.5 0\n");
+  const Outcome outcome = run_script("gzip -c '" + maze + "' > '" + packed + "' && gzip '" + queries +
+                                     "' && \"$taut\" batch '" + packed + "' '" + queries + ".gz'");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "1 0\n");
+}
+
+TEST_F(Batch, GridMapsAreWorldsForTheOthersToo) {
+  const Outcome outcome =
+      run_taut("solve " + map + " --from 0.5,0.5 --to 4.5,4.5 --svg " + (folder / "x.svg").string());
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("length 7.071068"));
+  EXPECT_EQ(run_taut("solve " + map + " --from 0.5,0.5 --to 2.5,2.5").code, 1);
+  EXPECT_EQ(run_taut("solve " + map + " --from 1.5,1.5 --to 0.5,0.5").code, 3);
+}
+
+TEST_F(Batch, SolvesTheSameWithAndWithoutAGraph) {
+  const std::string maze = "solve " + (data_dir() / "maze_61x61_loops.txt").string();
+  const std::string fast = run_taut(maze + " --json -").out,
+                    graph = run_taut(maze + " --roadmap visibility --json -").out;
+  EXPECT_EQ(json::parse(fast)["length_text"], json::parse(graph)["length_text"]);
+  EXPECT_EQ(json::parse(fast)["roadmap"], "polyanya");
+  EXPECT_EQ(run_taut(maze + " --roadmap polyanya --save x").code, 2);
+}
+
+}  // namespace
+}  // namespace taut::test

@@ -1,0 +1,226 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include <fmt/format.h>
+
+#include <taut/geometry/maze_generator.h>
+#include <taut/geometry/predicates.h>
+#include <taut/io/query_lines.h>
+#include <taut/io/read_world.h>
+#include <taut/search/polyanya.h>
+#include <taut/search/shortest_path.h>
+#include <taut/search/verify.h>
+
+#include "support/paths.h"
+#include "support/small_world.h"
+
+namespace taut {
+namespace {
+
+using test::box_ring;
+using test::SmallWorld;
+
+std::string length_of(const FreeSpace& space, Point from, const Goal& to) {
+  const GraphSearchResult result = shortest_path(Polyanya(space), from, to);
+  return result.status == SearchStatus::found ? result.path.length.decimals(6) : "none";
+}
+std::string length_of(const SmallWorld& world, Point from, Point to) {
+  return length_of(world.space(), from, {to, {}});
+}
+
+TEST(Polyanya, GoesStraightWhereNothingIsInTheWay) { EXPECT_EQ(length_of(SmallWorld{}, {1, 1}, {4, 5}), "5.000000"); }
+
+TEST(Polyanya, GoesAroundTheFreeEndOfAWall) {
+  EXPECT_EQ(length_of({.walls = {{{5, 0}, {5, 6}}}, .solids = {}}, {2, 2}, {8, 2}), "10.000000");
+  EXPECT_EQ(length_of({.walls = {{{5, 0}, {5, 6}}}, .solids = {}}, {5, 2}, {5, 2}), "0.000000");
+}
+
+TEST(Polyanya, TurnsRightBackAlongTheOtherSideOfAWall) {
+  const SmallWorld world{.walls = {{{0, 5}, {6, 5}}}, .solids = {box_ring(0, 3, 6, 4), box_ring(0, 6, 6, 7)}};
+  EXPECT_EQ(length_of(world, {1, 4.5}, {1, 5.5}), "10.049876");
+}
+
+TEST(Polyanya, DoesNotSlipThroughAJoint) {
+  EXPECT_EQ(length_of({.walls = {{{0, 3}, {5, 5}}, {{5, 5}, {10, 3}}}, .solids = {}}, {5, 2}, {5, 8}), "none");
+  EXPECT_EQ(length_of({.walls = {}, .solids = {box_ring(0, 0, 5, 5), box_ring(5, 5, 10, 10)}}, {8, 2}, {2, 8}), "none");
+}
+
+TEST(Polyanya, LeavesAWallToBothSides) {
+  const SmallWorld world{.walls = {{{2, 5}, {8, 5}}}, .solids = {}};
+  EXPECT_EQ(length_of(world, {5, 5}, {5, 7}), "2.000000");
+  EXPECT_EQ(length_of(world, {5, 5}, {5, 3}), "2.000000");
+  EXPECT_EQ(length_of(world, {5, 3}, {5, 5}), "2.000000");
+  EXPECT_EQ(length_of(world, {2, 5}, {8, 5}), "6.000000");
+}
+
+TEST(Polyanya, EndsWhereItEntersTheRoom) {
+  const World world = read_world(
+      "o---o---o---o\n"
+      "| S       G |\n"
+      "o---o---o---o\n");
+  EXPECT_EQ(length_of(FreeSpace(world), *world.start(), world.goal()), "1.500000");
+}
+
+TEST(Polyanya, RefusesEndsInSolids) {
+  PolyanyaSearch search{Polyanya(SmallWorld{.walls = {}, .solids = {box_ring(1, 1, 3, 3)}}.space())};
+  EXPECT_THROW(search.find({2, 2}, Point{5, 5}), InputError);
+  EXPECT_THROW(search.find({5, 5}, Point{2, 2}), InputError);
+  EXPECT_THROW(search.find({5, 5}, Point{11, 2}), InputError);
+  EXPECT_EQ(search.find({5, 5}, Point{6, 5}), SearchStatus::found) << "and can be asked again";
+}
+
+TEST(Polyanya, DecidesTiesExactly) {
+  // Two ways around a block: the right one is shorter by 2^-40.
+  const double less = 0x1p-40;
+  const SmallWorld world{.walls = {}, .solids = {box_ring(3, 4, 7 - less, 6)}};
+  const GraphSearchResult result = shortest_path(Polyanya(world.space()), {5, 1}, {Point{5, 9}, {}});
+  ASSERT_EQ(result.path.points.size(), 4U);
+  EXPECT_EQ(result.path.points[1].x, 7 - less);
+}
+
+TEST(Polyanya, StopsAtItsLimit) {
+  auto grid = std::make_shared<GridMaze>(generate_backtracker(30, 30, 1));
+  open_walls(*grid, 0.5, 1);
+  PolyanyaSearch search{Polyanya(FreeSpace(world_of(std::move(grid))))};
+  EXPECT_EQ(search.find({0.5, 0.5}, Point{29.5, 29.5}, {.expansions = 5}), SearchStatus::stopped);
+  EXPECT_EQ(search.expanded(), 5U);
+  EXPECT_EQ(search.find({0.5, 0.5}, Point{29.5, 29.5}), SearchStatus::found);
+}
+
+TEST(Polyanya, LooksAtNothingButTheCorridorOfAPerfectMaze) {
+  PolyanyaSearch search{Polyanya(FreeSpace(world_of(std::make_shared<GridMaze>(generate_backtracker(100, 100, 1)))))};
+  ASSERT_EQ(search.find({0.5, 0.5}, Point{1.5, 0.5}), SearchStatus::found);
+  const std::size_t turns = search.points().size();
+  EXPECT_LT(search.expanded(), 20 * turns + 20);
+}
+
+TEST(Polyanya, NeverLooksForAGoalInAnotherComponent) {
+  PolyanyaSearch search{Polyanya(SmallWorld{.walls = {{{5, 0}, {5, 10}}, {{2, 0}, {2, 9}}}, .solids = {}}.space())};
+  EXPECT_EQ(search.find({1, 1}, Point{8, 2}), SearchStatus::none);
+  EXPECT_EQ(search.expanded(), 1U);
+}
+
+/// Random pairs in a file's world: exactly as long as in the visibility graph, and checked.
+void expect_agreement(const std::filesystem::path& file, std::size_t pairs) {
+  const FreeSpace space(read_world_file(file.string(), {}));
+  const VisibilityGraph graph(space);
+  PolyanyaSearch search{Polyanya(space)};
+  const World& world = space.world();
+  if (world.start() && (world.goal().point || !world.goal().room.empty())) {
+    search.find(*world.start(), world.goal());
+    const GraphSearchResult expected = shortest_path(graph, *world.start(), world.goal());
+    ASSERT_EQ(search.result().status, expected.status) << file;
+    EXPECT_EQ(search.result().path.length, expected.path.length) << file;
+  }
+  std::mt19937_64 engine(7);
+  const auto place = [&] {
+    const Box box = world.box();
+    const double x = static_cast<double>(engine() % 1025) / 1024, y = static_cast<double>(engine() % 1025) / 1024;
+    return Point{box.min.x + x * (box.max.x - box.min.x), box.min.y + y * (box.max.y - box.min.y)};
+  };
+  for (std::size_t n = 0; n < pairs; ++n) {
+    const Point from = place(), to = place();
+    if (space.locate(from).kind == Location::Kind::outside || space.locate(to).kind == Location::Kind::outside)
+      continue;
+    const GraphSearchResult expected = shortest_path(graph, from, {to, {}});
+    ASSERT_EQ(search.find(from, to), expected.status) << file;
+    if (expected.status != SearchStatus::found) continue;
+    const Path path = search.result().path;
+    EXPECT_EQ(path.length, expected.path.length)
+        << fmt::format("{}: {} {} to {} {}", file.string(), from.x, from.y, to.x, to.y);
+    if (n % 8 == 0) EXPECT_TRUE(verify(path, space, from, {to, {}}).valid) << file;
+  }
+}
+
+TEST(Polyanya, IsAsLongAsInTheVisibilityGraphInAllMazesOfOurs) {
+  for (const auto& entry : std::filesystem::directory_iterator(test::data_dir()))
+    if (entry.path().extension() != ".md") expect_agreement(entry.path(), 40);
+}
+
+TEST(Polyanya, IsAsLongAsInTheVisibilityGraphInAllMazesOfOthers) {
+  const auto folder = test::shared_data_dir();
+  if (!folder) GTEST_SKIP() << "there is no shared data";
+  for (const char* kind : {"micromouse", "prm"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(*folder / kind)) {
+      if (!entry.is_regular_file() || entry.path().extension() == ".md") continue;
+      try {
+        read_world_file(entry.path().string(), {});
+      } catch (const InputError&) {
+        continue;  // readers have tests of their own
+      }
+      expect_agreement(entry.path(), 10);
+    }
+}
+
+TEST(Polyanya, IsAsLongAsInTheVisibilityGraphOnAGameMap) {
+  const auto folder = test::shared_data_dir();
+  if (!folder) GTEST_SKIP() << "there is no shared data";
+  expect_agreement(*folder / "movingai" / "arena.map.gz", 500);
+}
+
+TEST(Polyanya, GivesTheLengthsOfTheReferenceOnGridMaps) {
+  const auto folder = test::shared_data_dir();
+  if (!folder) GTEST_SKIP() << "there is no shared data";
+  std::size_t compared = 0;
+  for (const char* map : {"arena", "brc202d", "maze512-32-0", "maze512-8-0", "maze512-8-0-braid20"}) {
+    const std::filesystem::path file = *folder / "movingai" / map;
+    PolyanyaSearch search{Polyanya(FreeSpace(read_world_file(file.string() + ".map.gz", {})))};
+    std::ifstream queries(file.string() + ".queries");
+    std::string line;
+    for (int number = 1; std::getline(queries, line); ++number) {
+      const auto query = query_line(line, file.string(), number);
+      if (!query) continue;
+      ASSERT_EQ(search.find(query->from, query->to), SearchStatus::found);
+      EXPECT_NEAR(search.length(), *query->expected, 1e-6) << map << ':' << number;
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, 5000U);
+}
+
+TEST(Polyanya, FindsTenThousandPathsAmongPolygonsAsLongAsTheVisibilityGraph) {
+  std::mt19937_64 engine(2024);
+  const auto unit = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  std::size_t compared = 0;
+  for (int round = 0; compared < 10'000; ++round) {
+    SmallWorld world;
+    world.area = box_ring(0, 0, 20, 20);
+    for (int n = 0; n < 40; ++n) {
+      // A star around a place: simple, seldom convex, overlapping others.
+      const double x = unit() * 20, y = unit() * 20;
+      const int corners = 3 + static_cast<int>(engine() % 6);
+      Ring ring;
+      for (int k = 0; k < corners; ++k) {
+        const double angle = 6.283185307179586 * (k + 0.8 * unit()) / corners, r = 0.3 + 1.5 * unit();
+        const double px = x + r * std::cos(angle), py = y + r * std::sin(angle);
+        ring.push_back({px, py});
+      }
+      if (ring_orientation(ring) > 0) world.solids.push_back(ring);
+    }
+    FreeSpace space = [&] {
+      for (;; world.solids.pop_back()) try {
+          return world.space();
+        } catch (const InputError&) {
+        }
+    }();
+    const VisibilityGraph graph(space);
+    PolyanyaSearch search{Polyanya(space)};
+    for (int n = 0; n < 250; ++n) {
+      const double x = unit() * 20, y = unit() * 20, u = unit() * 20, v = unit() * 20;
+      const Point from{x, y}, to{u, v};
+      if (space.locate(from).kind == Location::Kind::outside || space.locate(to).kind == Location::Kind::outside)
+        continue;
+      const GraphSearchResult expected = shortest_path(graph, from, {to, {}});
+      ASSERT_EQ(search.find(from, to), expected.status) << "round " << round << ", query " << n;
+      ++compared;
+      if (expected.status != SearchStatus::found) continue;
+      EXPECT_EQ(search.result().path.length, expected.path.length) << "round " << round << ", query " << n;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace taut
