@@ -53,7 +53,7 @@ struct ChaseResult {
 ///  1. A step takes one second, or the whole seconds that thinking took, rounded up, if more (unless planning is free). It costs (seconds) x (cost of
 ///     the cell that is left).
 ///  2. Caught: at the end of a step the robot is where the target is at that second. The seconds within a long step do not count.
-///  3. A step that ends after the last meeting's second, or any when there is none, still counts; then the target has escaped.
+///  3. A step that ends after the last meeting's second still counts; then the target has escaped, as it has at once when there is no meeting at all.
 ///  4. An illegal step ends the chase and is neither counted nor tracked; `reason` names it.
 ChaseResult play(const ChaseMap& map, const ChaseRules& rules, const NextMove& next_move);
 

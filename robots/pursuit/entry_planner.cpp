@@ -4,6 +4,8 @@
 #include <bit>
 #include <chrono>
 #include <optional>
+#include <queue>
+#include <tuple>
 #include <unordered_map>
 
 #include <taut/geometry/detail/expects.h>
@@ -103,6 +105,13 @@ std::optional<Meeting> cheapest_entry(const Ground& ground, const std::vector<st
   return goal;
 }
 
+struct State {
+  CellIndex cell = 0;
+  int second = 0;
+};
+
+std::uint64_t code(State s) { return (std::uint64_t{s.cell} << 32) | static_cast<std::uint32_t>(s.second); }
+
 /// A* over (cell, second).
 class EntrySearch {
  public:
@@ -117,7 +126,8 @@ class EntrySearch {
   std::vector<CellIndex> run() {
     reach({ground_.chase.from, 0}, 0, {ground_.chase.from, 0});
     while (!queue_.empty()) {
-      const auto [f, state] = queue_.pop();
+      const State state = queue_.top().state;
+      queue_.pop();
       Seen& seen = seen_.find(code(state))->second;
       if (seen.closed) continue;
       seen.closed = true;
@@ -129,17 +139,22 @@ class EntrySearch {
   }
 
  private:
-  struct State {
-    CellIndex cell = 0;
-    int second = 0;
-  };
   struct Seen {
     Cost cost = 0;
     CellIndex before = 0;
     bool closed = false;
   };
 
-  static std::uint64_t code(State s) { return (std::uint64_t{s.cell} << 32) | static_cast<std::uint32_t>(s.second); }
+  // A heavy heuristic is not consistent: f may fall. Of equal ones first what is nearer to the goal.
+  struct Item {
+    std::uint64_t f = 0;
+    std::uint64_t rest = 0;
+    State state;
+
+    friend bool operator<(const Item& a, const Item& b) {
+      return std::make_tuple(b.f, b.rest, code(b.state)) < std::make_tuple(a.f, a.rest, code(a.state));
+    }
+  };
 
   bool expand(State state, Cost cost) {
     const Cost after = cost + ground_.map().cost(state.cell);
@@ -158,7 +173,8 @@ class EntrySearch {
       if (at->second.closed || at->second.cost <= cost) return;
       at->second = {cost, before.cell, false};
     }
-    queue_.push(static_cast<std::uint64_t>(cost) + weight_ * (heuristic_[state.cell] >> ground_.bits), state);
+    const std::uint64_t rest = heuristic_[state.cell] >> ground_.bits;
+    queue_.push({static_cast<std::uint64_t>(cost) + weight_ * rest, rest, state});
   }
 
   int least_moves(CellIndex cell) const {
@@ -182,7 +198,7 @@ class EntrySearch {
   std::uint64_t weight_;
   std::vector<std::uint64_t> heuristic_;
   std::unordered_map<std::uint64_t, Seen> seen_;
-  RadixHeap<State> queue_;
+  std::priority_queue<Item> queue_;
 };
 
 /// Along `way`, which may hold waiting, then waiting at its end until `goal`.
