@@ -28,6 +28,9 @@ Command generate_command(CLI::App& app);
 Command convert_command(CLI::App& app);
 Command batch_command(CLI::App& app);
 
+/// `taut chase` and, before it, what is below it: of those that were parsed the first is meant.
+std::vector<Command> chase_commands(CLI::App& app);
+
 /// Adds a subcommand whose options live as long as the parser: `add` fills the parser, `run` does the work, both with
 /// the same Options, which has a member `common`.
 template <typename Options>

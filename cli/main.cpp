@@ -7,6 +7,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <unistd.h>
@@ -90,6 +91,7 @@ std::vector<Command> all_commands(CLI::App& app) {
   commands.push_back(generate_command(app));
   commands.push_back(convert_command(app));
   commands.push_back(batch_command(app));
+  for (Command& command : chase_commands(app)) commands.push_back(std::move(command));
   return commands;
 }
 
