@@ -133,7 +133,7 @@ int run(const ChaseOptions& options) {
   begin_stage("write");
   const std::string drawing = options.output.svg.empty() ? "" : chase_svg(map, run, false);
   const std::string animation = options.animation.empty() ? "" : chase_svg(map, run, true);
-  const std::string json = options.output.json.empty() ? "" : chase_json(map, run).dump(1) + "\n";
+  const std::string json = options.output.json.empty() ? "" : chase_json(map, run).dump() + "\n";
   finish();
   write_file(options.output.svg, drawing);
   write_file(options.animation, animation);
@@ -192,7 +192,7 @@ int run_compare(const CompareOptions& options) {
     code = std::max(code, best);
   }
   finish();
-  write_file(options.json, options.json.empty() ? "" : all.dump(1) + "\n");
+  write_file(options.json, options.json.empty() ? "" : all.dump() + "\n");
   if (options.json != "-") print(table);
   return code;
 }

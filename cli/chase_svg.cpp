@@ -175,8 +175,12 @@ class Picture {
     for (const auto& [who, above] : {std::pair{"target", true}, std::pair{"robot", false}}) {
       const bool is_robot = !above;
       out_ += fmt::format("<g class=\"mark {}\">", who);
-      for (int s = 0; s < seconds(); s += step)
-        mark(is_robot ? robot_[static_cast<std::size_t>(s)] : target(s), std::to_string(s), above);
+      const auto at = [&](int s) { return is_robot ? robot_[static_cast<std::size_t>(s)] : target(s); };
+      for (int s = 0; s < seconds(); s += step) {
+        const int from = s;
+        while (s + step < seconds() && at(s + step) == at(from)) s += step;
+        mark(at(from), s == from ? std::to_string(s) : fmt::format("{} to {}", from, s), above);
+      }
       out_ += "</g>\n";
     }
     out_ += "<g class=\"mark robot\">";
