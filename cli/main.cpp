@@ -94,6 +94,7 @@ std::vector<Command> all_commands(CLI::App& app) {
   for (Command& command : grid_commands(app)) commands.push_back(std::move(command));
   commands.push_back(diff_command(app));
   for (Command& mouse : mouse_commands(app)) commands.push_back(std::move(mouse));
+  for (Command& command : chase_commands(app)) commands.push_back(std::move(command));
   return commands;
 }
 

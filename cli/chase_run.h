@@ -1,0 +1,54 @@
+// One chase: a planner on a map by a clock.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <string>
+
+#include <taut/robots/pursuit/chase.h>
+
+namespace taut::cli {
+
+/// How it is played.
+struct ChaseRequest {
+  const pursuit::NamedPlanner* planner = nullptr;
+  pursuit::Clock clock = pursuit::Clock::zero;
+  bool free_planning = false;
+  double plan_seconds = 0;  ///< a call of the planner; 0: no limit
+
+  pursuit::PlanLimits limits() const;
+};
+
+struct ChaseRun {
+  ChaseRequest request;
+  pursuit::ChaseResult result;
+  pursuit::Plan plan;  ///< the first
+  pursuit::PlanEffort effort;
+  int plans = 0;
+  std::string fault;  ///< of a plan, as its check sees it; a defect of the program
+
+  bool is_caught() const { return result.end == pursuit::ChaseEnd::caught; }
+  /// Nobody catches it for less: the plan is proven, and it was kept.
+  bool is_proven(const pursuit::ChaseMap& map) const;
+  /// Nobody catches it at all.
+  bool is_hopeless() const { return plan.status == pursuit::PlanStatus::none && !is_caught(); }
+  int exit_code() const;
+  std::string why_not() const;  ///< when not caught
+};
+
+ChaseRun run_chase(const pursuit::ChaseMap& map, const ChaseRequest& request);
+
+/// `zero` or `one`
+std::string_view name(pursuit::Clock clock);
+
+/// The report's four columns under their heads, and a line before them that says what is proven.
+std::string chase_text(const pursuit::ChaseMap& map, const ChaseRun& run);
+
+/// `x,y` at each second that a step ends, a line each: `0 119,45`.
+std::string track_text(const pursuit::ChaseMap& map, const ChaseRun& run);
+
+/// `file`, `planner`, `clock`, `free_planning`, `caught`, `time`, `moves`, `cost`, `proven`, `lower_bound`, `reason`, `planning`, `peak_memory_bytes`,
+/// `path` of [second, x, y].
+nlohmann::ordered_json chase_json(const pursuit::ChaseMap& map, const ChaseRun& run);
+
+}  // namespace taut::cli

@@ -1,0 +1,111 @@
+#include <taut/robots/pursuit/detail/hops.h>
+
+#include <algorithm>
+
+namespace taut::pursuit::detail {
+
+namespace {
+
+/// Cells by the number of moves: calls visit(cell, moves) for each, in order, until it says true. `reached` is marked.
+class Waves {
+ public:
+  explicit Waves(const ChaseMap& map) : map_(map), steps_(neighbour_steps(map)), reached_(map.index_count(), false) {}
+
+  template <typename Visit>
+  void spread(CellIndex from, int limit, Visit visit) {
+    std::vector<CellIndex> wave{from}, next;
+    reached_[from] = true;
+    for (int moves = 0; !wave.empty(); ++moves, wave.swap(next), next.clear())
+      for (const CellIndex c : wave) {
+        if (visit(c, moves)) return;
+        if (moves == limit) continue;
+        for (const std::ptrdiff_t step : steps_)
+          enter(static_cast<CellIndex>(static_cast<std::ptrdiff_t>(c) + step), next);
+      }
+  }
+
+ private:
+  void enter(CellIndex c, std::vector<CellIndex>& next) {
+    if (reached_[c] || !map_.is_free(c)) return;
+    reached_[c] = true;
+    next.push_back(c);
+  }
+
+  const ChaseMap& map_;
+  std::vector<std::ptrdiff_t> steps_;
+  std::vector<std::uint8_t> reached_;
+};
+
+}  // namespace
+
+std::vector<std::ptrdiff_t> neighbour_steps(const ChaseMap& map) {
+  const auto s = static_cast<std::ptrdiff_t>(map.stride());
+  return {-s, -1, 1, s, -s - 1, -s + 1, s - 1, s + 1};
+}
+
+std::vector<int> hops_to(const ChaseMap& map, CellIndex from, const std::vector<Meeting>& meetings, int limit) {
+  std::vector<std::uint8_t> wanted(map.index_count(), 0);
+  std::size_t missing = 0;
+  for (const Meeting& m : meetings)
+    if (!wanted[m.cell]) wanted[m.cell] = 1, ++missing;
+  std::vector<std::pair<CellIndex, int>> found;
+  Waves(map).spread(from, limit, [&](CellIndex c, int moves) {
+    if (!wanted[c]) return false;
+    found.push_back({c, moves});
+    return --missing == 0;
+  });
+  std::sort(found.begin(), found.end());
+  std::vector<int> hops;
+  hops.reserve(meetings.size());
+  for (const Meeting& m : meetings) {
+    const auto at = std::lower_bound(found.begin(), found.end(), std::pair{m.cell, 0});
+    hops.push_back(at != found.end() && at->first == m.cell ? at->second : kUnreachable);
+  }
+  return hops;
+}
+
+std::vector<int> latest_departures(const ChaseMap& map, const std::vector<Meeting>& meetings, int now,
+                                   std::uint32_t lo) {
+  std::vector<int> latest(map.index_count(), -1);
+  if (meetings.empty()) return latest;
+  const auto steps = neighbour_steps(map);
+  std::vector<CellIndex> wave, next;
+  const auto enter = [&](CellIndex c, int second, std::vector<CellIndex>& into) {
+    if (latest[c] >= 0 || !map.is_free(c) || map.cost(c) < lo) return;
+    latest[c] = second;
+    into.push_back(c);
+  };
+  auto meeting = meetings.rbegin();
+  for (int second = meeting->second - now; second >= 0; --second, wave.swap(next), next.clear()) {
+    for (; meeting != meetings.rend() && meeting->second - now == second; ++meeting) enter(meeting->cell, second, wave);
+    if (wave.empty() && meeting == meetings.rend()) break;
+    if (second == 0) break;
+    for (const CellIndex c : wave)
+      for (const std::ptrdiff_t step : steps)
+        enter(static_cast<CellIndex>(static_cast<std::ptrdiff_t>(c) + step), second - 1, next);
+  }
+  return latest;
+}
+
+std::vector<CellIndex> fewest_moves(const ChaseMap& map, CellIndex from, CellIndex to) {
+  constexpr std::uint8_t kNone = 255;
+  const auto steps = neighbour_steps(map);
+  std::vector<std::uint8_t> came_by(map.index_count(), kNone);
+  std::vector<CellIndex> wave{from};
+  came_by[from] = 0;
+  for (std::size_t i = 0; i < wave.size() && wave[i] != to; ++i)
+    for (std::size_t d = 0; d < steps.size(); ++d) {
+      const auto c = static_cast<CellIndex>(static_cast<std::ptrdiff_t>(wave[i]) + steps[d]);
+      if (came_by[c] != kNone || !map.is_free(c)) continue;
+      came_by[c] = static_cast<std::uint8_t>(d);
+      wave.push_back(c);
+    }
+  if (came_by[to] == kNone) return {};
+  std::vector<CellIndex> way{to};
+  while (way.back() != from)
+    way.push_back(static_cast<CellIndex>(static_cast<std::ptrdiff_t>(way.back()) - steps[came_by[way.back()]]));
+  std::reverse(way.begin(), way.end());
+  return way;
+}
+
+}  // namespace taut::pursuit::detail

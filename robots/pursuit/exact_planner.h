@@ -1,0 +1,27 @@
+// The least-cost way to meet a moving target, proven.
+#pragma once
+
+#include <taut/robots/pursuit/pursuit.h>
+
+namespace taut::pursuit {
+
+/// The least path cost over all meetings, waiting wherever it is cheapest.
+///
+///  1. found: the plan keeps what Plan says; optimal unless stopped. none: proven, with reason_of_failure. stopped: no plan was found in time.
+///  2. When limits stop it after a first plan was found: found, not optimal, with a bound below the cost.
+///  3. Deterministic when it is not stopped.
+///  4. Memory: about 25 bytes a cell for most maps, 60 at worst, and what PlanLimits allows for labels; never a layer per second.
+///
+/// The method. All waiting of a best way is at its cheapest cell, of cost m, so the way costs sum(w) + (t - k) m: k moves, t seconds. For u <= m this is at
+/// least t u + sum(w - u) (detail/reduced.h): one search in the plane, with u = lo, bounds all ways whose cheapest cell costs lo..hi. Ranges of m are
+/// split, best bound first, where the bound's own way costs more than the bound; m <= cost of the start leaves few. Seconds come in only by k <= t:
+/// ways that are too slow for their meeting leave it `open`, and only for those a search with two criteria (reduced cost, moves) is run, pruned by the
+/// latest departure in time, by the cost to meet, and by the cost to meet at a second, Lagrangian u.
+/// The two breadth-first searches it begins with run side by side.
+/// Precondition: chase.from is free.
+Plan exact_plan(const Chase& chase, const PlanLimits& limits = {}, PlanEffort* effort = nullptr);
+
+/// Some way in time: the one that comes to its meeting's cell with the most seconds to spare. Not optimal, O(cells).
+Plan first_plan(const Chase& chase);
+
+}  // namespace taut::pursuit

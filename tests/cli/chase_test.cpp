@@ -1,0 +1,132 @@
+// taut chase
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/paths.h"
+#include "support/run_program.h"
+
+namespace taut::test {
+namespace {
+
+using nlohmann::json;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class ChaseProgram : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!program()) GTEST_SKIP() << "the program is not built";
+  }
+};
+
+std::string town() { return (data_dir() / "town_60x40.chase").string(); }
+
+TEST_F(ChaseProgram, PrintsTheFourColumnsOfTheReport) {
+  const Outcome run = run_taut("chase " + town());
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out,
+            "town_60x40.chase: caught at (19, 21); nobody does for less (proven)\n"
+            "caught    time   moves    cost\n"
+            "   yes      40      40      71\n");
+  EXPECT_THAT(run_taut("chase --clock one " + town()).out, HasSubstr("   yes      41      40      72\n"));
+}
+
+TEST_F(ChaseProgram, ReproducesTheOptimumOfTheCoursesThirdMap) {
+  const auto folder = shared_data_dir();
+  if (!folder) GTEST_SKIP() << "no shared data";
+  const std::string map = (*folder / "pursuit" / "map3.txt.gz").string();
+  EXPECT_EQ(json::parse(run_taut("chase --json - --clock zero " + map).out)["cost"], 241);
+  EXPECT_EQ(json::parse(run_taut("chase --json - --clock one " + map).out)["cost"], 240);
+}
+
+TEST_F(ChaseProgram, WritesJsonPathAndPictures) {
+  const json answer = json::parse(run_taut("chase --json - " + town()).out);
+  EXPECT_EQ(answer["caught"], true);
+  EXPECT_EQ(answer["time"], 40);
+  EXPECT_EQ(answer["moves"], 40);
+  EXPECT_EQ(answer["cost"], 71);
+  EXPECT_EQ(answer["proven"], true);
+  EXPECT_EQ(answer["lower_bound"], 71);
+  EXPECT_GT(answer["peak_memory_bytes"], 0);
+  EXPECT_GE(answer["planning"]["slowest_seconds"], answer["planning"]["first_seconds"]);
+  EXPECT_EQ(answer["path"].size(), 41U);
+  const Outcome path = run_taut("chase -q --path " + town());
+  EXPECT_EQ(std::count(path.out.begin(), path.out.end(), '\n'), 41);
+  EXPECT_THAT(path.out, ContainsRegex("40 19,21\n$"));
+  const std::string still = run_taut("chase --svg - " + town()).out,
+                    moving = run_taut("chase --animate - " + town()).out;
+  EXPECT_THAT(still, StartsWith("<svg xmlns="));
+  EXPECT_THAT(still, HasSubstr("data:image/png;base64,iVBORw0KGgo"));
+  EXPECT_THAT(still, HasSubstr("caught at 40"));
+  EXPECT_THAT(moving, HasSubstr("<animate attributeName=\"cx\""));
+}
+
+TEST_F(ChaseProgram, LetsEachPlannerChase) {
+  const Outcome run = run_taut("chase compare " + town());
+  EXPECT_EQ(run.code, 0) << run.err;
+  for (const char* line : {"exact +yes +40 +40 +71 +yes", "report +yes +83 +78 +83 +no", "weighted +yes", "first +yes"})
+    EXPECT_THAT(run.out, ContainsRegex(line));
+  EXPECT_EQ(json::parse(run_taut("chase compare --json - " + town()).out).size(), 4U);
+  EXPECT_THAT(run_taut("chase --planner report " + town()).out, HasSubstr("not proven optimal"));
+}
+
+TEST_F(ChaseProgram, SaysWhyATargetCannotBeCaught) {
+  const auto expect_reason = [](const char* map, const char* reason) {
+    for (const char* planner : {"exact", "report", "weighted", "first"}) {
+      const Outcome run = run_taut(std::string("chase - --planner ") + planner, map);
+      EXPECT_EQ(run.code, 1) << planner;
+      EXPECT_EQ(run.out, std::string("<stdin>: the target cannot be caught: ") + reason + "\n") << planner;
+    }
+  };
+  expect_reason("N 1,3 C 5 R 1,1 T 1,3 1,3 1,3 M 1,1,9", "the target is inside obstacles all the time");
+  expect_reason("N 1,3 C 5 R 1,1 T 1,3 1,3 1,3 M 1,9,1",
+                "obstacles separate the target's whole trajectory from the robot");
+  expect_reason("N 1,4 C 5 R 1,1 T 1,4 1,4 1,4 M 1,1,1,1",
+                "the trajectory is too short: the robot comes at least 1 second late to each of its cells");
+  expect_reason("N 1,4 C 5 R 1,1 T 1,1 M 1,1,1,1",
+                "the trajectory is too short: its only entry is where the target begins");
+}
+
+TEST_F(ChaseProgram, GeneratesTheTownOfTheData) {
+  const Outcome run = run_taut("chase generate --size 60x40 --duration 120 --costly --buildings 0.25 --seed 2");
+  EXPECT_EQ(run.out, contents(town()));
+}
+
+TEST_F(ChaseProgram, RefusesWrongUsage) {
+  for (const char* words : {"chase", "chase --planner magic x", "chase --clock two x", "chase compare",
+                            "chase generate --size 2", "chase --svg - --animate - x", "chase --plan-seconds -1 x"}) {
+    const Outcome run = run_taut(words);
+    EXPECT_EQ(run.code, 2) << words;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  }
+}
+
+struct Wrong {
+  const char* map;
+  const char* says;
+};
+
+TEST_F(ChaseProgram, NamesLineAndCulpritOfAWrongMap) {
+  for (const Wrong& w :
+       {Wrong{"", "is empty"}, Wrong{"hello", "'hello' is no section; they are N, C, R, T and M"},
+        Wrong{"N\n1,3\nC\n5\nR\n1,4\nT\n1,3\nM\n1,1,1", ":6: "}, Wrong{"N 1,3 C 5 R 1,1 T 1,3 M 1,1", "ends too soon"},
+        Wrong{"N 1,3 C 5 R 1,1 T 1,3 M 1,1,1,1", "is left over"}, Wrong{"N 1,3 C 5 R 1,1 T 1,3 M 1,-1,1", "negative"},
+        Wrong{"N 1,3 C 5 R 1,1 M 1,1,1", "T"}, Wrong{"N 1,3 C 5 R 1,1 T 1,3 M 9,1,1", "start"},
+        Wrong{"N 1,3 C 5 C 5 R 1,1 T 1,3 M 1,1,1", "a second section C"}, Wrong{"N 0,3 C 5 R 1,1 T 1,3 M", "no cells"},
+        Wrong{"N 1,3 C 5 Q 1,1 T 1,3 M 1,1,1", "is no section"}}) {
+    const Outcome run = run_taut("chase -", w.map);
+    EXPECT_EQ(run.code, 3) << w.map;
+    EXPECT_EQ(run.out, "");
+    EXPECT_THAT(run.err, HasSubstr(w.says));
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  }
+  EXPECT_EQ(run_taut("chase /nowhere/at/all").code, 3);
+}
+
+}  // namespace
+}  // namespace taut::test
