@@ -50,9 +50,12 @@ class Picture {
     lines("separation", what_.separation);
     lines("gates", what_.gates);
     shades();
+    lines("guides", what_.guides);
     path();
     marker("start", what_.start);
     marker("goal", goal_point());
+    labels();
+    runner();
     out_ += "</svg>\n";
     out_ += detail::legend(page_, what_.title, facts(), keys_);
     return std::move(out_ += "</svg>\n");
@@ -93,6 +96,7 @@ class Picture {
     if (what_.path || what_.arcs || !what_.curves.empty()) keys.emplace_back("path");
     if (!what_.separation.empty()) keys.emplace_back("separation");
     if (!what_.gates.empty()) keys.emplace_back("gates");
+    if (!what_.guides.empty()) keys.emplace_back("guides");
     if (roadmap_is_drawn() || diagram_is_drawn()) keys.emplace_back("roadmap");
     if (space_.footprint().kind() != Footprint::Kind::point) keys.emplace_back("solid");
     return keys;
@@ -226,6 +230,32 @@ class Picture {
     if (line.empty()) return;
     out_ += fmt::format("<g class=\"path\"><path class=\"casing\" d=\"{0}\"/><path class=\"line\" d=\"{0}\"/></g>\n",
                         line.text());
+  }
+
+  void labels() {
+    if (what_.labels.empty()) return;
+    out_ += "<g class=\"labels\">";
+    const double size = std::clamp(0.3 * page_.corridor, 9.0, 16.0);
+    for (const SvgLabel& label : what_.labels) {
+      const Point at = scale_->pixel(label.at);
+      out_ +=
+          fmt::format("<circle cx=\"{0}\" cy=\"{1}\" r=\"{2}\"/><text x=\"{3}\" y=\"{4}\" font-size=\"{5}\">{6}</text>",
+                      detail::svg_number(at.x), detail::svg_number(at.y), detail::svg_number(size / 4),
+                      detail::svg_number(at.x + size / 3), detail::svg_number(at.y - size / 3),
+                      detail::svg_number(size), detail::xml_text(label.text));
+    }
+    out_ += "</g>\n";
+  }
+
+  void runner() {
+    if (!what_.path || what_.seconds <= 0) return;
+    SvgPath line(*scale_);
+    line.chain(what_.path->points);
+    if (!line.empty())
+      out_ += fmt::format(
+          "<g class=\"runner\"><circle r=\"{}\"><animateMotion dur=\"{}s\" repeatCount=\"indefinite\" path=\"{}\"/>"
+          "</circle></g>\n",
+          detail::svg_number(page_.marker_radius()), detail::svg_number(what_.seconds), line.text());
   }
 
   void marker(const char* kind, const std::optional<Point>& at) {

@@ -22,6 +22,12 @@ struct SvgShade {
 /// The scale of SvgShade as `#rrggbb`.
 std::string shade_colour(double shade);
 
+/// A word beside a dot.
+struct SvgLabel {
+  Point at;
+  std::string text;
+};
+
 /// What to draw besides the free space. Pointers may be null and are only read during the call.
 struct SvgPicture {
   std::string title;               ///< first line of the legend, usually the file's name
@@ -36,6 +42,9 @@ struct SvgPicture {
   std::vector<SvgShade> shades;             ///< further paths, the first at the bottom
   std::vector<Segment> gates;               ///< narrow places
   const ArcPath* arcs = nullptr;            ///< drawn as `path`, with true arcs
+  std::vector<Segment> guides;              ///< auxiliary lines, dashed, below the path
+  std::vector<SvgLabel> labels;             ///< above all else
+  double seconds = 0;                       ///< > 0: a dot runs along `path` in that time, again and again (SMIL)
 };
 
 /// The picture as one SVG 1.1 document, north up.
@@ -45,8 +54,8 @@ struct SvgPicture {
 ///     (corridor_width), so that 5 x 7 and 300 x 300 cells both read well.
 ///  2. Groups, bottom to top, absent when they have nothing to show: `solid` (where the reference point cannot be),
 ///     `free` (polygons with holes), `rooms` (the goal's), `roadmap`, `openings`, `walls` (as the world gives them: a
-///     line, or a bar as wide as it is thick), `separation`, `gates`, `shades`, `path` (a casing and the line), `start`,
-///     `goal`; beside them `legend`. Each is a <g> of that class under svg.taut, coloured by the <style> block alone; there are no
+///     line, or a bar as wide as it is thick), `separation`, `gates`, `shades`, `guides`, `path` (a casing and the line), `start`,
+///     `goal`, `labels`, `runner`; beside them `legend`. Each is a <g> of that class under svg.taut, coloured by the <style> block alone; there are no
 ///     ids, so pictures can share a page. Colours follow `prefers-color-scheme`.
 ///  3. Each group is a few <path> elements with relative, rounded coordinates: about 4 bytes a corner. A roadmap of
 ///     more than kSvgRoadmapEdges edges is left out and the legend says so.

@@ -22,6 +22,7 @@ std::string_view label(std::string_view key) {
   if (key == "rooms") return "goal room";
   if (key == "solid") return "out of reach";
   if (key == "gates") return "narrow place";
+  if (key == "guides") return "straight line";
   if (key == "separation") return "walls between start and goal";
   return key;
 }
@@ -80,6 +81,9 @@ constexpr std::string_view kColours = R"(
 .taut .walls .area{fill:#4b5668;fill-rule:evenodd;stroke:none}
 .taut .separation{stroke:#d3245e}
 .taut .gates{stroke:#0b7fc1}
+.taut .guides{fill:none;stroke:#0b7fc1;stroke-width:1.5;stroke-dasharray:6 4}
+.taut .labels text{font-weight:bold;stroke:#fff;stroke-width:3;paint-order:stroke}
+.taut .runner{fill:#0b7fc1}
 .taut .path .line{stroke:#ee5a10}
 .taut .path .casing{stroke:#fff}
 .taut .start{fill:#12965f;stroke:#12965f}
@@ -99,6 +103,10 @@ constexpr std::string_view kColours = R"(
 .taut .walls .area{fill:#8e9aad}
 .taut .separation{stroke:#ff5c8d}
 .taut .gates{stroke:#4cc2ff}
+.taut .guides{stroke:#4cc2ff}
+.taut .labels{fill:#e5e9f0}
+.taut .labels text{stroke:#12161d}
+.taut .runner{fill:#4cc2ff}
 .taut .path .line{stroke:#ff8340}
 .taut .path .casing,.taut .rim{stroke:#12161d}
 .taut .start{fill:#35c98c;stroke:#35c98c}
