@@ -27,6 +27,15 @@ bool is_movingai(std::string_view text) {
   return text.substr(0, text.find('\n')).find("type") != std::string_view::npos;
 }
 
+/// The place, which must be free.
+GridPlace checked(GridPlace place, const OccupancyGrid& grid, const char* option, const std::string& source) {
+  if (grid.free(place.column, place.row)) return place;
+  const char* const fault = grid.contains(place.column, place.row) ? "blocked in" : "outside";
+  throw InputError(source, 0,
+                   fmt::format("{} {},{} is {} the grid of {} rows and {} columns", option, place.row, place.column,
+                               fault, grid.height, grid.width));
+}
+
 template <class Value>
 void add_value(CLI::App& app, const char* option, Value& value, auto(*of)(const std::string&), const char* type,
                const std::string& text, const char* group) {
@@ -65,6 +74,21 @@ GridAlgorithm grid_algorithm_of(const std::string& text) {
   throw CLI::ValidationError("'" + text + "' is no algorithm; they are " + algorithm_names());
 }
 
+double grid_weight_of(const std::string& text) {
+  const double weight = number_of(text);
+  if (weight < 1 || weight > 1000) throw CLI::ValidationError("--weight: '" + text + "' is not 1 to 1000");
+  return weight;
+}
+
+std::size_t grid_steps_of(const std::string& text) {
+  std::size_t steps = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, steps);
+  if (read.ec != std::errc() || read.ptr != end)
+    throw CLI::ValidationError("--max-steps: '" + text + "' is no number of steps");
+  return steps;
+}
+
 void add_grid_options(CLI::App& app, GridOptions& options, bool with_start) {
   app.add_option("FILE", options.file, "A grid map: csv, MovingAI map or drawing; - is standard input")->required();
   add_value(app, "--moves", options.moves, &grid_moves_of, "RULE",
@@ -80,23 +104,27 @@ GridInput read_grid_input(const GridOptions& options, bool with_start) {
   const std::string source = options.file == "-" ? "<stdin>" : options.file;
   const std::string text = read_bytes(options.file);
   GridInput input{read_grid(text, source), GridMoves::four, source};
-  if (options.from) input.task.start = options.from;
-  if (options.to) input.task.goal = options.to;
+  if (options.from) input.task.start = checked(*options.from, input.task.grid, "--from", source);
+  if (options.to) input.task.goal = checked(*options.to, input.task.grid, "--to", source);
   if (with_start && !input.task.start) throw InputError(source, 0, "says no start; give one with --from ROW,COLUMN");
   if (!input.task.goal) throw InputError(source, 0, "says no goal; give one with --to ROW,COLUMN");
   input.moves = options.moves.value_or(is_movingai(text) ? GridMoves::octile : GridMoves::four);
   return input;
 }
 
+std::size_t grid_budget(GridAlgorithm algorithm) {
+  if (algorithm == GridAlgorithm::greedy) return 1'000'000;
+  return algorithm == GridAlgorithm::idastar ? 10'000'000 : SIZE_MAX;
+}
+
 GridQuery grid_query(const GridSearchOptions& options, GridMoves moves) {
   GridQuery query{options.algorithm, natural_heuristic(moves)};
-  const bool repeats = options.algorithm == GridAlgorithm::greedy || options.algorithm == GridAlgorithm::idastar;
   if (options.algorithm == GridAlgorithm::greedy || options.algorithm == GridAlgorithm::greedy_once)
     query.heuristic = {{GridEstimate::euclidean}};
   if (options.heuristic) query.heuristic = *options.heuristic;
   query.ties = options.ties;
   query.weight = static_cast<std::uint32_t>(std::llround(options.weight * 1000));
-  query.max_steps = options.max_steps.value_or(repeats ? kGridBudget : SIZE_MAX);
+  query.max_steps = options.max_steps.value_or(grid_budget(options.algorithm));
   return query;
 }
 

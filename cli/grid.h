@@ -44,8 +44,8 @@ GridInput read_grid_input(const GridOptions& options, bool with_start = true);
 /// Four neighbours, but octile in MovingAI's maps and for jump point search, when nothing is said.
 GridQuery grid_query(const GridSearchOptions& options, GridMoves moves);
 
-/// What greedy and idastar may take at most when nothing is said: both can take exponentially many steps.
-inline constexpr std::size_t kGridBudget = 10'000'000;
+/// The steps that may be taken when nothing is said: greedy and idastar can take exponentially many, greedy with as much memory.
+std::size_t grid_budget(GridAlgorithm algorithm);
 
 /// `7`, `3 + 2 sqrt(2)`: exact.
 std::string cost_text(GridCost cost);
@@ -57,5 +57,7 @@ GridPlace grid_place_of(const std::string& text);
 GridMoves grid_moves_of(const std::string& text);
 GridHeuristic grid_heuristic_of(const std::string& text);
 GridAlgorithm grid_algorithm_of(const std::string& text);
+double grid_weight_of(const std::string& text);      ///< 1 to 1000
+std::size_t grid_steps_of(const std::string& text);  ///< a whole number
 
 }  // namespace taut::cli

@@ -11,6 +11,7 @@
 #include <taut/cli/grid.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
+#include <taut/cli/stop.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/grid_generator.h>
 #include <taut/io/movingai.h>
@@ -106,10 +107,12 @@ std::vector<Scenario> drawn_scenarios(const OccupancyGrid& grid, const GenerateO
 int run(const GenerateOptions& options) {
   require_writable(options.output);
   require_writable(options.scenario_file);
+  begin_stage("generate");
   const OccupancyGrid grid = generate_grid(options.kind, options.width, options.height, options.common.seed);
   const std::string map = movingai_map_text(grid);
   const std::string scenarios =
       options.scenario_file.empty() ? "" : movingai_scenario_text(drawn_scenarios(grid, options));
+  finish();
   write_file(options.output, map);
   if (!options.scenario_file.empty()) write_file(options.scenario_file, scenarios);
   return kFound;

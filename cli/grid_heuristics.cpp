@@ -8,6 +8,7 @@
 #include <taut/cli/grid.h>
 #include <taut/cli/output.h>
 #include <taut/cli/timing.h>
+#include <taut/io/detail/result_values.h>
 
 namespace taut::cli {
 
@@ -91,7 +92,8 @@ int run(const HeuristicsOptions& options) {
     all["heuristics"].push_back(json_of(heuristic, verdict));
   }
   begin_stage("write");
-  if (!options.json.empty()) write_file(options.json, all.dump(1) + "\n");
+  finish();
+  if (!options.json.empty()) write_file(options.json, detail::json_text(all));
   if (options.json != "-") print(text);
   return kFound;
 }

@@ -13,6 +13,7 @@
 #include <taut/cli/report.h>
 #include <taut/cli/timing.h>
 #include <taut/geometry/errors.h>
+#include <taut/io/detail/result_values.h>
 #include <taut/io/movingai.h>
 #include <taut/io/read_world.h>
 
@@ -108,7 +109,8 @@ int run(const ScenarioOptions& options) {
                          {"mismatches", mismatches},      {"algorithm", name(options.algorithm)},
                          {"steps", totals.steps},         {"cost", totals.cost},
                          {"seconds", totals.seconds}};
-  if (!options.json.empty()) write_file(options.json, all.dump(1) + "\n");
+  finish();
+  if (!options.json.empty()) write_file(options.json, detail::json_text(all));
   if (options.json != "-")
     print(fmt::format("{}: {}, {} as the file says, {}; {}, total cost {:.6f}, {}\n", scen_name,
                       count_text(scenarios.size(), "scenario"), totals.matched,

@@ -4,6 +4,9 @@
 #include <CLI/Option.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
+
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/grid.h>
@@ -11,6 +14,7 @@
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
 #include <taut/cli/timing.h>
+#include <taut/io/detail/result_values.h>
 #include <taut/io/grid_svg.h>
 
 namespace taut::cli {
@@ -47,14 +51,16 @@ void add_search_options(CLI::App& app, GridSearchOptions& options) {
          "Among equals the oldest (fifo, default) or the newest (lifo) first")
       ->type_name("ORDER")
       ->group("Search");
-  app.add_option("--weight", options.weight, "Of weighted-astar, 1 to 1000 (default: 1.5)")
-      ->check(CLI::Range(1.0, 1000.0))
+  app.add_option_function<std::string>(
+         "--weight", [&options](const std::string& text) { options.weight = grid_weight_of(text); },
+         "Of weighted-astar, 1 to 1000 (default: 1.5)")
       ->type_name("W")
       ->group("Search");
-  app.add_option_function<std::size_t>(
-         "--max-steps", [&options](const std::size_t& n) { options.max_steps = n; },
-         "Stop after so many steps, with exit code 4 (default: 10000000 for greedy and idastar, which can take "
-         "exponentially many)")
+  app.add_option_function<std::string>(
+         "--max-steps", [&options](const std::string& text) { options.max_steps = grid_steps_of(text); },
+         "Stop after so many steps, with exit code 4 (default: 1000000 for greedy, 10000000 for idastar, which can "
+         "take "
+         "exponentially many; no limit for the others)")
       ->type_name("N")
       ->group("Limits");
 }
@@ -105,6 +111,7 @@ ordered_json place_json(GridPlace p) { return ordered_json::array({p.row, p.colu
 ordered_json json_of(const GridResult& result, const GridQuery& query, GridMoves moves, double seconds) {
   ordered_json out;
   out["status"] = name(result.status);
+  if (result.status == GridStatus::stopped) out["reason"] = fmt::format("--max-steps {}", query.max_steps);
   out["algorithm"] = name(query.algorithm);
   if (is_informed(query.algorithm)) out["heuristic"] = name(query.heuristic);
   out["moves"] = name(moves);
@@ -137,7 +144,7 @@ std::vector<std::string> facts(const GridResult& result) {
     all.push_back(count_text(result.path.size(), "cell"));
     all.push_back(result.optimal ? "proven least" : "not proven least");
   } else {
-    all.push_back(result.status == GridStatus::none ? "no path" : "stopped: out of steps");
+    all.push_back(result.status == GridStatus::none ? "no path" : "stopped: out of steps, --max-steps allows more");
   }
   return all;
 }
@@ -148,8 +155,24 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+/// The JSON says so when a limit or an interrupt ends the search.
+void prepare_last_words(const GridSolveOptions& options) {
+  if (options.json.empty()) return;
+  on_stop([file = options.json, algorithm = std::string(name(options.search.algorithm))](const Stop& why) {
+    const ordered_json out{{"status", name(GridStatus::stopped)},
+                           {"reason", why.reason},
+                           {"stage", why.stage},
+                           {"algorithm", algorithm},
+                           {"cost", nullptr},
+                           {"cells", 0},
+                           {"path", ordered_json::array()}};
+    write_file(file, detail::json_text(out));
+  });
+}
+
 int solve(const GridSolveOptions& options) {
   for (const std::string* file : {&options.svg, &options.animate, &options.json}) require_writable(*file);
+  prepare_last_words(options);
   double read = 0, seconds = 0;
   const GridInput input = timed("read", read, [&] { return read_grid_input(options.grid); });
   const GridMoves moves = moves_for(options.search.algorithm, options.grid, input);
@@ -176,10 +199,13 @@ int solve(const GridSolveOptions& options) {
                       input.task.start,
                       input.task.goal,
                       false};
-  if (!options.svg.empty()) write_file(options.svg, grid_svg(input.task.grid, picture));
+  const std::string still = options.svg.empty() ? "" : grid_svg(input.task.grid, picture);
   picture.animated = true;
-  if (!options.animate.empty()) write_file(options.animate, grid_svg(input.task.grid, picture));
-  if (!options.json.empty()) write_file(options.json, json_of(result, query, moves, seconds).dump(1) + "\n");
+  const std::string playing = options.animate.empty() ? "" : grid_svg(input.task.grid, picture);
+  finish();
+  write_file(options.svg, still);
+  write_file(options.animate, playing);
+  if (!options.json.empty()) write_file(options.json, detail::json_text(json_of(result, query, moves, seconds)));
   if (options.path)
     for (const GridPlace& p : result.path) print(fmt::format("{},{}\n", p.row, p.column));
   else if (options.svg != "-" && options.animate != "-" && options.json != "-")
@@ -220,7 +246,7 @@ int compare(const GridCompareOptions& options) {
   ordered_json all;
   all["source"] = input.name;
   all["searches"] = ordered_json::array();
-  bool found = false;
+  GridStatus best = GridStatus::stopped;
   for (std::size_t i = 0; i < kGridAlgorithms; ++i) {
     GridSearchOptions search = options.search;
     search.algorithm = static_cast<GridAlgorithm>(i);
@@ -231,14 +257,15 @@ int compare(const GridCompareOptions& options) {
     double seconds = 0;
     const GridResult result =
         timed("search", seconds, [&] { return engine.find(*input.task.start, *input.task.goal, query); });
-    found = found || result.status == GridStatus::found;
+    best = std::min(best, result.status);  // a path, or a proof that there is none, by any of them is an answer
     table += row_of(query, moves, result, seconds);
     all["searches"].push_back(json_of(result, query, moves, seconds));
   }
   begin_stage("write");
-  if (!options.json.empty()) write_file(options.json, all.dump(1) + "\n");
+  finish();
+  if (!options.json.empty()) write_file(options.json, detail::json_text(all));
   if (options.json != "-") print(table);
-  return found ? kFound : kNone;
+  return exit_code(best);
 }
 
 }  // namespace

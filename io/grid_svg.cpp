@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include <taut/io/detail/svg_path.h>
+
 namespace taut {
 
 namespace {
@@ -25,19 +27,6 @@ std::string shade_colour(std::size_t shade) {
     return static_cast<int>(std::lround(kStops[i][c] + part * (kStops[i + 1][c] - kStops[i][c])));
   };
   return fmt::format("#{:02x}{:02x}{:02x}", mixed(0), mixed(1), mixed(2));
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<')
-      out += "&lt;";
-    else if (c == '&')
-      out += "&amp;";
-    else
-      out += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-  }
-  return out;
 }
 
 class GridPage {
@@ -157,11 +146,11 @@ class GridPage {
   void legend() {
     const double top = kMargin + cell_ * grid_.height;
     out_ += fmt::format("<text x=\"{}\" y=\"{:.2f}\" font-size=\"18\" font-weight=\"600\">{}</text>\n", kMargin,
-                        top + 32, escaped(what_.title));
+                        top + 32, detail::xml_text(what_.title));
     std::string facts;
     for (const std::string& fact : what_.facts) facts += (facts.empty() ? "" : " \xC2\xB7 ") + fact;
     out_ += fmt::format("<text class=\"fact\" x=\"{}\" y=\"{:.2f}\" font-size=\"13\">{}</text>\n", kMargin, top + 54,
-                        escaped(facts));
+                        detail::xml_text(facts));
     if (what_.visited.empty()) return;
     out_ += "<defs><linearGradient id=\"order\">";
     for (std::size_t s = 0; s < kShades; s += 9)

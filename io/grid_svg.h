@@ -19,12 +19,12 @@ struct GridPicture {
   std::vector<GridPlace> path;
   std::optional<GridPlace> start;
   std::optional<GridPlace> goal;
-  bool animated =
-      false;  ///< plays in a browser: cells appear in their order within 8 seconds, then the path is drawn (SMIL, no script)
+  /// Plays in a browser: cells appear in their order within 8 seconds, then the path is drawn (SMIL, no script).
+  bool animated = false;
 };
 
-/// One SVG document, row 0 at the top. Cells in a row with one colour are one rectangle, and 64 colours stand for the order, so that
-/// the size grows with the outline of what was visited, not with its cells.
+/// One SVG document, row 0 at the top. Cells in a row with one colour are one rectangle, and 64 colours, dark blue to yellow, stand for
+/// the order, so that the size grows with the outline of what was visited, not with its cells. Same input, same bytes.
 std::string grid_svg(const OccupancyGrid& grid, const GridPicture& picture);
 
 }  // namespace taut
