@@ -1,6 +1,7 @@
-// A robot with short sight walks through a grid it does not know: D* Lite, which repairs, against A* from scratch, which begins again, either each time
-// something new is seen or, with the benefit of knowing that walls are only ever added, only when they lie on its path. Before anything is timed
-// a walk is made in which both are asked at every step, and their costs must be equal.
+// A robot with short sight walks through a grid it does not know: D* Lite, which repairs, against A* from scratch,
+// which begins again, either each time something new is seen or, with the benefit of knowing that walls are only ever
+// added, only when they lie on its path. Before anything is timed a walk is made in which both are asked at every step,
+// and their costs must be equal.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
