@@ -11,7 +11,6 @@
 #include <unordered_map>
 #include <vector>
 
-#include <taut/geometry/detail/expects.h>
 #include <taut/search/graph_search.h>
 
 namespace taut {
