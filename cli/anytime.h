@@ -20,7 +20,8 @@ struct AnytimeOptions {
 /// --anytime, --epsilon E.
 void add_anytime_options(CLI::App& app, AnytimeOptions& options);
 
-/// Throws CLI::ValidationError: --epsilon needs --anytime, and that a roadmap which is a graph. `kind` is the one asked for, if any.
+/// Throws CLI::ValidationError: --epsilon needs --anytime, and that a roadmap which is a graph. `kind` is the one asked
+/// for, if any.
 void require_anytime_fits(const AnytimeOptions& options, const RoadmapKind* kind, GraphAlgorithm algorithm);
 
 struct AnytimeAnswer {
@@ -30,13 +31,13 @@ struct AnytimeAnswer {
   std::vector<AnytimeImprovement> improvements;
 };
 
-/// Searches until the path is proven the shortest or `seconds` are over. found: there is a path, whether proven the shortest or not. stopped: the
-/// seconds ended before there was one. `told`: each stage is a line on stderr.
+/// Searches until the path is proven the shortest or `seconds` are over. found: there is a path, whether proven the
+/// shortest or not. stopped: the seconds ended before there was one. `told`: each stage is a line on stderr.
 AnytimeAnswer solve_anytime(const PlannedRoadmap& planned, Point from, const Goal& to, const AnytimeOptions& options,
                             double seconds, bool told);
 
-/// How much of --max-seconds a search may use when `spent` are over: a tenth, at least 20 ms, is kept for checking the path and writing it,
-/// but never more than half of what is left.
+/// How much of --max-seconds a search may use when `spent` are over: a tenth, at least 20 ms, is kept for checking the
+/// path and writing it, but never more than half of what is left.
 double seconds_for_search(double most, double spent);
 
 /// `1`, `1.0313`: four decimals, never below the bound.

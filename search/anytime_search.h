@@ -19,19 +19,22 @@ struct AnytimeImprovement {
   double seconds = 0;        ///< spent in improve(), since the beginning
 };
 
-/// ARA* (Likhachev, Gordon, Thrun, "ARA*: Anytime A* with provable bounds on sub-optimality", NIPS 2003) on a roadmap, with exact lengths:
-/// A* with its heuristic inflated by epsilon, then again with a smaller one, keeping all that was found.
+/// ARA* (Likhachev, Gordon, Thrun, "ARA*: Anytime A* with provable bounds on sub-optimality", NIPS 2003) on a roadmap,
+/// with exact lengths: A* with its heuristic inflated by epsilon, then again with a smaller one, keeping all that was
+/// found.
 ///
-///  1. The length of best() is at most bound() times that of the shortest path from the start to any goal of the query (bound() times the exact
-///     value, the product not rounded). bound() never falls below 1, and never rises.
-///  2. It does not rest on the paper's theorem, which rounding breaks, but on what is left: a path shorter than the best one
-///     leads through a vertex that is open or inconsistent, with its final label. So the bound is the upper end of the best length over the least
-///     lower bound (label and heuristic) of those, rounded up. A stage reopens inconsistent vertices until that is at most epsilon.
-///  3. The last stage has epsilon 1 and goes on until no lower bound is below the best length. Then optimal() is true, and best() is
-///     exactly as long as what graph_search finds.
-///  4. Same calls, same answers, but for limits in seconds: ties go to the vertex nearer to the goal, then to the smaller index.
-/// Stages: epsilon as given; then half way from the smaller of epsilon and bound to 1, and 1 itself once within 1/64 of it. So every
-/// stage proves a smaller bound than the one before.
+///  1. The length of best() is at most bound() times that of the shortest path from the start to any goal of the query
+///     (bound() times the exact value, the product not rounded). bound() never falls below 1, and never rises.
+///  2. It does not rest on the paper's theorem, which rounding breaks, but on what is left: a path shorter than the
+///     best one leads through a vertex that is open or inconsistent, with its final label. So the bound is the upper
+///     end of the best length over the least lower bound (label and heuristic) of those, rounded up. A stage reopens
+///     inconsistent vertices until that is at most epsilon.
+///  3. The last stage has epsilon 1 and goes on until no lower bound is below the best length. Then optimal() is true,
+///     and best() is exactly as long as what graph_search finds.
+///  4. Same calls, same answers, but for limits in seconds: ties go to the vertex nearer to the goal, then to the
+///     smaller index.
+/// Stages: epsilon as given; then half way from the smaller of epsilon and bound to 1, and 1 itself once within 1/64 of
+/// it. So every stage proves a smaller bound than the one before.
 ///
 /// O((V + E) log V) a stage, as a rule far less; memory 32 bytes a vertex and 32 each time one gets a shorter way.
 class AnytimeSearch {
@@ -45,8 +48,8 @@ class AnytimeSearch {
   AnytimeSearch& operator=(AnytimeSearch&&) noexcept;
 
   /// The next stage; nothing to do once optimal() or proven that there is none. The limits are those of this call.
-  ///  found: bound() <= epsilon(). none: there is no path, proven. stopped: a limit came first; calling again goes on where it stood, and best()
-  ///  and bound() hold for what is known already, if anything.
+  ///  found: bound() <= epsilon(). none: there is no path, proven. stopped: a limit came first; calling again goes on
+  ///  where it stood, and best() and bound() hold for what is known already, if anything.
   SearchStatus improve(const SearchLimits& limits = {});
 
   /// The best path so far; of no point when there is none yet. O(its points).

@@ -14,7 +14,8 @@ namespace taut {
 GraphSearchResult cell_search(const CellGraph& graph, Point from, const Goal& to,
                               GraphAlgorithm algorithm = GraphAlgorithm::astar, const SearchLimits& limits = {});
 
-/// The query that cell_search asks of graph.roadmap(), for other searches. From within the goal room it is one leg of length 0.
+/// The query that cell_search asks of graph.roadmap(), for other searches.
+/// From within the goal room it is one leg of length 0.
 GraphQuery cell_query(const CellGraph& graph, Point from, const Goal& to);
 
 }  // namespace taut

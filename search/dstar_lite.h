@@ -11,13 +11,12 @@
 #include <unordered_map>
 #include <vector>
 
-#include <taut/geometry/detail/expects.h>
 #include <taut/search/graph_search.h>
 
 namespace taut {
 
-/// How plain numbers are added up as costs. Integers: exact, infinity is the largest value, sums saturate there. Floating point:
-/// see guarantee 3 of DstarLite.
+/// How plain numbers are added up as costs. Integers: exact, infinity is the largest value, sums saturate there.
+/// Floating point: see guarantee 3 of DstarLite.
 template <class Number>
 struct NumberCosts {
   using Cost = Number;
@@ -47,10 +46,11 @@ struct NumberCosts {
 
 /// What DstarLite asks of a graph; it may be implicit (a grid, a lattice of poses): states are made up as they are met.
 ///  - State: copyable, ==, std::hash or the Hash parameter.
-///  - each_out(s, visit): visit(t, edge) for every edge s -> t as it is now; each_in(s, visit): visit(t, edge) for every edge t -> s.
-///    Both in an order that depends on the graph alone. An edge of infinite cost is no edge and may be listed. Edges cost more than 0.
-///  - heuristic(s, t): at most the cost of any path from s to t, and heuristic(s, u) <= heuristic(s, t) + heuristic(t, u);
-///    0 always serves. It must stay so when edges change: built upon the least cost an edge can ever have.
+///  - each_out(s, visit): visit(t, edge) for every edge s -> t as it is now; each_in(s, visit): visit(t, edge) for
+///    every edge t -> s. Both in an order that depends on the graph alone. An edge of infinite cost is no edge and may
+///    be listed. Edges cost more than 0.
+///  - heuristic(s, t): at most the cost of any path from s to t, and heuristic(s, u) <= heuristic(s, t) + heuristic(t,
+///    u); 0 always serves. It must stay so when edges change: built upon the least cost an edge can ever have.
 template <class G>
 concept ReplanningGraph = requires(const G& graph, const typename G::State& s) {
   graph.each_out(s, [](const typename G::State&, const auto&) {});
@@ -58,18 +58,21 @@ concept ReplanningGraph = requires(const G& graph, const typename G::State& s) {
   graph.heuristic(s, s);
 };
 
-/// D* Lite, the optimised version (Koenig and Likhachev, "D* Lite", AAAI 2002, figure 4): searches backwards from a goal that stays and
-/// repairs only what a change touches, while the start moves. Without moves it is LPA* run backwards.
+/// D* Lite, the optimised version (Koenig and Likhachev, "D* Lite", AAAI 2002, figure 4): searches backwards from a
+/// goal that stays and repairs only what a change touches, while the start moves. Without moves it is LPA* run
+/// backwards.
 ///
-/// Use: change the graph, name every state whose outgoing edges changed (`changed`), move the start (`move_to`), then replan(). Edges and
-/// states may appear and vanish; whichever way, the state an edge leaves from is named.
+/// Use: change the graph, name every state whose outgoing edges changed (`changed`), move the start (`move_to`), then
+/// replan(). Edges and states may appear and vanish; whichever way, the state an edge leaves from is named.
 ///
-///  1. With integers cost() after replan() is the cost of a cheapest path, exactly, whatever was changed before; `none` is proven.
+///  1. With integers cost() after replan() is the cost of a cheapest path, exactly, whatever was changed before; `none`
+///     is proven.
 ///  2. path() is such a path. Among equal ones it takes the successor found first, so equal histories give equal paths.
-///  3. With floating-point costs cost() is, to the bit, what Dijkstra's algorithm run backwards from the goal in the same arithmetic gives
-///     (c + rest, rounded once an edge): within n * 2^-53 of the exact value for n edges, and a path within twice that of the cheapest. Provided
-///     that no edge is cheaper than 2^-28 of the largest cost that occurs, and up to 2^15 moves for every edge of the shortest path;
-///     heuristics are multiplied by 1 - 2^-10 for that. Exact sums of square roots: RoadmapReplanner.
+///  3. With floating-point costs cost() is, to the bit, what Dijkstra's algorithm run backwards from the goal in the
+///     same arithmetic gives (c + rest, rounded once an edge): within n * 2^-53 of the exact value for n edges, and a
+///     path within twice that of the cheapest. Provided that no edge is cheaper than 2^-28 of the largest cost that
+///     occurs, and up to 2^15 moves for every edge of the shortest path; heuristics are multiplied by 1 - 2^-10 for
+///     that. Exact sums of square roots: RoadmapReplanner.
 ///  4. A stopped replan() goes on where it stood when called again.
 /// The graph must outlive it. Memory: about 100 bytes a state met. `Costs` adds and compares costs; see NumberCosts.
 template <ReplanningGraph Graph, class Costs = NumberCosts<typename Graph::Cost>,

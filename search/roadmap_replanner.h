@@ -12,12 +12,13 @@
 
 namespace taut {
 
-/// DstarLite on a Roadmap. Costs are lengths, kept as the sums of square roots they are; those that overlap as intervals are compared
-/// exactly, so after any history the answer is exactly what a search from scratch finds.
+/// DstarLite on a Roadmap. Costs are lengths, kept as the sums of square roots they are; those that overlap as
+/// intervals are compared exactly, so after any history the answer is exactly what a search from scratch finds.
 ///
-///  1. A leg counts its length `factor` times (comparing ties takes time in proportion to the factors: keep them small); a blocked one cannot be taken. Both act in both directions. All begin free, with factor 1.
-///  2. path() is as short as any (factors counted); of equal ones which one depends on the history. cost() is its length, factors counted:
-///     the length of the path itself when all its factors are 1.
+///  1. A leg counts its length `factor` times (comparing ties takes time in proportion to the factors: keep them
+///     small); a blocked one cannot be taken. Both act in both directions. All begin free, with factor 1.
+///  2. path() is as short as any (factors counted); of equal ones which one depends on the history. cost() is its
+///     length, factors counted: the length of the path itself when all its factors are 1.
 ///  3. Nothing is found when start and goal are not connected, proven.
 /// Memory: 24 bytes each time a vertex gets another length, given back by a fresh search after 2^22 of them.
 class RoadmapReplanner {

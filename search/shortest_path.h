@@ -21,7 +21,8 @@ std::optional<Path> shortest_path(const FreeSpace& space, Point from, Point to);
 GraphSearchResult shortest_path(const VisibilityGraph& graph, Point from, const Goal& to,
                                 GraphAlgorithm algorithm = GraphAlgorithm::astar, const SearchLimits& limits = {});
 
-/// The query that shortest_path asks of graph.roadmap(), for other searches. From within the goal room it is one leg of length 0.
+/// The query that shortest_path asks of graph.roadmap(), for other searches.
+/// From within the goal room it is one leg of length 0.
 GraphQuery visibility_query(const VisibilityGraph& graph, Point from, const Goal& to);
 
 /// All shortest paths from one point, for many goals: Dijkstra once, then each goal costs one visibility expansion.

@@ -194,7 +194,8 @@ TEST(AnytimeSearch, DecidesADifferenceBelowTheRoundingOfTheLength) {
   EXPECT_EQ(search.best().points[2].y, -thin);
 }
 
-/// Few lattice points, many of them equal, so that nearly everything is tied; or far away, where bounds cannot order what is tiny.
+/// Few lattice points, many of them equal, so that nearly everything is tied; or far away, where bounds cannot order
+/// what is tiny.
 RC_GTEST_PROP(AnytimeSearch, KeepsItsBoundsOnGraphsFullOfTies, ()) {
   const auto n = static_cast<Vertex>(any(1, 14));
   const int range = any(0, 5);

@@ -87,7 +87,7 @@ std::map<int, typename G::Cost> dijkstra(const G& graph, int goal) {
 template <class G>
 void require_right(const G& graph, DstarLite<G>& search) {
   const auto exact = dijkstra(graph, search.goal());
-  const SearchStatus status = search.replan();
+  const SearchStatus status = search.replan({.expansions = 100'000});
   const auto found = exact.find(search.start());
   RC_ASSERT((status == SearchStatus::found) == (found != exact.end()));
   if (status != SearchStatus::found) {
@@ -124,9 +124,24 @@ TEST(DstarLite, GoesAroundAWallThatTurnsUp) {
     grid.blocked.insert(wall);
     for (int s = 0; s < 9; ++s) search.changed(s);
   }
-  EXPECT_EQ(search.replan(), SearchStatus::found);
+  ASSERT_EQ(search.replan(), SearchStatus::found);
+  ASSERT_EQ(search.cost(), 4);
   EXPECT_EQ(search.path(), (std::vector{3, 6, 7, 8, 5}));
-  EXPECT_EQ(search.cost(), 4);
+}
+
+TEST(DstarLite, TellsTheWholeCorridorWhenItsFarEndTurnsOutToBeBlocked) {
+  // S . . . . # G     The wall at # is far from S: all before it learn only from each other that they are dearer now.
+  // . # # # # # .     Costs are looked at before any path, which would lead to and fro for ever if they did not.
+  // . . . . . . .
+  Grid grid{7, 3, {8, 9, 10, 11, 12}};
+  DstarLite<Grid> search(grid, 0, 6);
+  ASSERT_EQ(search.replan({.expansions = 1000}), SearchStatus::found);
+  ASSERT_EQ(search.cost(), 6);
+  grid.blocked.insert(5);
+  for (const int s : {4, 5, 6}) search.changed(s);
+  ASSERT_EQ(search.replan({.expansions = 1000}), SearchStatus::found);
+  ASSERT_EQ(search.cost(), 10);
+  EXPECT_EQ(search.path(), (std::vector{0, 7, 14, 15, 16, 17, 18, 19, 20, 13, 6}));
 }
 
 TEST(DstarLite, ProvesThatNoPathIsLeftAndFindsOneAgain) {

@@ -6,6 +6,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <taut/roadmaps/visibility_graph.h>
 #include <taut/search/graph_search.h>
 
 #include "support/random_world.h"
@@ -115,6 +116,48 @@ RC_GTEST_PROP(RoadmapReplanner, AgreesExactlyWithASearchFromScratch, ()) {
     }
     if (any(0, 1)) search.move_to(start = vertex());
     if (any(0, 7) == 0) search.set_goal(goal = vertex());
+  }
+}
+
+/// The legs of a map that have a length: two sides of the end of a wall are two vertices at one point.
+Edges real_legs(const Roadmap& map) {
+  Edges legs;
+  for (Vertex u = 0; u < map.vertex_count(); ++u)
+    for (const Vertex v : map.neighbours(u))
+      if (u < v && map.point(u) != map.point(v)) legs.emplace_back(u, v);
+  return legs;
+}
+
+RC_GTEST_PROP(RoadmapReplanner, AgreesWithGraphSearchOnVisibilityGraphsWithBlockedLegs, ()) {
+  const FreeSpace space = test::any_world({.side = 8, .walls = 14}).space();
+  const VisibilityGraph graph(space, any(0, 1) ? VisibilityKind::reduced : VisibilityKind::full);
+  const auto points = graph.roadmap().points();
+  const Edges legs = real_legs(graph.roadmap());
+  RC_PRE(!legs.empty());
+  const auto map = std::make_shared<const Roadmap>(std::vector<Point>(points.begin(), points.end()), legs);
+  const auto vertex = [&] { return static_cast<Vertex>(any(0, static_cast<int>(map->vertex_count()) - 1)); };
+  std::vector<bool> blocked(legs.size());
+  Vertex start = vertex();
+  const Vertex goal = vertex();
+  RoadmapReplanner search(map, start, goal);
+  for (int round = 0; round < 6; ++round) {
+    Edges left;
+    for (std::size_t i = 0; i < legs.size(); ++i)
+      if (!blocked[i]) left.push_back(legs[i]);
+    const Roadmap now(std::vector<Point>(points.begin(), points.end()), left);
+    const GraphQuery query{{now.point(start), {start}}, {{now.point(goal), {goal}}}, {}};
+    const GraphSearchResult exact = graph_search(now, query);
+    RC_ASSERT(search.replan() == exact.status);
+    if (exact.status == SearchStatus::found) {
+      RC_ASSERT(*search.cost() == exact.path.length);
+      RC_ASSERT(search.path()->length == exact.path.length);
+    }
+    for (int k = any(0, 8); k > 0; --k) {
+      const auto i = static_cast<std::size_t>(any(0, static_cast<int>(legs.size()) - 1));
+      blocked[i] = !blocked[i];
+      blocked[i] ? search.block(legs[i].first, legs[i].second) : search.unblock(legs[i].first, legs[i].second);
+    }
+    if (any(0, 1)) search.move_to(start = vertex());
   }
 }
 
