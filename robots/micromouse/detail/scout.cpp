@@ -169,7 +169,7 @@ std::optional<Action> Scout::best_look(const Outlook& outlook, const std::vector
     const auto arrive = [&](Cell to, Side h, Action a) {
       const std::size_t next = id(to, h);
       if (steps[next] >= 0 && steps[next] <= steps[node]) return;
-      const float sum = collected[node] + outlook.at(next / 4, h);
+      const float sum = static_cast<float>(tuning_.side_looks) * collected[node] + outlook.at(next / 4, h);
       if (steps[next] < 0) {
         steps[next] = static_cast<std::int16_t>(steps[node] + 1);
         queue.push_back(next);
