@@ -57,10 +57,16 @@ class PlanTracer {
   WallWeights* weights_ = nullptr;
 };
 
+/// Fewer samples where each costs more: from 16 x 16 cells on, as many cells in all.
+int samples_for(const Task& task, const ScoutTuning& tuning) {
+  constexpr int kCells = 256, kFewest = 8;
+  return std::max(kFewest, tuning.samples * kCells / std::max(kCells, task.width * task.height));
+}
+
 }  // namespace
 
 Scout::Scout(const Task& task, ScoutGoal goal, const ScoutTuning& tuning)
-    : MappingRobot(task), goal_(goal), tuning_(tuning), belief_(task, tuning.samples, 20240229) {}
+    : MappingRobot(task), goal_(goal), tuning_(tuning), belief_(task, samples_for(task, tuning), 20240229) {}
 
 Scout::Plans Scout::sample_plans(std::optional<int> hi, double density) {
   Plans plans;
