@@ -11,11 +11,14 @@ enum class ScoutGoal { proof, score };
 
 /// The constants of the policy: chosen on generated mazes and on competition mazes (bench/micromouse_bench.cpp).
 struct ScoutTuning {
-  int samples = 48;
+  int samples = 96;
+  double thin = 0.3;       ///< the thinnest samples have this share of the walls expected, the others up to all of them
+  double gain_weight = 1;  ///< a plan counts 1 + this * the steps it would save
   double prior_share = 0.4;
-  double prior_weight = 30;
+  double prior_weight = 15;
   double reach_look = 1.0;   ///< before the goal: steps that seeing one relevant wall is worth
-  double patience = 4;       ///< added to the steps to a look before the gain is divided by them
+  double side_looks = 0.4;   ///< what looks on the way count, again for each step after them
+  double patience = 0.3;     ///< added to the steps to a look before what it shows is divided by them
   double stop_factor = 0.5;  ///< share of the gain that knowing everything would bring, that looking does bring
   double stop_steps = 6;     ///< steps that looking takes at least
 };
