@@ -1,6 +1,7 @@
 #include <taut/robots/micromouse/oracle.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -125,7 +126,7 @@ class Demands {
       : task_(task), poses_(poses), truth_(passages_of(maze)), best_(best) {
     for (auto& board : views_) board.assign(poses.count() / 8, 0);
     for (Poses::Pose p = 0; p < poses.count(); ++p)
-      poses.for_each_seen(p, [&](const CellSide& wall, bool) { ++views(wall); });
+      poses.for_each_seen(p, [&](const CellSide& wall, bool) { ++at(views_, wall); });
   }
 
   Group goal() const {
@@ -137,18 +138,49 @@ class Demands {
     WallMap map(task_);
     for (const Poses::Pose p : walk)
       poses_.for_each_seen(p, [&](const CellSide& wall, bool closed) { map.learn(wall.cell, wall.side, closed); });
-    const auto plan = easiest_uncut(map);
-    if (!plan.empty()) return showing(plan);
+    // Of the uncut plans one that is far from all of this walk: it costs most.
+    const auto far = distance_of_views(walk);
+    std::vector<CellSide> plan = easiest_uncut(map, far, 0);
+    if (!plan.empty()) {
+      for (int least = 1;; ++least) {
+        auto further = easiest_uncut(map, far, least);
+        if (further.empty()) break;
+        plan = std::move(further);
+      }
+      return showing(plan);
+    }
     const auto hi = optimum(map.certain(), task_);
     if (hi && *hi == best_) return {};
     return showing(openings_missing(map));
   }
 
  private:
-  int& views(const CellSide& wall) {
-    return views_[wall.side == Side::north || wall.side == Side::south][index_of(task_.width, wall.cell)];
+  /// A number for each wall.
+  using Boards = std::array<std::vector<int>, 2>;
+
+  int& at(Boards& boards, const CellSide& wall) const {
+    const CellSide name = canonical(wall);
+    return boards[name.side == Side::north || name.side == Side::south][index_of(task_.width, name.cell)];
   }
-  int views(const CellSide& wall) const { return const_cast<Demands*>(this)->views(wall); }
+  int at(const Boards& boards, const CellSide& wall) const { return at(const_cast<Boards&>(boards), wall); }
+
+  /// How many moves the nearest pose that shows a wall is away from the walk.
+  Boards distance_of_views(const std::vector<Poses::Pose>& walk) const {
+    constexpr int kFar = std::numeric_limits<int>::max();
+    Boards far;
+    for (auto& board : far) board.assign(poses_.count() / 8, kFar);
+    std::vector<int> moves(poses_.count(), -1);
+    std::vector<Poses::Pose> queue = walk;
+    for (const Poses::Pose p : walk) moves[p] = 0;
+    for (std::size_t head = 0; head < queue.size(); ++head) {
+      const Poses::Pose here = queue[head];
+      poses_.for_each_seen(here,
+                           [&](const CellSide& wall, bool) { at(far, wall) = std::min(at(far, wall), moves[here]); });
+      for (const Poses::Pose next : poses_.moves(here))
+        if (moves[next] < 0) moves[next] = moves[here] + 1, queue.push_back(next);
+    }
+    return far;
+  }
 
   template <class Wanted>
   Group where(Wanted wanted) const {
@@ -170,7 +202,8 @@ class Demands {
 
   /// The standing walls that a plan below the optimum crosses, none of them seen, with the fewest poses that show one; empty: there
   /// is no such plan. Dynamic programme over (steps, cell).
-  std::vector<CellSide> easiest_uncut(const WallMap& map) const {
+  /// Walls with a view nearer than `least` moves are left out.
+  std::vector<CellSide> easiest_uncut(const WallMap& map, const Boards& far, int least) const {
     const auto w = static_cast<std::size_t>(task_.width);
     const std::size_t cells = truth_.words() == 0 ? 0 : w * static_cast<std::size_t>(task_.height);
     constexpr int kFar = std::numeric_limits<int>::max() / 2;
@@ -185,7 +218,10 @@ class Demands {
           Cell c = cell_of(task_.width, i);
           int sum = cost[s - 1][i];
           for (int k = 0; k < kLongestMove && map.possible().open(c, side); ++k) {
-            if (!truth_.open(c, side)) sum += views(canonical({c, side}));
+            if (!truth_.open(c, side)) {
+              if (at(far, {c, side}) < least) break;
+              sum += at(views_, {c, side});
+            }
             c = ahead(c, side);
             const std::size_t j = index_of(task_.width, c);
             if (sum < cost[s][j]) cost[s][j] = sum, from[s][j] = i;
@@ -225,7 +261,7 @@ class Demands {
   const Poses& poses_;
   Passages truth_;
   int best_;
-  std::array<std::vector<int>, 2> views_;
+  Boards views_;
 };
 
 bool within(const Group& small, const Group& large) {

@@ -40,12 +40,12 @@ struct Pace {
   friend bool operator==(const Pace&, const Pace&) = default;
 };
 
-/// The default is a mouse of the classic contest in good shape: 12 m/s^2 sideways, 10 m/s^2 along. data/mouse_speed.json says the same.
+/// The default is a mouse of the classic contest in good shape: about 12 m/s^2 sideways (9 in the small turn, where one follows the other), 10 m/s^2 along. data/mouse_speed.json says the same.
 struct SpeedModel {
   double cell = 0.18;  ///< m
   Ramp straight{10, 10, 4};
   Ramp diagonal{8, 8, 3};
-  std::array<Pace, kTurns> turns{{{1.0, {}}, {1.4, {}}, {1.6, {}}, {0.8, {}}, {1.0, {}}, {1.2, {}}}};
+  std::array<Pace, kTurns> turns{{{0.9, {}}, {1.4, {}}, {1.6, {}}, {0.8, {}}, {1.05, {}}, {1.2, {}}}};
   double pivot_90 = 0.25;   ///< s, on the spot, standing in the middle of a cell
   double pivot_180 = 0.35;  ///< s
 

@@ -1,7 +1,6 @@
 #include <taut/robots/micromouse/detail/scout.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace taut::micromouse::detail {
@@ -14,17 +13,15 @@ class PlanTracer {
   PlanTracer(const Task& task, const WallMap& map) : task_(task), map_(map) {}
 
   /// Returns the number of steps of the sampled maze, or 0 when it has no route.
-  int trace(const Passages& world, int limit, WallWeights& weights) {
+  int trace(const Passages& world, int limit, double scale) {
     const StepField to_goal(world, task_.goal);
     const int steps = to_goal(task_.start);
     if (steps <= 0 || steps >= limit) return std::max(steps, 0);
     std::vector<std::pair<std::vector<float>*, std::size_t>> needed;
     Cell at = task_.start;
     while (to_goal(at) > 0) at = advance(world, to_goal, at, needed);
-    const double gain = limit == std::numeric_limits<int>::max() ? 1 : limit - steps;
-    const double each = gain / static_cast<double>(std::max<std::size_t>(needed.size(), 1));
+    const double each = (1 + scale * (limit - steps)) / static_cast<double>(std::max<std::size_t>(needed.size(), 1));
     for (auto& [board, i] : needed) (*board)[i] += static_cast<float>(each);
-    weights_ = &weights;
     return steps;
   }
 
@@ -60,10 +57,16 @@ class PlanTracer {
   WallWeights* weights_ = nullptr;
 };
 
+/// Fewer samples where each costs more: from 16 x 16 cells on, as many cells in all.
+int samples_for(const Task& task, const ScoutTuning& tuning) {
+  constexpr int kCells = 256, kFewest = 8;
+  return std::max(kFewest, tuning.samples * kCells / std::max(kCells, task.width * task.height));
+}
+
 }  // namespace
 
 Scout::Scout(const Task& task, ScoutGoal goal, const ScoutTuning& tuning)
-    : MappingRobot(task), goal_(goal), tuning_(tuning), belief_(task, tuning.samples, 20240229) {}
+    : MappingRobot(task), goal_(goal), tuning_(tuning), belief_(task, samples_for(task, tuning), 20240229) {}
 
 Scout::Plans Scout::sample_plans(std::optional<int> hi, double density) {
   Plans plans;
@@ -74,9 +77,11 @@ Scout::Plans Scout::sample_plans(std::optional<int> hi, double density) {
   tracer.into(plans.weights);
   Passages world;
   int shorter = 0;
+  // Walls are not independent (mazes are connected, routes long): samples range from thin ones to the density believed in.
+  const auto thinned = [&](int k) { return density * (tuning_.thin + (1 - tuning_.thin) * (k % 4) / 3.0); };
   for (int k = 0; k < belief_.samples(); ++k) {
-    belief_.world(k, map(), density, world);
-    const int steps = tracer.trace(world, limit, plans.weights);
+    belief_.world(k, map(), thinned(k), world);
+    const int steps = tracer.trace(world, limit, hi ? tuning_.gain_weight : 0);
     if (steps > 0 && steps < limit) {
       ++shorter;
       if (hi) plans.gain += *hi - steps;
@@ -87,7 +92,7 @@ Scout::Plans Scout::sample_plans(std::optional<int> hi, double density) {
   for (double d = density / 2; shorter * 2 < belief_.samples(); d = d < 0.04 ? 0 : d / 2) {
     for (int k = 0; k < belief_.samples() && shorter * 2 < belief_.samples(); ++k) {
       belief_.world(k, map(), d, world);
-      const int steps = tracer.trace(world, limit, plans.weights);
+      const int steps = tracer.trace(world, limit, hi ? tuning_.gain_weight : 0);
       shorter += steps > 0 && steps < limit;
     }
     if (d == 0) break;
@@ -98,7 +103,7 @@ Scout::Plans Scout::sample_plans(std::optional<int> hi, double density) {
     plans.to_goal.assign(cells, 0);
     const auto far = static_cast<float>(cells);
     for (int k = 0; k < belief_.samples(); ++k) {
-      belief_.world(k, map(), density, world);
+      belief_.world(k, map(), thinned(k), world);
       const StepField field(world, task().goal);
       for (std::size_t i = 0; i < cells; ++i) {
         const int steps = field(cell_of(task().width, i));
@@ -115,14 +120,14 @@ Action Scout::explore() {
   if (!lo) return {};
   if (goal_reached() && (lo == hi || steps_left() <= *hi + 2)) return kReset;
   const double density = Belief::density(map(), tuning_.prior_share, tuning_.prior_weight);
-  const double share = goal_reached() ? tuning_.look_density : tuning_.reach_density;
-  Plans plans = sample_plans(hi, density * share);
+  Plans plans = sample_plans(hi, density);
   if (plans.total > 0) {
     const auto scale = static_cast<float>(1 / plans.total);
     for (float& f : plans.weights.north) f *= scale;
     for (float& f : plans.weights.east) f *= scale;
   }
-  if (goal_reached() && goal_ == ScoutGoal::score && plans.gain <= tuning_.stop_gain && *hi - *lo <= tuning_.stop_gap)
+  if (goal_reached() && goal_ == ScoutGoal::score &&
+      plans.gain * tuning_.stop_factor <= tuning_.stop_steps / kExplorationShare)
     return kReset;
   const Outlook outlook(map(), plans.weights, density);
   const auto action = best_look(outlook, goal_reached() ? nullptr : &plans.to_goal);
@@ -159,19 +164,18 @@ std::optional<Action> Scout::best_look(const Outlook& outlook, const std::vector
       if (to_goal != nullptr) {
         const float left = (*to_goal)[node / 4];
         const bool ends = task().in_goal(c);
-        value = look > 0 || ends ? -(n + left) + static_cast<float>(tuning_.reach_look) * collected[node]
+        value = look > 0 || ends ? -(n + left) + static_cast<float>(tuning_.reach_look) * collected[node] * 10
                                  : -std::numeric_limits<float>::infinity();
       } else {
-        value = look > 0 ? std::pow(look, static_cast<float>(tuning_.look_power)) /
-                               (n + static_cast<float>(tuning_.patience))
-                         : -std::numeric_limits<float>::infinity();
+        value = look > 0 ? collected[node] / (n + static_cast<float>(tuning_.patience)) : -1.F;
+        if (look <= 0) value = -std::numeric_limits<float>::infinity();
       }
       if (value > best) best = value, action = first[node];
     }
     const auto arrive = [&](Cell to, Side h, Action a) {
       const std::size_t next = id(to, h);
       if (steps[next] >= 0 && steps[next] <= steps[node]) return;
-      const float sum = collected[node] + outlook.at(next / 4, h);
+      const float sum = static_cast<float>(tuning_.side_looks) * collected[node] + outlook.at(next / 4, h);
       if (steps[next] < 0) {
         steps[next] = static_cast<std::int16_t>(steps[node] + 1);
         queue.push_back(next);

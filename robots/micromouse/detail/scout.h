@@ -11,18 +11,16 @@ enum class ScoutGoal { proof, score };
 
 /// The constants of the policy: chosen on generated mazes and on competition mazes (bench/micromouse_bench.cpp).
 struct ScoutTuning {
-  int samples = 200;
-  double prior_share = 0.4;  ///< of the interior walls that stand, and how many seen walls that counts for
-  double prior_weight = 30;
-  // Mazes are made to have routes: along plans fewer walls stand than anywhere.
-  double reach_density = 0.6;  ///< before the goal: plans are sampled at this part of the density believed in
-  double look_density = 0.7;   ///< afterwards
-  double reach_look = 10;      ///< before the goal: steps that seeing every relevant wall is worth
-  double patience = 0.5;       ///< added to the steps to a look before its worth is divided by them
-  double look_power = 0.5;     ///< of what a look shows: below 1 near looks are preferred
-  // Stops when the mean gain is small and no gain can be large: sampled gains are too small where mazes have long loops.
-  double stop_gain = 0.15;
-  int stop_gap = 6;  ///< of the optima with unknown walls closed and open
+  int samples = 96;
+  double thin = 0.3;       ///< the thinnest samples have this share of the walls expected, the others up to all of them
+  double gain_weight = 1;  ///< a plan counts 1 + this * the steps it would save
+  double prior_share = 0.4;
+  double prior_weight = 15;
+  double reach_look = 1.0;   ///< before the goal: steps that seeing one relevant wall is worth
+  double side_looks = 0.4;   ///< what looks on the way count, again for each step after them
+  double patience = 0.3;     ///< added to the steps to a look before what it shows is divided by them
+  double stop_factor = 0.5;  ///< share of the gain that knowing everything would bring, that looking does bring
+  double stop_steps = 6;     ///< steps that looking takes at least
 };
 
 class Scout final : public MappingRobot {

@@ -354,12 +354,13 @@ TEST(SpeedRun, IsAbsentWithoutAWay) {
 }
 
 TEST(SpeedRun, IsWhatASecondSearchOverCurvesFinds) {
-  SpeedModel lame, nimble;
+  SpeedModel lame, nimble, round;
+  round.turns = {{{0.5, {}}, {0.5, {}}, {0.5, {}}, {0.5, {}}, {1.3, 0.1}, {0.5, {}}}};
   lame.straight = {2, 3, 1.7};
   lame.diagonal = {2, 2, 1.6};
   nimble.turns = {{{1.4, {}}, {1.4, 0.1}, {1.4, {}}, {1.4, {}}, {1.4, {}}, {1.4, {}}}};
   for (std::uint64_t seed = 1; seed <= 6; ++seed)
-    for (const SpeedModel& model : {SpeedModel{}, lame, nimble}) {
+    for (const SpeedModel& model : {SpeedModel{}, lame, nimble, round}) {
       const GridMaze maze = random_maze(4 + static_cast<int>(seed % 3), 5, seed, seed % 2 == 0 ? 0.5 : 0.15);
       const auto run = speed_run(maze, model);
       ASSERT_TRUE(run);

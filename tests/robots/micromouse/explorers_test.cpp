@@ -1,0 +1,103 @@
+#include <taut/robots/micromouse/explorers.h>
+
+#include <gtest/gtest.h>
+
+#include <taut/robots/micromouse/certificate.h>
+
+#include "robots/micromouse/support.h"
+
+namespace taut::micromouse {
+namespace {
+
+Record played(const GridMaze& maze, Explorer explorer) {
+  const auto robot = make_explorer(explorer, task_of(maze));
+  return run_trial(maze, *robot);
+}
+
+TEST(Explorers, HaveNamesThatReadBack) {
+  for (const Explorer e : all_explorers()) EXPECT_EQ(explorer_named(name(e)), e);
+  EXPECT_FALSE(explorer_named("hoover"));
+}
+
+TEST(Explorers, KeepTheRulesAndNeverOffend) {
+  for (const Explorer e : all_explorers())
+    for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+      const GridMaze maze = generated(8, seed);
+      const Record record = played(maze, e);
+      EXPECT_EQ(check_record(record, maze).reason, "") << name(e) << " " << seed;
+      for (const Step& step : record.steps) EXPECT_EQ(step.offence, Offence::none) << name(e) << " " << seed;
+    }
+}
+
+TEST(Explorers, DoTheSameTwice) {
+  const GridMaze maze = generated(12, 3);
+  for (const Explorer e : all_explorers()) {
+    const Record a = played(maze, e), b = played(maze, e);
+    ASSERT_EQ(a.steps.size(), b.steps.size()) << name(e);
+    for (std::size_t i = 0; i < a.steps.size(); ++i) ASSERT_EQ(a.steps[i].action, b.steps[i].action) << name(e);
+  }
+}
+
+TEST(Explorers, CopeWithSmallOddAndRectangularMazes) {
+  for (const auto& [w, h] : {std::pair{1, 2}, {2, 2}, {3, 3}, {5, 4}, {4, 9}, {7, 1}})
+    for (const Explorer e : {Explorer::breadth_first, Explorer::flood_fill, Explorer::a_star, Explorer::plain_prove,
+                             Explorer::prove, Explorer::score}) {
+      const GridMaze maze = [&] {
+        GridMaze m = generate_backtracker(w, h, 5);
+        m.goal = centre_room(w, h);
+        return m;
+      }();
+      EXPECT_EQ(played(maze, e).status, TrialStatus::finished) << w << " x " << h << " " << name(e);
+    }
+}
+
+TEST(Explorers, ProvingOnesFindTheOptimumOfGeneratedMazesAndCertifyIt) {
+  for (std::uint64_t seed = 500; seed < 530; ++seed) {
+    const GridMaze maze = generated(12 + 2 * static_cast<int>(seed % 3), seed);
+    const int best = *optimum(passages_of(maze), task_of(maze));
+    for (const Explorer e : {Explorer::plain_prove, Explorer::prove}) {
+      const Record record = played(maze, e);
+      EXPECT_EQ(record.run2, best) << seed;
+      const auto proof = certificate(record);
+      ASSERT_TRUE(proof) << seed;
+      EXPECT_EQ(proof->steps, best);
+      EXPECT_EQ(check_certificate(*proof, maze, record).reason, "") << seed;
+    }
+  }
+}
+
+TEST(Explorers, OursBeatThePlainOnesOnTheMeanOfGeneratedMazes) {
+  double prove = 0, plain = 0, score = 0, flood = 0;
+  for (std::uint64_t seed = 600; seed < 630; ++seed) {
+    const GridMaze maze = generated(12 + 2 * static_cast<int>(seed % 3), seed);
+    prove += *played(maze, Explorer::prove).score();
+    plain += *played(maze, Explorer::plain_prove).score();
+    score += *played(maze, Explorer::score).score();
+    flood += *played(maze, Explorer::flood_fill).score();
+  }
+  EXPECT_LT(prove, plain);
+  EXPECT_LT(score, flood);
+}
+
+TEST(Explorers, ProveFindsTheOptimumOfCompetitionMazes) {
+  const auto mazes = competition(6);
+  if (mazes.empty()) GTEST_SKIP() << "no shared data";
+  for (const GridMaze& maze : mazes) {
+    const Record record = played(maze, Explorer::prove);
+    EXPECT_EQ(record.run2, optimum(passages_of(maze), task_of(maze)));
+    const auto proof = certificate(record);
+    ASSERT_TRUE(proof);
+    EXPECT_EQ(check_certificate(*proof, maze, record).reason, "");
+  }
+}
+
+TEST(Explorers, MeetTheBarsOnTheFirstMazeOfTheCourse) {
+  const auto file = shared_mazes() / "test_maze_01.txt";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no shared data";
+  const auto grid = read_world_file(file.string()).grid();
+  EXPECT_LT(*played(*grid, Explorer::prove).score(), 20.9);
+  EXPECT_LT(*played(*grid, Explorer::score).score(), 22.1);  // the flood fill
+}
+
+}  // namespace
+}  // namespace taut::micromouse

@@ -1,0 +1,46 @@
+// Mazes for the micromouse tests.
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <taut/geometry/errors.h>
+#include <taut/geometry/maze_generator.h>
+#include <taut/io/read_world.h>
+#include <taut/robots/micromouse/steps.h>
+
+namespace taut::micromouse {
+
+inline GridMaze drawn(const std::string& drawing) { return *read_world(drawing).grid(); }
+
+/// As in the course: of the interior cell sides 38 % are walls.
+inline GridMaze generated(int n, std::uint64_t seed) {
+  GridMaze maze = generate_backtracker(n, n, seed);
+  open_walls(maze, 1 - 0.38 * 2 * n / (n - 1.0), seed);
+  open_centre_room(maze);
+  return maze;
+}
+
+inline std::filesystem::path shared_mazes() { return std::filesystem::path(TAUT_SHARED_DATA_DIR) / "micromouse"; }
+
+/// The competition mazes of 16 x 16 and less that have a route; every `nth` of them.
+inline std::vector<GridMaze> competition(std::size_t nth = 1) {
+  std::vector<std::filesystem::path> files;
+  if (!std::filesystem::exists(shared_mazes() / "competition")) return {};
+  for (const auto& entry : std::filesystem::directory_iterator(shared_mazes() / "competition"))
+    files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::vector<GridMaze> mazes;
+  for (std::size_t i = 0; i < files.size(); i += nth) {
+    try {
+      const auto grid = read_world_file(files[i].string()).grid();
+      if (grid && grid->width() <= 16 && optimum(passages_of(*grid), task_of(*grid))) mazes.push_back(*grid);
+    } catch (const InputError&) {
+    }
+  }
+  return mazes;
+}
+
+}  // namespace taut::micromouse
