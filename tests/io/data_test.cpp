@@ -39,14 +39,14 @@ TEST(Data, HasTheShortestPathsThatItsReadmePromises) {
     EXPECT_EQ(std::to_string(path->points.size() - 2), match[3].str()) << match[1];
     EXPECT_TRUE(verify(*path, space, *world.start(), world.goal()).valid) << match[1];
   }
-  EXPECT_GT(rows, 0U);
+  EXPECT_GE(rows, 13U);  // what is left out by a typing error is missed otherwise
 }
 
-TEST(Data, HasARowForEachFile) {
+TEST(Data, HasAWordOnEachFileInItsReadme) {
   const std::string readme = test::contents(test::data_dir() / "README.md");
   for (const auto& entry : std::filesystem::directory_iterator(test::data_dir())) {
     const std::string name = entry.path().filename().string();
-    EXPECT_TRUE(name == "README.md" || readme.find("\n| `" + name + "` |") != std::string::npos) << name;
+    EXPECT_TRUE(name == "README.md" || readme.find("`" + name + "`") != std::string::npos) << name;
   }
 }
 
