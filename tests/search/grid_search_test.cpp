@@ -69,7 +69,7 @@ TEST(GridSearch, ProvesThatAWallSeparates) {
       EXPECT_EQ(r.status, GridStatus::none);
       EXPECT_THAT(r.path, IsEmpty());
       EXPECT_FALSE(r.optimal);
-      if (a != GridAlgorithm::bidirectional_astar) EXPECT_THAT(r.frontier, IsEmpty());  // the other side's stays
+      EXPECT_TRUE(r.frontier.empty() || a == GridAlgorithm::bidirectional_astar);  // the other side's stays
     }
 }
 

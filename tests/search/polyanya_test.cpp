@@ -139,7 +139,7 @@ void expect_agreement(const std::filesystem::path& file, std::size_t pairs) {
     const Path path = search.result().path;
     EXPECT_EQ(path.length, expected.path.length)
         << fmt::format("{}: {} {} to {} {}", file.string(), from.x, from.y, to.x, to.y);
-    if (n % 8 == 0) EXPECT_TRUE(verify(path, space, from, {to, {}}).valid) << file;
+    EXPECT_TRUE(n % 8 != 0 || verify(path, space, from, {to, {}}).valid) << file;
   }
 }
 
