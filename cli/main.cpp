@@ -90,6 +90,7 @@ std::vector<Command> all_commands(CLI::App& app) {
   commands.push_back(generate_command(app));
   commands.push_back(convert_command(app));
   commands.push_back(batch_command(app));
+  commands.push_back(drive_command(app));
   return commands;
 }
 

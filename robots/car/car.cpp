@@ -11,9 +11,7 @@ namespace {
 struct Frame {
   explicit Frame(const Pose& pose) : x(pose.x), y(pose.y), c(std::cos(pose.heading)), s(std::sin(pose.heading)) {}
 
-  Point inwards(Point p) const {
-    return {c * (p.x - x) + s * (p.y - y), c * (p.y - y) - s * (p.x - x)};
-  }
+  Point inwards(Point p) const { return {c * (p.x - x) + s * (p.y - y), c * (p.y - y) - s * (p.x - x)}; }
   Point outwards(Point p) const { return {x + c * p.x - s * p.y, y + s * p.x + c * p.y}; }
 
   double x, y, c, s;
@@ -24,7 +22,8 @@ constexpr double kStraight = 1e-7;  // a control below it bends by less than 1e-
 bool turns(double control) { return control >= -1 && control <= 1; }
 
 std::array<Point, 4> rectangle(double half_length, double half_width) {
-  return {{{half_length, -half_width}, {half_length, half_width}, {-half_length, half_width}, {-half_length, -half_width}}};
+  return {
+      {{half_length, -half_width}, {half_length, half_width}, {-half_length, half_width}, {-half_length, -half_width}}};
 }
 
 std::array<Point, 4> square(Cell c) {

@@ -68,9 +68,9 @@ std::string_view name(Outcome outcome);  ///< `reached`, `no route`, `collision`
 struct Drive {
   Outcome outcome = Outcome::limit;
   std::vector<double> controls;
-  std::vector<Pose> poses;                            ///< one more than controls
+  std::vector<Pose> poses;                           ///< one more than controls
   std::vector<std::pair<int, RoadblockSet>> sights;  ///< after so many steps these roadblocks became known
-  RoadblockSet open = 0;                              ///< the sample
+  RoadblockSet open = 0;                             ///< the sample
   int replans = 0;
 };
 

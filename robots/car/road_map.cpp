@@ -204,7 +204,8 @@ class Reader {
     course().walls.push_back(what == '#');
     if (what == '#' || what == '.') return;
     if (what < 'A' || what > 'Z')
-      lines_.fail(quoted({&what, 1}) + " in column " + std::to_string(c.x) + " is none of # . and a roadblock's letter");
+      lines_.fail(quoted({&what, 1}) + " in column " + std::to_string(c.x) +
+                  " is none of # . and a roadblock's letter");
     std::optional<Declared>& declared = declared_[static_cast<std::size_t>(what - 'A')];
     if (!declared)
       lines_.fail("column " + std::to_string(c.x) + " is of the roadblock " + what +

@@ -69,8 +69,8 @@ class Bins {
       tile = std::make_unique<std::uint32_t[]>(size);
       std::fill_n(tile.get(), size, kNone);
     }
-    return tile[static_cast<std::size_t>(
-        ((j % lattice_.bins) * lattice_.bins + i % lattice_.bins) * headings + heading / lattice_.arc)];
+    return tile[static_cast<std::size_t>(((j % lattice_.bins) * lattice_.bins + i % lattice_.bins) * headings +
+                                         heading / lattice_.arc)];
   }
 
  private:
