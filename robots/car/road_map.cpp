@@ -103,6 +103,13 @@ class Lines {
   int number_ = 0;
 };
 
+/// A roadblock's line.
+struct Declared {
+  Roadblock block;
+  Point at;
+  int line = 0;
+};
+
 class Reader {
  public:
   Reader(std::string_view bytes, const std::string& source) : lines_(bytes, source), source_(source) {}
@@ -118,12 +125,6 @@ class Reader {
   }
 
  private:
-  struct Declared {
-    Roadblock block;
-    Point at;
-    int line = 0;
-  };
-
   Course& course() { return map_.course; }
 
   void read_header() {

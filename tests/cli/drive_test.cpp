@@ -19,7 +19,7 @@ class DriveProgram : public testing::Test {
   void SetUp() override {
     if (!program()) GTEST_SKIP() << "the program is not built";
   }
-  const std::string map = TAUT_DATA_DIR "/car_lane.txt";
+  const std::string map = TAUT_DATA_DIR "/car/lane.txt";
 };
 
 TEST_F(DriveProgram, GivesAResultASample) {
