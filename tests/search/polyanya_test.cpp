@@ -146,8 +146,8 @@ void expect_agreement(const std::filesystem::path& file, std::size_t pairs) {
 TEST(Polyanya, IsAsLongAsInTheVisibilityGraphInAllMazesOfOurs) {
   for (const auto& entry : std::filesystem::directory_iterator(test::data_dir())) {
     const std::string kind = entry.path().extension().string();
-    const bool world = entry.is_regular_file() && kind != ".md" && kind != ".csv" && kind != ".scen" && kind != ".chase" &&
-                       kind != ".json";
+    const bool world = entry.is_regular_file() && kind != ".md" && kind != ".csv" && kind != ".scen" &&
+                       kind != ".chase" && kind != ".json";
     if (world) expect_agreement(entry.path(), 40);
   }
 }
