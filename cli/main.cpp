@@ -96,6 +96,7 @@ std::vector<Command> all_commands(CLI::App& app) {
   for (Command& mouse : mouse_commands(app)) commands.push_back(std::move(mouse));
   for (Command& command : chase_commands(app)) commands.push_back(std::move(command));
   commands.push_back(bug_command(app));
+  commands.push_back(drive_command(app));
   return commands;
 }
 

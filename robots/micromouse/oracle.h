@@ -17,7 +17,7 @@ struct ProofBound {
 };
 
 struct OracleLimits {
-  int groups = 13;  ///< sets of poses one of which the walk must visit; time and memory grow as 2^groups
+  int groups = 12;  ///< sets of poses one of which the walk must visit; time and memory grow as 2^groups
 };
 
 /// The lower bound, from cut plans (implicit hitting set): a walk must end a step in the goal and, for every plan shorter than S*, be

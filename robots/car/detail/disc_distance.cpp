@@ -1,0 +1,158 @@
+#include <taut/robots/car/detail/disc_distance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <queue>
+
+#include <taut/robots/car/lattice_planner.h>
+
+namespace taut::car::detail {
+
+namespace {
+
+constexpr double kHalfDiagonal = 0.5 * std::numbers::sqrt2 / kRaster;
+constexpr double kReach = 1.5 * std::numbers::sqrt2;  // more than half the car's diagonal, and a step
+constexpr int kRoomSeen = 3;                          // cells around which room is measured
+
+/// The raster: cell (0, 0) begins at (0.5, 0.5), so that the grid's unit squares are kRaster cells wide.
+int raster(double v) { return static_cast<int>(std::floor((v - 0.5) * kRaster)); }
+double middle(int i) { return 0.5 + (i + 0.5) / kRaster; }
+
+double distance_to(Cell c, Point p, WallReading reading) {
+  const double half = reading == WallReading::squares ? 0.5 : 0;
+  return std::hypot(std::max(std::abs(p.x - c.x) - half, 0.0), std::max(std::abs(p.y - c.y) - half, 0.0));
+}
+
+}  // namespace
+
+Obstacles::Obstacles(const Course& course, RoadblockSet closed, WallReading reading)
+    : course_(&course), reading_(reading), closed_(course.walls) {
+  for (std::size_t i = 0; i < course.roadblocks.size(); ++i)
+    if ((closed >> i) & 1)
+      for (const Cell c : course.roadblocks[i].cells) closed_[course.index(c)] = 1;
+  measure_room();
+}
+
+void Obstacles::measure_room() {
+  const int columns = course_->width * kRaster, rows = course_->height * kRaster;
+  room_.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < columns; ++i) {
+      const Point p{middle(i), middle(j)};
+      const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
+      double least = kRoomSeen;
+      for (int dy = -kRoomSeen; dy <= kRoomSeen; ++dy)
+        for (int dx = -kRoomSeen; dx <= kRoomSeen; ++dx)
+          if (is_closed({x + dx, y + dy})) least = std::min(least, distance_to({x + dx, y + dy}, p, reading_));
+      room_.push_back(static_cast<float>(std::max(0.0, least - kHalfDiagonal - 1e-4)));
+    }
+}
+
+double Obstacles::room(Point p) const {
+  const int i = raster(p.x), j = raster(p.y), columns = course_->width * kRaster;
+  if (i < 0 || j < 0 || i >= columns || j >= course_->height * kRaster) return 0;
+  return room_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(i)];
+}
+
+bool Obstacles::is_clear(const Pose& from, double control, const Pose& to) const {
+  const double free = room({to.x, to.y});
+  if (free > kReach) return true;
+  const double slack = kMargin;
+  const int left = static_cast<int>(std::ceil(to.x - 2.5)), right = static_cast<int>(std::floor(to.x + 2.5));
+  const int top = static_cast<int>(std::ceil(to.y - 2.5)), bottom = static_cast<int>(std::floor(to.y + 2.5));
+  if (reading_ == WallReading::squares) {
+    for (int y = top; y <= bottom; ++y)
+      for (int x = left; x <= right; ++x)
+        if (is_closed({x, y}) && meets(from, control, {x, y}, reading_, slack)) return false;
+    return true;
+  }
+  const double c = std::cos(to.heading), s = std::sin(to.heading);
+  for (int y = std::max(top, 1); y <= std::min(bottom, course_->height); ++y)
+    for (int x = std::max(left, 1); x <= std::min(right, course_->width); ++x) {
+      if (!closed_[course_->index({x, y})]) continue;
+      const double dx = x - to.x, dy = y - to.y;
+      if (std::abs(c * dx + s * dy) <= kHalfLength + slack && std::abs(c * dy - s * dx) <= kHalfWidth + slack)
+        return false;
+    }
+  return true;
+}
+
+namespace {
+
+/// Where the disc may be, and between which raster cells it may pass.
+class DiscRoom {
+ public:
+  explicit DiscRoom(const Obstacles& obstacles)
+      : columns_(obstacles.course().width * kRaster), rows_(obstacles.course().height * kRaster) {
+    free_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    for (int j = 0; j < rows_; ++j)
+      for (int i = 0; i < columns_; ++i)
+        free_[at(i, j)] = obstacles.room({middle(i), middle(j)}) > kHalfWidth - 2 * kHalfDiagonal - 2e-4;
+    // A gate of two centres at most 2 apart (squares: of facing sides) lets no car through, though raster cells in its middle are wider.
+    const int widest = obstacles.reading() == WallReading::points ? 2 : 3;
+    const Course& course = obstacles.course();
+    for (int y = 1; y <= course.height; ++y)
+      for (int x = 1; x <= course.width; ++x) {
+        if (!obstacles.is_closed({x, y})) continue;
+        if (obstacles.is_closed({x + widest, y})) shut(x, y, widest, 0);
+        if (obstacles.is_closed({x, y + widest})) shut(x, y, 0, widest);
+      }
+  }
+
+  bool is_free(int i, int j) const { return i >= 0 && j >= 0 && i < columns_ && j < rows_ && free_[at(i, j)] != 0; }
+  std::size_t at(int i, int j) const {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
+  }
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+
+ private:
+  void shut(int x, int y, int dx, int dy) {
+    for (int j = raster(y) - (dx > 0); j <= raster(y + dy); ++j)
+      for (int i = raster(x) - (dy > 0); i <= raster(x + dx); ++i) free_[at(i, j)] = 0;
+  }
+
+  int columns_, rows_;
+  std::vector<std::uint8_t> free_;
+};
+
+}  // namespace
+
+DiscDistance::DiscDistance(const Obstacles& obstacles, Point goal) {
+  const DiscRoom room(obstacles);
+  columns_ = room.columns();
+  rows_ = room.rows();
+  std::vector<double> length(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_),
+                             std::numeric_limits<double>::infinity());
+  using Entry = std::tuple<double, int, int>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  const auto reach = [&](int i, int j, double by) {
+    if (!room.is_free(i, j) || by >= length[room.at(i, j)]) return;
+    length[room.at(i, j)] = by;
+    open.emplace(by, i, j);
+  };
+  const double reach_of_car = std::hypot(kHalfLength, kHalfWidth) + kHalfDiagonal;
+  for (int j = raster(goal.y - 2); j <= raster(goal.y + 2); ++j)
+    for (int i = raster(goal.x - 2); i <= raster(goal.x + 2); ++i)
+      if (std::hypot(middle(i) - goal.x, middle(j) - goal.y) <= reach_of_car) reach(i, j, 0);
+  while (!open.empty()) {
+    const auto [by, i, j] = open.top();
+    open.pop();
+    if (by > length[room.at(i, j)]) continue;
+    for (int dj = -1; dj <= 1; ++dj)
+      for (int di = -1; di <= 1; ++di)
+        if (di != 0 || dj != 0) reach(i + di, j + dj, by + (di != 0 && dj != 0 ? std::numbers::sqrt2 : 1.0) / kRaster);
+  }
+  steps_.reserve(length.size());
+  for (const double way : length) steps_.push_back(std::isfinite(way) ? static_cast<int>(way / kForward) : kFar);
+}
+
+int DiscDistance::steps_from(Point p) const {
+  const int i = raster(p.x), j = raster(p.y);
+  if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return kFar;
+  return steps_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i)];
+}
+
+}  // namespace taut::car::detail

@@ -1,0 +1,21 @@
+// One search of LatticePlanner.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include <taut/robots/car/detail/disc_distance.h>
+#include <taut/robots/car/lattice_planner.h>
+
+namespace taut::car::detail {
+
+struct Lattice {
+  int bins = 4;  ///< of positions, to the unit
+  int arc = 4;   ///< steps of an arc, and 128ths of a turn between headings; divides 128
+};
+
+/// A*. Adds to `expanded`.
+std::optional<Plan> lattice_search(const Obstacles& obstacles, const DiscDistance& distance, const Lattice& lattice,
+                                   const Pose& from, std::size_t& expanded);
+
+}  // namespace taut::car::detail

@@ -1,0 +1,61 @@
+// taut drive.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/paths.h"
+#include "support/run_program.h"
+
+namespace taut::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+class DriveProgram : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!program()) GTEST_SKIP() << "the program is not built";
+  }
+  const std::string map = TAUT_DATA_DIR "/car/lane.txt";
+};
+
+TEST_F(DriveProgram, GivesAResultASample) {
+  const Outcome outcome = run_taut("drive " + map + " --all --json -");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const json results = json::parse(outcome.out);
+  ASSERT_EQ(results.size(), 2U);
+  for (const json& result : results) {
+    EXPECT_EQ(result["reached"], true);
+    EXPECT_EQ(result["collisions"], 0);
+  }
+  EXPECT_EQ(results[0]["replans"], 0);
+  EXPECT_EQ(results[1]["replans"], 1);
+  EXPECT_LT(results[0]["steps"], results[1]["steps"]);
+}
+
+TEST_F(DriveProgram, DrawsAndAnimates) {
+  const Outcome outcome = run_taut("drive " + map + " --sample 2 --svg - --animate");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("class=\"closed\""));
+  EXPECT_THAT(outcome.out, HasSubstr("<animate attributeName=\"d\""));
+}
+
+TEST_F(DriveProgram, EndsWithItsCode) {
+  const std::string box = "start 3 3\ngoal 12 3\ngrid 14 5\n";
+  const std::string side(14, '#'), rows = "#.....#......#\n#.....#......#\n#.....#......#\n";
+  const Outcome none = run_taut("drive -", box + side + "\n" + rows + side + "\n");
+  EXPECT_EQ(none.code, 1) << none.err;
+  EXPECT_THAT(none.out, HasSubstr("no route"));
+  const Outcome wall = run_taut("drive -", "start 2 2\ngoal 3 3\ngrid 3 3\n###\n#.#\n###\n");
+  EXPECT_EQ(wall.code, 3);
+  EXPECT_THAT(wall.err, HasSubstr("<stdin>: the car at start (2, 2) touches the wall"));
+  EXPECT_EQ(run_taut("drive " + map + " --sample 9").code, 3);
+  EXPECT_EQ(run_taut("drive " + map + " --planner rrt").code, 2);
+  EXPECT_EQ(run_taut("drive " + map + " --all --svg x.svg").code, 2);
+}
+
+}  // namespace
+}  // namespace taut::test
