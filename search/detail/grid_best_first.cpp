@@ -56,7 +56,7 @@ class BestFirst {
     while (!heap_.empty() && step()) {
     }
     run_.result.entered = heap_.entered();
-    if (run_.query.record) run_.record_frontier(unmarked());
+    if (run_.query.record) run_.record_frontier(unmarked(heap_, nodes_));
   }
 
  private:
@@ -86,13 +86,6 @@ class BestFirst {
       if (!nodes_.marked(n)) enter(n, nodes_.g(c) + GridBoard::cost(move), c);
     });
     return true;
-  }
-
-  std::vector<BoardCell> unmarked() {
-    std::vector<BoardCell> cells;
-    while (!heap_.empty())
-      if (const BoardCell c = heap_.pop(); !nodes_.marked(c)) cells.push_back(c);
-    return cells;
   }
 
   GridRun& run_;

@@ -110,7 +110,7 @@ class JumpSearch {
     while (!heap_.empty() && step()) {
     }
     run_.result.entered = heap_.entered();
-    if (run_.query.record) run_.record_frontier(unmarked());
+    if (run_.query.record) run_.record_frontier(unmarked(heap_, nodes_));
   }
 
  private:
@@ -157,13 +157,6 @@ class JumpSearch {
     for (const GridPlace p : points)
       while (path.back() != p) path.push_back({towards(path.back().row, p.row), towards(path.back().column, p.column)});
     return path;
-  }
-
-  std::vector<BoardCell> unmarked() {
-    std::vector<BoardCell> cells;
-    while (!heap_.empty())
-      if (const BoardCell c = heap_.pop(); !nodes_.marked(c)) cells.push_back(c);
-    return cells;
   }
 
   GridRun& run_;

@@ -18,4 +18,11 @@ void GridRun::record_frontier(std::vector<BoardCell> cells) {
   for (const BoardCell c : cells) result.frontier.push_back(board.place(c));
 }
 
+std::vector<BoardCell> unmarked(GridHeap& heap, const GridNodes& nodes) {
+  std::vector<BoardCell> cells;
+  while (!heap.empty())
+    if (const BoardCell c = heap.pop(); !nodes.marked(c)) cells.push_back(c);
+  return cells;
+}
+
 }  // namespace taut::detail

@@ -75,6 +75,9 @@ class GridHeap {
   std::int64_t sign_ = 1;
 };
 
+/// What is left in the heap and not yet taken; empties it.
+std::vector<BoardCell> unmarked(GridHeap& heap, const GridNodes& nodes);
+
 struct GridScratch {
   GridNodes nodes[2];
   GridHeap heaps[2];

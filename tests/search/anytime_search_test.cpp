@@ -12,6 +12,7 @@
 #include <taut/search/prm_planner.h>
 #include <taut/search/shortest_path.h>
 
+#include "support/lattice.h"
 #include "support/random_world.h"
 
 namespace taut {
@@ -21,21 +22,6 @@ using test::any;
 using Vertex = Roadmap::Vertex;
 using Edges = std::vector<std::pair<Vertex, Vertex>>;
 using Map = std::shared_ptr<const Roadmap>;
-
-Map lattice(Vertex n) {
-  std::vector<Point> points;
-  Edges edges;
-  for (Vertex y = 0; y < n; ++y)
-    for (Vertex x = 0; x < n; ++x) {
-      const Vertex v = y * n + x;
-      points.push_back({static_cast<double>(x), static_cast<double>(y)});
-      if (x + 1 < n) edges.emplace_back(v, v + 1);
-      if (y + 1 < n) edges.emplace_back(v, v + n);
-      if (x + 1 < n && y + 1 < n) edges.emplace_back(v, v + n + 1);
-      if (x > 0 && y + 1 < n) edges.emplace_back(v, v + n - 1);
-    }
-  return std::make_shared<const Roadmap>(std::move(points), edges);
-}
 
 GraphQuery between(const Roadmap& map, Vertex from, Vertex to) {
   return {.start = {map.point(from), {from}}, .goals = {{map.point(to), {to}}}, .direct = {}};
@@ -135,7 +121,7 @@ TEST(AnytimeSearch, ComesBackToWhatItFoundAShorterWayToTooLate) {
 }
 
 TEST(AnytimeSearch, IsAStarWhenEpsilonIsOne) {
-  const Map map = lattice(40);
+  const Map map = std::make_shared<const Roadmap>(test::lattice(40));
   AnytimeSearch search(map, between(*map, 3, 1590), 1);
   ASSERT_EQ(search.improve(), SearchStatus::found);
   EXPECT_TRUE(search.optimal());
@@ -161,7 +147,7 @@ TEST(AnytimeSearch, IsOnePointWhenTheStartIsTheGoal) {
 }
 
 TEST(AnytimeSearch, StopsAtALimitAndGoesOn) {
-  const Map map = lattice(60);
+  const Map map = std::make_shared<const Roadmap>(test::lattice(60));
   const GraphQuery query = between(*map, 0, 60 * 20 + 59);
   AnytimeSearch whole(map, query), pieces(map, query);
   EXPECT_EQ(pieces.improve({.seconds = 0}), SearchStatus::stopped);
@@ -174,7 +160,7 @@ TEST(AnytimeSearch, StopsAtALimitAndGoesOn) {
 }
 
 TEST(AnytimeSearch, FindsAFirstPathWithFarFewerExpansions) {
-  const Map map = lattice(80);
+  const Map map = std::make_shared<const Roadmap>(test::lattice(80));
   // Off the diagonals all ways of many legs are tied: A* has to look at the whole parallelogram between the ends.
   const GraphQuery query = between(*map, 80 * 10 + 10, 80 * 40 + 70);
   AnytimeSearch search(map, query);

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <random>
 
+#include "support/lattice.h"
+
 namespace taut {
 namespace {
 
@@ -46,21 +48,6 @@ std::vector<std::optional<Length>> bellman_ford(const Roadmap& map, const GraphQ
       offer(map.vertex_count() + i, plus_leg({}, query.start.point, query.goals[i].point));
   }
   return best;
-}
-
-Roadmap lattice(Vertex n) {
-  std::vector<Point> points;
-  Edges edges;
-  for (Vertex y = 0; y < n; ++y)
-    for (Vertex x = 0; x < n; ++x) {
-      const Vertex v = y * n + x;
-      points.push_back({static_cast<double>(x), static_cast<double>(y)});
-      if (x + 1 < n) edges.emplace_back(v, v + 1);
-      if (y + 1 < n) edges.emplace_back(v, v + n);
-      if (x + 1 < n && y + 1 < n) edges.emplace_back(v, v + n + 1);
-      if (x > 0 && y + 1 < n) edges.emplace_back(v, v + n - 1);
-    }
-  return Roadmap(std::move(points), edges);
 }
 
 GraphQuery between(const Roadmap& map, Vertex from, Vertex to) {
@@ -121,7 +108,7 @@ TEST(GraphSearch, FindsNoneWhereTheGraphIsCut) {
 }
 
 TEST(GraphSearch, EndsInTheNearestGoal) {
-  const Roadmap map = lattice(20);
+  const Roadmap map = test::lattice(20);
   GraphQuery query{.start = {map.point(0), {0}}, .goals = {}, .direct = {}};
   for (const Vertex v : {399u, 21u * 6, 19u}) query.goals.push_back({map.point(v), {v}});
   for (const auto algorithm : kBoth) {
@@ -132,7 +119,7 @@ TEST(GraphSearch, EndsInTheNearestGoal) {
 }
 
 TEST(GraphSearch, PrefersTheFirstOfGoalsEquallyFar) {
-  const Roadmap map = lattice(9);
+  const Roadmap map = test::lattice(9);
   const Vertex centre = 4 * 9 + 4;
   GraphQuery query{.start = {map.point(centre), {centre}}, .goals = {}, .direct = {}};
   for (const Vertex v : {centre + 18u + 1u, centre - 18u + 1u, centre + 9u + 2u})
@@ -141,7 +128,7 @@ TEST(GraphSearch, PrefersTheFirstOfGoalsEquallyFar) {
 }
 
 TEST(GraphSearch, StopsAtALimitAndSaysSo) {
-  const Roadmap map = lattice(60);
+  const Roadmap map = test::lattice(60);
   for (const auto algorithm : kBoth) {
     const auto counted = graph_search(map, between(map, 0, 3599), algorithm, {.expansions = 10});
     EXPECT_EQ(counted.status, SearchStatus::stopped);
@@ -162,7 +149,7 @@ TEST(GraphSearch, ReturnsTheBestSoFarWhenStopped) {
 }
 
 TEST(GraphSearch, ExpandsFewerVerticesWithAHeuristic) {
-  const Roadmap map = lattice(60);
+  const Roadmap map = test::lattice(60);
   const auto query = between(map, 60 * 30 + 5, 60 * 30 + 55);
   const auto astar = graph_search(map, query, GraphAlgorithm::astar);
   const auto dijkstra = graph_search(map, query, GraphAlgorithm::dijkstra);
@@ -291,7 +278,7 @@ RC_GTEST_PROP(GraphShortestPaths, AgreesWithBellmanFordOnEveryGoal, ()) {
 }
 
 TEST(GraphShortestPaths, KeepsTheTreeForManyGoals) {
-  const auto map = std::make_shared<Roadmap>(lattice(30));
+  const auto map = std::make_shared<Roadmap>(test::lattice(30));
   const GraphShortestPaths paths(map, {map->point(0), {0}});
   EXPECT_EQ(paths.predecessor(0), GraphShortestPaths::kNoVertex);
   EXPECT_EQ(paths.predecessor(1), 0u);
@@ -305,7 +292,7 @@ TEST(GraphShortestPaths, KeepsTheTreeForManyGoals) {
 }
 
 TEST(GraphSearch, IsTheSameEveryTime) {
-  const Roadmap map = lattice(40);
+  const Roadmap map = test::lattice(40);
   const auto first = graph_search(map, between(map, 3, 1590));
   for (int i = 0; i < 3; ++i) {
     const auto again = graph_search(map, between(map, 3, 1590));
@@ -316,7 +303,7 @@ TEST(GraphSearch, IsTheSameEveryTime) {
 }
 
 TEST(GraphSearch, DecidesAHugeLatticeOfTiesInTime) {
-  const Roadmap map = lattice(400);
+  const Roadmap map = test::lattice(400);
   const auto begin = std::chrono::steady_clock::now();
   for (const auto algorithm : kBoth) {
     const auto result = graph_search(map, between(map, 0, 399 * 400 + 200), algorithm);

@@ -37,7 +37,6 @@ class Scout final : public MappingRobot {
     std::vector<float> to_goal;  ///< mean steps to the goal, by cell
   };
   Plans sample_plans(std::optional<int> hi, double density);
-  Action approach(const Plans& plans, const Outlook& outlook);
   std::optional<Action> best_look(const Outlook& outlook, const std::vector<float>* to_goal);
 
   ScoutGoal goal_;
