@@ -43,10 +43,11 @@ struct BatchOptions {
 
 void add_options(CLI::App& app, BatchOptions& options) {
   add_world_options(app, options.world);
-  app.add_option("QUERIES", options.queries,
-                 "Lines `sx sy gx gy [length]`, `#` starts a comment; - is standard input. Where a length is given, or "
-                 "`none`, it is compared to 1e-6. Or a MovingAI scenario file between corners of cells, as the any-angle "
-                 "sets have it; compared as far as its digits go")
+  app.add_option(
+         "QUERIES", options.queries,
+         "Lines `sx sy gx gy [length]`, `#` starts a comment; - is standard input. Where a length is given, or "
+         "`none`, it is compared to 1e-6. Or a MovingAI scenario file between corners of cells, as the any-angle "
+         "sets have it; compared as far as its digits go")
       ->required();
   app.add_option_function<std::string>(
          "--robot", [&options](const std::string& text) { options.query.robot = footprint_of(text); },
@@ -155,7 +156,8 @@ class Batch {
     seconds_ += answer.seconds;
     const bool found = answer.status[0] == 'f';
     const bool matches =
-        !query.expects || (query.expected ? found && std::abs(answer.length - *query.expected) <= query.tolerance : !found);
+        !query.expects ||
+        (query.expected ? found && std::abs(answer.length - *query.expected) <= query.tolerance : !found);
     compared_ += query.expects;
     unanswered_ += !found && !(query.expects && !query.expected);
     if (!matches) {

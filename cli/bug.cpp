@@ -130,7 +130,8 @@ std::string row(const BugWorld& world, const bug::Options& options, const Journe
   std::size_t followed = 0;
   for (const bug::Obstacle& o : journey.obstacles) followed += o.hits;
   return fmt::format("{:<24} {:<8} {:>6} {:>8} {:>14} {:>8} {:>14} {:>9}\n", title_of(world.name),
-                     name_of(options.algorithm), options.algorithm == Algorithm::tangent ? range_text(options.range) : "",
+                     name_of(options.algorithm),
+                     options.algorithm == Algorithm::tangent ? range_text(options.range) : "",
                      journey.reached ? "found" : "none", journey.path.length.decimals(6),
                      ratio ? fmt::format("{:.3f}", *ratio) : "", fmt::format("{:.6f}", journey.bound.hi), followed);
 }

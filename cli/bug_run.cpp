@@ -30,8 +30,7 @@ constexpr double kAnimationSeconds = 20;
 
 Point goal_of(const FreeSpace& space, const Input& input) {
   const std::vector<Point> goals = goal_points(space, input.world.goal());
-  if (goals.empty())
-    throw InputError(input.name, 0, "the middles of its goal room are no free places; give --to X,Y");
+  if (goals.empty()) throw InputError(input.name, 0, "the middles of its goal room are no free places; give --to X,Y");
   return goals.front();
 }
 
@@ -53,7 +52,8 @@ std::vector<SvgLabel> labels_of(const Journey& journey) {
   const auto add = [&labels](const std::vector<bug::Contact>& contacts, char letter) {
     for (std::size_t i = 0; i < contacts.size(); ++i) {
       const std::string text = fmt::format("{}{}", letter, i + 1);
-      const auto same = std::find_if(labels.begin(), labels.end(), [&](const SvgLabel& l) { return l.at == contacts[i].at; });
+      const auto same =
+          std::find_if(labels.begin(), labels.end(), [&](const SvgLabel& l) { return l.at == contacts[i].at; });
       if (same == labels.end())
         labels.push_back({contacts[i].at, text});
       else
@@ -70,8 +70,8 @@ std::vector<SvgLabel> labels_of(const Journey& journey) {
 std::vector<double> times_of(const Path& path) {
   std::vector<double> times{0};
   for (std::size_t i = 1; i < path.points.size(); ++i)
-    times.push_back(times.back() + std::hypot(path.points[i].x - path.points[i - 1].x,
-                                              path.points[i].y - path.points[i - 1].y));
+    times.push_back(times.back() +
+                    std::hypot(path.points[i].x - path.points[i - 1].x, path.points[i].y - path.points[i - 1].y));
   if (times.back() > 0)
     for (double whole = times.back(); double& t : times) t /= whole;
   return times;
@@ -156,7 +156,8 @@ std::string bug_svg(const BugWorld& world, const bug::Options& options, const Jo
   // The labels show the contacts.
   picture.facts = bug_facts(world, options, journey);
   picture.facts.erase(std::find_if(picture.facts.begin(), picture.facts.end(),
-                                   [](const std::string& f) { return f.starts_with("bound"); }) + 1,
+                                   [](const std::string& f) { return f.starts_with("bound"); }) +
+                          1,
                       picture.facts.end());
   picture.path = &journey.path;
   picture.start = world.start;

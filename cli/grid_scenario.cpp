@@ -99,8 +99,10 @@ int run(const ScenarioOptions& options) {
   }
   totals.seconds = watch.seconds();
   if (totals.missed > 0 && totals.shorter == totals.missed)
-    note("all that differ are shorter in the file, as any-angle lengths between corners of cells are: `taut batch` checks "
-         "those");
+    note(
+        "all that differ are shorter in the file, as any-angle lengths between corners of cells are: `taut batch` "
+        "checks "
+        "those");
   begin_stage("write");
   const ordered_json all{{"scenarios", scenarios.size()}, {"matched", totals.matched},
                          {"mismatches", mismatches},      {"algorithm", name(options.algorithm)},

@@ -136,9 +136,7 @@ int digits_after_point(std::string_view number) {
   return point == std::string_view::npos ? 0 : static_cast<int>(number.size() - point - 1);
 }
 
-int digits_before_point(std::string_view number) {
-  return static_cast<int>(std::min(number.find('.'), number.size()));
-}
+int digits_before_point(std::string_view number) { return static_cast<int>(std::min(number.find('.'), number.size())); }
 
 /// Unless all lengths have as many digits after the point, zeros at their ends were left out: then each has as many digits as the longest.
 void restore_zeros(std::vector<Scenario>& scenarios) {

@@ -193,8 +193,8 @@ class Run {
     const ExactPoint start(from_);
     for (std::uint32_t s = 0; s < places_.stations(contour); ++s)
       if (const auto p = on_line(contour, s, start); p && p->stand.at != ExactPoint(goal_))
-        count +=
-            !detail::is_open(places_.tri(), p->stand, goal_) && (p->stand.at == start || detail::is_open(places_.tri(), p->stand, from_));
+        count += !detail::is_open(places_.tri(), p->stand, goal_) &&
+                 (p->stand.at == start || detail::is_open(places_.tri(), p->stand, from_));
     return count;
   }
 

@@ -49,13 +49,14 @@ struct View {
 };
 
 struct Journey {
-  bool reached = false;             ///< false: there is no path, proven
-  Path path;                        ///< all that was walked; when not reached it ends where the proof was complete
-  Interval bound;                   ///< encloses the theoretical bound, see travel()
-  double rounding = 0;              ///< what rounding can have added to the length at most
-  std::vector<Contact> hits;        ///< H1, H2, ... Tangent Bug: where its straight way was seen to be blocked
-  std::vector<Contact> leaves;      ///< L1, L2, ...; one less than hits when the goal was met on a contour, or never
-  std::vector<Contact> minima;      ///< Tangent Bug: M1, M2, ... where it began to follow a contour; each ends at a leave point
+  bool reached = false;         ///< false: there is no path, proven
+  Path path;                    ///< all that was walked; when not reached it ends where the proof was complete
+  Interval bound;               ///< encloses the theoretical bound, see travel()
+  double rounding = 0;          ///< what rounding can have added to the length at most
+  std::vector<Contact> hits;    ///< H1, H2, ... Tangent Bug: where its straight way was seen to be blocked
+  std::vector<Contact> leaves;  ///< L1, L2, ...; one less than hits when the goal was met on a contour, or never
+  std::vector<Contact>
+      minima;  ///< Tangent Bug: M1, M2, ... where it began to follow a contour; each ends at a leave point
   std::vector<Obstacle> obstacles;  ///< in the order of first hits
   std::vector<View> views;          ///< when recorded
 };

@@ -57,8 +57,7 @@ class Walker {
     hit({Stand::Kind::open, t, 0, kNone, goal_.exact});
     for (int i = 0; i < 3; ++i) {
       if (is_goal(corner(t, i)))
-        return hit(
-            {Stand::Kind::vertex, t, 0, tri_.sector_of[3 * t + static_cast<std::uint32_t>(i)], goal_.exact});
+        return hit({Stand::Kind::vertex, t, 0, tri_.sector_of[3 * t + static_cast<std::uint32_t>(i)], goal_.exact});
       if (tri_.is_constrained(t, i) && orientation(corner(t, Tri::ccw(i)), corner(t, Tri::cw(i)), goal_) == 0)
         walk_.end = {Stand::Kind::side, t, i, kNone, goal_.exact};
     }
@@ -114,8 +113,8 @@ class Walker {
   /// Out of t by a point inside its side i.
   void leave(std::uint32_t t, int i) {
     if (tri_.is_constrained(t, i))
-      return hit({Stand::Kind::side, t, i, kNone,
-                  crossing(from_, goal_, corner(t, Tri::ccw(i)), corner(t, Tri::cw(i)))});
+      return hit(
+          {Stand::Kind::side, t, i, kNone, crossing(from_, goal_, corner(t, Tri::ccw(i)), corner(t, Tri::cw(i)))});
     next_ = {false, kNone, tri_.neighbours[t][i], tri_.mirror(t, i)};
   }
 
@@ -166,8 +165,8 @@ bool leads_off(const Triangulation& tri, const Stand& stand, Point goal) {
   if (stand.kind == Stand::Kind::vertex) {
     const Tri::Sector& sector = tri.sectors[stand.sector];
     const Point v = tri.points[sector.vertex];
-    return sector.full ||
-           (!runs_along(v, tri.points[sector.right], Spot(goal)) && !runs_along(v, tri.points[sector.left], Spot(goal)));
+    return sector.full || (!runs_along(v, tri.points[sector.right], Spot(goal)) &&
+                           !runs_along(v, tri.points[sector.left], Spot(goal)));
   }
   const auto& corners = tri.triangles[stand.t];
   return orientation(tri.points[corners[Tri::ccw(stand.i)]], tri.points[corners[Tri::cw(stand.i)]], goal) > 0;

@@ -55,8 +55,7 @@ class Tangent {
 
   Sight look() {
     Sight sight(places_, x_, range_);
-    if (options_.record_views && options_.range > 0)
-      log_.journey().views.push_back({log_.points() - 1, sight.ring()});
+    if (options_.record_views && options_.range > 0) log_.journey().views.push_back({log_.points() - 1, sight.ring()});
     return sight;
   }
 
@@ -99,7 +98,8 @@ class Tangent {
     const End left = end(sight, hit, Turn::left), right = end(sight, hit, Turn::right);
     std::optional<Corner> best = best_corner(sight, limit_);
     for (const End* e : {&left, &right})
-      if (best && e->kind == Kind::range && distance(e->target) < limit_ && compare(e->target, ExactPoint(best->at)) < 0)
+      if (best && e->kind == Kind::range && distance(e->target) < limit_ &&
+          compare(e->target, ExactPoint(best->at)) < 0)
         best.reset();
     if (!best) return follow(hit, better(hit, left, right));
     const bool is_near = distance(left.target) < limit_ || distance(right.target) < limit_;
@@ -156,8 +156,7 @@ class Tangent {
       if (step.kind != Kind::vertex) {
         // A vertex behind which nothing is in view is an end of its own.
         const bool is_vertex = step.end == at && at.is_vertex() && step.kind == Kind::shadow;
-        return {is_vertex ? Kind::vertex : step.kind,
-                hidden ? ExactPoint(vertex(step.corner)) : step.end.stand.at};
+        return {is_vertex ? Kind::vertex : step.kind, hidden ? ExactPoint(vertex(step.corner)) : step.end.stand.at};
       }
       at = step.end;
       if (at.station == hit.station || (!hit.is_vertex() && at == places_.next_vertex(hit, other(turn))))
@@ -330,8 +329,8 @@ class Tangent {
   const Range range_;
   Logbook log_;
   Stand x_;
-  mpq_class limit_;            // squared
-  bool is_straight_ = true;    // nothing has been in the way since the start or the last leave
+  mpq_class limit_;          // squared
+  bool is_straight_ = true;  // nothing has been in the way since the start or the last leave
   bool finished_ = false;
   // Following:
   Turn turn_ = Turn::left;

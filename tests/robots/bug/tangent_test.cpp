@@ -70,7 +70,8 @@ TEST(TangentBug, GoesOnUntilWhatBlocksItIsInRange) {
 //   | S         |  G     nothing is hidden in a convex room
 //   +-----------+
 TEST(TangentBug, ProvesWithoutAStepThatAConvexRoomHasNoWayOut) {
-  const FreeSpace room = SmallWorld{.walls = {{{3, 3}, {7, 3}}, {{7, 3}, {7, 7}}, {{7, 7}, {3, 7}}, {{3, 7}, {3, 3}}}}.space();
+  const FreeSpace room =
+      SmallWorld{.walls = {{{3, 3}, {7, 3}}, {{7, 3}, {7, 7}}, {{7, 7}, {3, 7}}, {{3, 7}, {3, 3}}}}.space();
   const Journey j = travel(room, {5, 4}, {9, 5}, sees(kInfinity));
   EXPECT_FALSE(j.reached);
   EXPECT_EQ(j.path.points.size(), 1U);
@@ -124,7 +125,8 @@ TEST(TangentBug, SeesWhatIsVisibleAndNothingBeyondItsRange) {
     taut::detail::Draws draws(seed);
     const double x = draws.unit() * 10, y = draws.unit() * 10;
     const Point from{x, y}, to{10 - x, 10 - y};
-    if (space.locate(from).kind != Location::Kind::triangle || space.locate(to).kind == Location::Kind::outside) continue;
+    if (space.locate(from).kind != Location::Kind::triangle || space.locate(to).kind == Location::Kind::outside)
+      continue;
     const Journey all = travel(space, from, to, sees(kInfinity));
     if (all.views.empty()) continue;
     EXPECT_NEAR(area(all.views[0].ring), area(space.visibility_polygon(from).ring), 1e-6) << seed;
