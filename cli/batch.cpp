@@ -29,7 +29,6 @@ namespace taut::cli {
 
 namespace {
 
-constexpr double kTolerance = 1e-6;
 constexpr std::size_t kBlock = 1 << 16;  // of results, where nobody waits for each
 
 struct BatchOptions {
@@ -44,9 +43,11 @@ struct BatchOptions {
 
 void add_options(CLI::App& app, BatchOptions& options) {
   add_world_options(app, options.world);
-  app.add_option("QUERIES", options.queries,
-                 "Lines `sx sy gx gy [length]`, `#` starts a comment; - is standard input. Where a length is given, or "
-                 "`none`, it is compared to 1e-6")
+  app.add_option(
+         "QUERIES", options.queries,
+         "Lines `sx sy gx gy [length]`, `#` starts a comment; - is standard input. Where a length is given, or "
+         "`none`, it is compared to 1e-6. Or a MovingAI scenario file between corners of cells, as the any-angle "
+         "sets have it; compared as far as its digits go")
       ->required();
   app.add_option_function<std::string>(
          "--robot", [&options](const std::string& text) { options.query.robot = footprint_of(text); },
@@ -129,10 +130,16 @@ class Batch {
     PolyanyaSearch search{Polyanya(space)};
     prepared_ = total_.seconds();
     begin_stage("search");
+    QueryReader reader(source.name());
+    const Box box = input.world.box();
     std::string line;
     for (int number = 1; source.next(line); ++number) {
-      const std::optional<QueryLine> query = query_line(line, source.name(), number);
+      const std::optional<QueryLine> query = reader.read(line, number);
       if (!query) continue;
+      if (query->map != Point{} && query->map != box.max)
+        throw InputError(source.name(), number,
+                         fmt::format("is for a map of {} x {} cells, {} has {} x {}", query->map.x, query->map.y,
+                                     input.name, box.max.x, box.max.y));
       answer(space, search, *query, source.name());
       if (out_.size() >= kBlock || source.may_wait()) flush();
     }
@@ -149,7 +156,8 @@ class Batch {
     seconds_ += answer.seconds;
     const bool found = answer.status[0] == 'f';
     const bool matches =
-        !query.expects || (query.expected ? found && std::abs(answer.length - *query.expected) <= kTolerance : !found);
+        !query.expects ||
+        (query.expected ? found && std::abs(answer.length - *query.expected) <= query.tolerance : !found);
     compared_ += query.expects;
     unanswered_ += !found && !(query.expects && !query.expected);
     if (!matches) {

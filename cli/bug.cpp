@@ -1,27 +1,33 @@
-// taut bug: a robot that only feels its way, by Bug 1 or Bug 2, with the theoretical bound beside its length.
+// taut bug: a robot that touches walls, or sees some way, by Bug 1, Bug 2 or Tangent Bug; taut bug compare: all of them.
 #include <fmt/format.h>
 #include <CLI/Error.hpp>
-#include <nlohmann/json.hpp>
+#include <CLI/Option.hpp>
 
-#include <stdexcept>
+#include <algorithm>
 
+#include <taut/cli/bug_run.h>
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>
-#include <taut/cli/input.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
 #include <taut/cli/timing.h>
-#include <taut/io/detail/result_values.h>
-#include <taut/io/svg.h>
-#include <taut/robots/bug/bug.h>
-#include <taut/search/verify.h>
-#include <taut/search/voronoi_search.h>
 
 namespace taut::cli {
 
+using bug::Algorithm;
+using bug::Journey;
+
 namespace {
 
-constexpr double kAnimationSeconds = 20;
+void add_turn_option(CLI::App& app, bug::Options& options) {
+  app.add_option_function<std::string>(
+         "--turn", [&options](const std::string& text) { options.turn = bug_turn_of(text); },
+         "Where to turn at an obstacle (tangent: when both sides promise the same): left (default) or right")
+      ->type_name("SIDE")
+      ->group("Query");
+}
+
+// ---- taut bug FILE
 
 struct BugOptions {
   WorldOptions world;
@@ -32,158 +38,143 @@ struct BugOptions {
   std::string animation;
 };
 
+void require_sense(const CLI::App& app, const BugOptions& options) {
+  if (options.world.file.empty()) throw CLI::RequiredError("FILE");
+  if ((options.output.svg == "-") + (options.output.json == "-") + (options.animation == "-") > 1)
+    throw CLI::ValidationError("only one of --svg, --animate and --json can have standard output");
+  if (app.count("--range") > 0 && options.bug.algorithm != Algorithm::tangent)
+    throw CLI::ValidationError("--range is for --algorithm tangent: " + name_of(options.bug.algorithm) +
+                               " only touches");
+}
+
 void add_options(CLI::App& app, BugOptions& options) {
   add_world_options(app, options.world);
+  app.get_option("FILE")->required(false);  // not when `compare` follows
   add_query_options(app, options.query);
   app.add_option_function<std::string>(
-         "--algorithm",
-         [&options](const std::string& text) {
-           if (text != "1" && text != "2") throw CLI::ValidationError("--algorithm: '" + text + "' is not 1 or 2");
-           options.bug.algorithm = text == "1" ? bug::Algorithm::bug1 : bug::Algorithm::bug2;
-         },
-         "1 or 2 (default)")
+         "--algorithm", [&options](const std::string& text) { options.bug.algorithm = bug_algorithm_of(text); },
+         "bug1, bug2 (default) or tangent")
       ->type_name("NAME")
       ->group("Query");
   app.add_option_function<std::string>(
-         "--turn",
-         [&options](const std::string& text) {
-           if (text != "left" && text != "right")
-             throw CLI::ValidationError("--turn: '" + text + "' is not left or right");
-           options.bug.turn = text == "left" ? bug::Turn::left : bug::Turn::right;
-         },
-         "Where to turn at an obstacle: left (default) or right")
-      ->type_name("SIDE")
+         "--range", [&options](const std::string& text) { options.bug.range = bug_range_of(text); },
+         "How far tangent sees: a number, 0 is touch alone, or inf (default)")
+      ->type_name("R")
       ->group("Query");
+  add_turn_option(app, options.bug);
   add_output_options(app, options.output);
   app.add_option("--animate", options.animation, "Write a picture in which the robot moves")
       ->type_name("FILE")
       ->group("Output");
-  app.callback([&options] {
-    if ((options.output.svg == "-") + (options.output.json == "-") + (options.animation == "-") > 1)
-      throw CLI::ValidationError("only one of --svg, --animate and --json can have standard output");
+  app.require_subcommand(0, 1);
+  app.callback([&app, &options] {
+    if (app.get_subcommands().empty()) require_sense(app, options);
   });
 }
 
-class BugRun {
- public:
-  explicit BugRun(const BugOptions& options) : options_(options) {}
+int run(const BugOptions& options) {
+  const Stopwatch total;
+  for (const std::string& file : {options.output.svg, options.output.json, options.animation}) require_writable(file);
+  const BugWorld world = read_bug_world(options.world, options.query);
+  bug::Options how = options.bug;
+  how.record_views = !options.output.svg.empty() || !options.animation.empty();
+  const Journey journey = checked_journey(world, how);
+  begin_stage("write");
+  const std::string picture = options.output.svg.empty() ? "" : bug_svg(world, how, journey, false);
+  const std::string animation = options.animation.empty() ? "" : bug_svg(world, how, journey, true);
+  const std::string json = options.output.json.empty() ? "" : bug_json(world, how, journey);
+  finish();
+  write_file(options.output.svg, picture);
+  write_file(options.animation, animation);
+  write_file(options.output.json, json);
+  if (!options.output.quiet && !options.output.stdout_taken() && options.animation != "-")
+    print(fmt::format("{}: {}, {}\n", world.name, fmt::join(bug_facts(world, how, journey), ", "),
+                      seconds_text(total.seconds())));
+  return journey.reached ? kFound : kNone;
+}
 
-  int run() {
-    require_writable(options_.output.svg);
-    require_writable(options_.output.json);
-    require_writable(options_.animation);
-    begin_stage("read");
-    const Input input = read_input(options_.world, options_.query);
-    require_ends(input);
-    begin_stage("space");
-    const FreeSpace space(input.world, options_.query.robot);
-    start_ = *input.world.start();
-    goal_ = goal_of(space, input);
-    begin_stage("search");
-    journey_ = bug::travel(space, start_, goal_, options_.bug);
-    begin_stage("verify");
-    check(space);
-    begin_stage("write");
-    const std::string picture = options_.output.svg.empty() ? "" : drawing(space, input.name, 0);
-    const std::string animation = options_.animation.empty() ? "" : drawing(space, input.name, kAnimationSeconds);
-    const std::string json = options_.output.json.empty() ? "" : json_text(input.name);
-    finish();
-    write_file(options_.output.svg, picture);
-    write_file(options_.animation, animation);
-    write_file(options_.output.json, json);
-    if (!options_.output.quiet && !options_.output.stdout_taken() && options_.animation != "-")
-      print(fmt::format("{}: {}, {}\n", input.name, fmt::join(facts(), ", "), seconds_text(total_.seconds())));
-    return journey_.reached ? kFound : kNone;
-  }
+// ---- taut bug compare FILE...
 
- private:
-  /// Of a goal room, the middle of its first box that is free.
-  static Point goal_of(const FreeSpace& space, const Input& input) {
-    const std::vector<Point> goals = goal_points(space, input.world.goal());
-    if (goals.empty())
-      throw InputError(input.name, 0, "the middles of its goal room are no free places; give --to X,Y");
-    return goals.front();
-  }
-
-  void check(const FreeSpace& space) const {
-    const Point end = journey_.path.points.back();
-    const Verdict verdict = verify(journey_.path, space, start_, {journey_.reached ? goal_ : end, {}});
-    if (!verdict.valid) throw std::logic_error("the path walked does not pass its own check: " + verdict.reason);
-    if (journey_.path.length.interval().lo > journey_.bound.hi + journey_.rounding * 1.001)
-      throw std::logic_error("the path walked is longer than its bound");
-  }
-
-  std::string algorithm() const { return options_.bug.algorithm == bug::Algorithm::bug1 ? "1" : "2"; }
-
-  std::vector<std::string> facts() const {
-    const std::string length = journey_.path.length.decimals(6);
-    return {"bug " + algorithm(), journey_.reached ? "length " + length : "no path, proven after a walk of " + length,
-            fmt::format("bound {:.6f}", journey_.bound.hi), count_text(journey_.hits.size(), "hit point"),
-            count_text(journey_.leaves.size(), "leave point")};
-  }
-
-  std::string drawing(const FreeSpace& space, const std::string& source, double seconds) const {
-    SvgPicture picture;
-    picture.title = title_of(source);
-    picture.facts = facts();
-    picture.path = &journey_.path;
-    picture.start = start_;
-    picture.goal.point = goal_;
-    picture.guides = {{start_, goal_}};
-    picture.seconds = seconds;
-    const auto add = [&picture](const std::vector<bug::Contact>& contacts, char letter) {
-      for (std::size_t i = 0; i < contacts.size(); ++i)
-        picture.labels.push_back({contacts[i].at, fmt::format("{}{}", letter, i + 1)});
-    };
-    add(journey_.hits, 'H');
-    add(journey_.leaves, 'L');
-    return svg(space, picture);
-  }
-
-  static nlohmann::ordered_json json_of(const std::vector<bug::Contact>& contacts) {
-    auto array = nlohmann::ordered_json::array();
-    for (const bug::Contact& c : contacts)
-      array.push_back({{"point", detail::json_of(c.at)}, {"distance", c.distance}, {"obstacle", c.obstacle}});
-    return array;
-  }
-
-  std::string json_text(const std::string& source) const {
-    nlohmann::ordered_json json{{"program", "taut"},
-                                {"version", TAUT_VERSION},
-                                {"source", source},
-                                {"status", journey_.reached ? "found" : "none"},
-                                {"algorithm", algorithm()},
-                                {"turn", options_.bug.turn == bug::Turn::left ? "left" : "right"},
-                                {"start", detail::json_of(start_)},
-                                {"goal", {{"point", detail::json_of(goal_)}}},
-                                {"length", journey_.path.length.value()},
-                                {"bound", journey_.bound.hi},
-                                {"rounding", journey_.rounding},
-                                {"hits", json_of(journey_.hits)},
-                                {"leaves", json_of(journey_.leaves)}};
-    json["obstacles"] = nlohmann::ordered_json::array();
-    for (const bug::Obstacle& o : journey_.obstacles) {
-      nlohmann::ordered_json obstacle{{"perimeter", o.perimeter.hi}, {"hits", o.hits}};
-      if (options_.bug.algorithm == bug::Algorithm::bug2) obstacle["entries"] = o.entries;
-      json["obstacles"].push_back(obstacle);
-    }
-    json["path"] = detail::json_of(journey_.path.points);
-    return detail::json_text(json);
-  }
-
-  const BugOptions& options_;
-  Point start_, goal_;
-  bug::Journey journey_;
-  Stopwatch total_;
+struct CompareOptions {
+  WorldOptions world;
+  std::vector<std::string> files;
+  QueryOptions query;
+  CommonOptions common;
+  bug::Options bug;
+  std::vector<double> ranges{0, bug_range_of("inf")};
 };
 
-int run(const BugOptions& options) { return BugRun(options).run(); }
+std::vector<double> ranges_in(const std::string& list) {
+  std::vector<double> ranges;
+  for (std::size_t from = 0; from <= list.size();) {
+    const std::size_t comma = std::min(list.find(',', from), list.size());
+    ranges.push_back(bug_range_of(list.substr(from, comma - from)));
+    from = comma + 1;
+  }
+  return ranges;
+}
+
+void add_compare_options(CLI::App& app, CompareOptions& options) {
+  app.add_option("FILE", options.files, "Worlds")->required();
+  add_query_options(app, options.query);
+  app.add_option_function<std::string>(
+         "--range", [&options](const std::string& list) { options.ranges = ranges_in(list); },
+         "The ranges of tangent, separated by commas (default: 0,inf)")
+      ->type_name("LIST")
+      ->group("Query");
+  add_turn_option(app, options.bug);
+}
+
+std::string row(const BugWorld& world, const bug::Options& options, const Journey& journey) {
+  const auto ratio = ratio_of(world, journey);
+  std::size_t followed = 0;
+  for (const bug::Obstacle& o : journey.obstacles) followed += o.hits;
+  return fmt::format("{:<24} {:<8} {:>6} {:>8} {:>14} {:>8} {:>14} {:>9}\n", title_of(world.name),
+                     name_of(options.algorithm),
+                     options.algorithm == Algorithm::tangent ? range_text(options.range) : "",
+                     journey.reached ? "found" : "none", journey.path.length.decimals(6),
+                     ratio ? fmt::format("{:.3f}", *ratio) : "", fmt::format("{:.6f}", journey.bound.hi), followed);
+}
+
+std::string rows(const BugWorld& world, const CompareOptions& options) {
+  std::string text;
+  const auto add = [&](Algorithm algorithm, double range) {
+    const bug::Options how{algorithm, options.bug.turn, range};
+    text += row(world, how, checked_journey(world, how));
+  };
+  add(Algorithm::bug1, 0);
+  add(Algorithm::bug2, 0);
+  for (const double range : options.ranges) add(Algorithm::tangent, range);
+  return text + fmt::format("{:<24} {:<8} {:>6} {:>8} {:>14}\n", title_of(world.name), "shortest", "",
+                            world.shortest ? "found" : "none", world.shortest ? world.shortest->decimals(6) : "");
+}
+
+int run_compare(const CompareOptions& options) {
+  std::string table = fmt::format("{:<24} {:<8} {:>6} {:>8} {:>14} {:>8} {:>14} {:>9}\n", "world", "robot", "range",
+                                  "goal", "length", "ratio", "bound", "followed");
+  bool all = true;
+  for (const std::string& file : options.files) {
+    WorldOptions one = options.world;
+    one.file = file;
+    const BugWorld world = read_bug_world(one, options.query);
+    table += rows(world, options);
+    all = all && world.shortest;
+  }
+  finish();
+  print(table);
+  return all ? kFound : kNone;
+}
 
 }  // namespace
 
-Command bug_command(CLI::App& app) {
-  return command<BugOptions>(
-      app, "bug", "Feel the way to the goal by touch alone (Bug 1, Bug 2), with its length bound", add_options, run);
+std::vector<Command> bug_commands(CLI::App& app) {
+  Command bug = command<BugOptions>(
+      app, "bug", "Find the way by touch (Bug 1, Bug 2) or by sight (Tangent Bug), with its length bound", add_options,
+      run);
+  CLI::App& group = *bug.app;
+  return {command<CompareOptions>(group, "compare", "All bugs on the same worlds, beside the shortest path",
+                                  add_compare_options, run_compare),
+          std::move(bug)};
 }
 
 }  // namespace taut::cli

@@ -40,7 +40,8 @@ std::vector<Command> mouse_commands(CLI::App& app);
 
 /// `taut chase` and, before it, what is below it: of those that were parsed the first is meant.
 std::vector<Command> chase_commands(CLI::App& app);
-Command bug_command(CLI::App& app);
+/// Likewise `taut bug`.
+std::vector<Command> bug_commands(CLI::App& app);
 Command drive_command(CLI::App& app);
 
 /// Adds a subcommand whose options live as long as the parser: `add` fills the parser, `run` does the work, both with

@@ -99,7 +99,7 @@ std::vector<Scenario> drawn_scenarios(const OccupancyGrid& grid, const GenerateO
     if (result.status != GridStatus::found) continue;
     const double length = result.cost.value();
     all.push_back({static_cast<std::uint32_t>(length / 4), map, grid.width, grid.height, start.column, start.row,
-                   goal.column, goal.row, length, fmt::format("{:.8f}", length), all.size() + 2});
+                   goal.column, goal.row, length, fmt::format("{:.8f}", length), all.size() + 2, 8});
   }
   return all;
 }

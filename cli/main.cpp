@@ -95,7 +95,7 @@ std::vector<Command> all_commands(CLI::App& app) {
   commands.push_back(diff_command(app));
   for (Command& mouse : mouse_commands(app)) commands.push_back(std::move(mouse));
   for (Command& command : chase_commands(app)) commands.push_back(std::move(command));
-  commands.push_back(bug_command(app));
+  for (Command& command : bug_commands(app)) commands.push_back(std::move(command));
   commands.push_back(drive_command(app));
   return commands;
 }

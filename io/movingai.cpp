@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
+#include <utility>
 
 #include <taut/geometry/errors.h>
 #include <taut/io/detail/text_input.h>
@@ -128,7 +131,33 @@ class ScenarioLine {
   const Place& place_;
 };
 
-Scenario scenario_of(std::string_view line, const Place& place) {
+int digits_after_point(std::string_view number) {
+  const std::size_t point = number.find('.');
+  return point == std::string_view::npos ? 0 : static_cast<int>(number.size() - point - 1);
+}
+
+int digits_before_point(std::string_view number) { return static_cast<int>(std::min(number.find('.'), number.size())); }
+
+/// Unless all lengths have as many digits after the point, zeros at their ends were left out: then each has as many digits as the longest.
+void restore_zeros(std::vector<Scenario>& scenarios) {
+  int most = 6;
+  bool is_even = true;
+  for (const Scenario& s : scenarios) {
+    const int places = digits_after_point(s.optimal_text);
+    most = std::max(most, places + digits_before_point(s.optimal_text));
+    is_even = is_even && places > 0 && places == digits_after_point(scenarios.front().optimal_text);
+  }
+  if (is_even) return;
+  for (Scenario& s : scenarios)
+    s.places = std::max(digits_after_point(s.optimal_text), most - digits_before_point(s.optimal_text));
+}
+
+}  // namespace
+
+double Scenario::unit() const { return std::pow(10.0, -std::min(places, 15)); }
+
+Scenario movingai_scenario(std::string_view line, const std::string& source, int number, ScenarioPlaces places) {
+  const Place place{source, number};
   ScenarioLine in(line, place);
   Scenario s{};
   s.line = static_cast<std::size_t>(place.line);
@@ -143,15 +172,25 @@ Scenario scenario_of(std::string_view line, const Place& place) {
   s.optimal_text = in.field("the length");
   s.optimal = detail::coordinate(s.optimal_text, place);
   if (s.optimal < 0) place.fail("the length " + s.optimal_text + " is negative");
+  s.places = digits_after_point(s.optimal_text) == 0 ? 6 : digits_after_point(s.optimal_text);
   in.end();
   if (s.width > 0 && s.height > 0) {
-    if (s.start_column >= s.width || s.start_row >= s.height) place.fail("the start lies outside the map");
-    if (s.goal_column >= s.width || s.goal_row >= s.height) place.fail("the goal lies outside the map");
+    const std::uint32_t more = places == ScenarioPlaces::corners ? 1 : 0;
+    const auto is_outside = [&](std::uint32_t column, std::uint32_t row) {
+      return column >= s.width + more || row >= s.height + more;
+    };
+    if (is_outside(s.start_column, s.start_row)) place.fail("the start lies outside the map");
+    if (is_outside(s.goal_column, s.goal_row)) place.fail("the goal lies outside the map");
   }
   return s;
 }
 
-}  // namespace
+void require_movingai_version(std::string_view line, const std::string& source, int number) {
+  const auto [word, value] = split(line);
+  const Place place{source, number};
+  if (word != "version") place.fail("a scenario begins with `version 1`, not " + detail::quoted(line));
+  if (value != "1" && value != "1.0") place.fail("version " + detail::quoted(value) + " is not known, only 1");
+}
 
 OccupancyGrid read_movingai_map(std::string_view text, const std::string& source) {
   return MapReader(text, source).read();
@@ -161,18 +200,14 @@ std::vector<Scenario> read_movingai_scenarios(std::string_view text, const std::
   std::vector<Scenario> scenarios;
   bool versioned = false;
   for (Lines lines(text); lines.next();) {
-    const Place place{source, lines.number()};
-    const auto [word, value] = split(lines.line());
-    if (word.empty()) continue;
-    if (versioned) {
-      scenarios.push_back(scenario_of(lines.line(), place));
-      continue;
-    }
-    if (word != "version") place.fail("a scenario begins with `version 1`, not " + detail::quoted(lines.line()));
-    if (value != "1" && value != "1.0") place.fail("version " + detail::quoted(value) + " is not known, only 1");
-    versioned = true;
+    if (detail::trimmed(lines.line()).empty()) continue;
+    if (std::exchange(versioned, true))
+      scenarios.push_back(movingai_scenario(lines.line(), source, lines.number(), ScenarioPlaces::cells));
+    else
+      require_movingai_version(lines.line(), source, lines.number());
   }
   if (!versioned) throw InputError(source, 0, "file is empty");
+  restore_zeros(scenarios);
   return scenarios;
 }
 

@@ -21,8 +21,19 @@ struct Scenario {
   double optimal;
   std::string optimal_text;
   std::size_t line;
+  /// The digits after the point that count: those of `optimal_text`, or more where the file leaves out zeros at the end, as `%g` does.
+  int places;
+
+  /// What one of the last of them is worth.
+  double unit() const;
 };
 std::vector<Scenario> read_movingai_scenarios(std::string_view text, const std::string& source);
+/// What columns and rows are: of cells in the octile sets, of the corners of cells in the any-angle ones, where the map's far side is one more.
+enum class ScenarioPlaces { cells, corners };
+/// One line of it, by itself: a length without a point is taken for a whole number, exactly. Throws InputError.
+Scenario movingai_scenario(std::string_view line, const std::string& source, int number, ScenarioPlaces places);
+/// `version 1`, the first line. Throws InputError when it is not.
+void require_movingai_version(std::string_view line, const std::string& source, int number);
 /// The scenario file of these (version 1), and the map file.
 std::string movingai_scenario_text(const std::vector<Scenario>& scenarios);
 std::string movingai_map_text(const OccupancyGrid& grid);

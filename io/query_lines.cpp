@@ -1,8 +1,10 @@
 #include <taut/io/query_lines.h>
 
+#include <algorithm>
 #include <array>
 
 #include <taut/io/detail/text_input.h>
+#include <taut/io/movingai.h>
 
 namespace taut {
 
@@ -24,6 +26,34 @@ std::optional<QueryLine> query_line(std::string_view line, const std::string& so
   if (field != "none") query.expected = detail::coordinate(field, place);
   if (query.expected && *query.expected < 0) place.fail("the length " + std::string(field) + " is negative");
   if (fields.next(field)) place.fail(detail::quoted(field) + " follows the length");
+  return query;
+}
+
+namespace {
+
+QueryLine corner_query(const Scenario& s, int number) {
+  const auto point = [](std::uint32_t column, std::uint32_t row) {
+    return Point{static_cast<double>(column), static_cast<double>(row)};
+  };
+  return {point(s.start_column, s.start_row), point(s.goal_column, s.goal_row), true, s.optimal, number,
+          std::max(1e-6, 0.5 * s.unit()),     point(s.width, s.height)};
+}
+
+}  // namespace
+
+std::optional<QueryLine> QueryReader::read(std::string_view line, int number) {
+  const std::string_view text = detail::trimmed(number == 1 ? detail::stripped(line) : line);
+  if (kind_ == Kind::unknown && text.starts_with("version")) {
+    require_movingai_version(text, source_, number);
+    kind_ = Kind::scenario;
+    return std::nullopt;
+  }
+  if (kind_ == Kind::scenario) {
+    if (text.empty()) return std::nullopt;
+    return corner_query(movingai_scenario(text, source_, number, ScenarioPlaces::corners), number);
+  }
+  const std::optional<QueryLine> query = query_line(line, source_, number);
+  if (query) kind_ = Kind::queries;
   return query;
 }
 

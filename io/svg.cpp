@@ -43,6 +43,7 @@ class Picture {
     solid();
     free();
     rooms();
+    views();
     roadmap();
     diagram();
     lines("openings", world_.openings());
@@ -97,6 +98,7 @@ class Picture {
     if (!what_.separation.empty()) keys.emplace_back("separation");
     if (!what_.gates.empty()) keys.emplace_back("gates");
     if (!what_.guides.empty()) keys.emplace_back("guides");
+    if (!what_.views.empty()) keys.emplace_back("views");
     if (roadmap_is_drawn() || diagram_is_drawn()) keys.emplace_back("roadmap");
     if (space_.footprint().kind() != Footprint::Kind::point) keys.emplace_back("solid");
     return keys;
@@ -162,6 +164,28 @@ class Picture {
     SvgPath path(*scale_);
     for (const Box& box : what_.goal.room) path.ring(ring_of(box));
     group("rooms", path);
+  }
+
+  void views() {
+    SvgPath all(*scale_);
+    for (const SvgView& view : what_.views) all.ring(view.ring);
+    if (all.empty()) return;
+    out_ += fmt::format("<g class=\"views\"><path d=\"{}\"/>", all.text());
+    for (std::size_t k = 0; what_.seconds > 0 && k < what_.views.size(); ++k) {
+      SvgPath one(*scale_);
+      one.ring(what_.views[k].ring);
+      out_ += fmt::format("<path d=\"{}\" opacity=\"0\">{}</path>", one.text(), shown_from(k));
+    }
+    out_ += "</g>\n";
+  }
+
+  /// View k is to be seen until the next one.
+  std::string shown_from(std::size_t k) const {
+    const double until = k + 1 < what_.views.size() ? what_.views[k + 1].at : 1;
+    return fmt::format(
+        "<animate attributeName=\"opacity\" dur=\"{}s\" repeatCount=\"indefinite\" calcMode=\"discrete\" "
+        "values=\"0;1;0\" keyTimes=\"0;{:.5f};{:.5f}\"/>",
+        detail::svg_number(what_.seconds), what_.views[k].at, until);
   }
 
   void roadmap() {

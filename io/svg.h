@@ -28,6 +28,12 @@ struct SvgLabel {
   std::string text;
 };
 
+/// What was in sight from somewhere on the path.
+struct SvgView {
+  Ring ring;
+  double at = 0;  ///< when, as a part of the path's length
+};
+
 /// What to draw besides the free space. Pointers may be null and are only read during the call.
 struct SvgPicture {
   std::string title;               ///< first line of the legend, usually the file's name
@@ -42,6 +48,7 @@ struct SvgPicture {
   std::vector<SvgShade> shades;             ///< further paths, the first at the bottom
   std::vector<Segment> gates;               ///< narrow places
   const ArcPath* arcs = nullptr;            ///< drawn as `path`, with true arcs
+  std::vector<SvgView> views;               ///< tinted, in the order of `at`; a moving picture shows the last one only
   std::vector<Segment> guides;              ///< auxiliary lines, dashed, below the path
   std::vector<SvgLabel> labels;             ///< above all else
   double seconds = 0;                       ///< > 0: a dot runs along `path` in that time, again and again (SMIL)
@@ -53,7 +60,7 @@ struct SvgPicture {
 ///     key of what is drawn. Strokes, markers and the number of decimals follow the mean width of a corridor
 ///     (corridor_width), so that 5 x 7 and 300 x 300 cells both read well.
 ///  2. Groups, bottom to top, absent when they have nothing to show: `solid` (where the reference point cannot be),
-///     `free` (polygons with holes), `rooms` (the goal's), `roadmap`, `openings`, `walls` (as the world gives them: a
+///     `free` (polygons with holes), `rooms` (the goal's), `views`, `roadmap`, `openings`, `walls` (as the world gives them: a
 ///     line, or a bar as wide as it is thick), `separation`, `gates`, `shades`, `guides`, `path` (a casing and the line), `start`,
 ///     `goal`, `labels`, `runner`; beside them `legend`. Each is a <g> of that class under svg.taut, coloured by the <style> block alone; there are no
 ///     ids, so pictures can share a page. Colours follow `prefers-color-scheme`.

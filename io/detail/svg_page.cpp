@@ -23,6 +23,7 @@ std::string_view label(std::string_view key) {
   if (key == "solid") return "out of reach";
   if (key == "gates") return "narrow place";
   if (key == "guides") return "straight line";
+  if (key == "views") return "in sight";
   if (key == "separation") return "walls between start and goal";
   return key;
 }
@@ -61,7 +62,7 @@ std::string shortened(std::string text, double width, double size) {
 std::string sample(const std::string& key, double x, double y) {
   const double middle = x + kSample / 2;
   if (key == "start" || key == "goal") return marker(key, {middle, y}, 7, 100);
-  if (key == "rooms" || key == "solid")
+  if (key == "rooms" || key == "solid" || key == "views")
     return fmt::format(R"(<g class="{}"><rect x="{}" y="{}" width="{}" height="14" rx="2"/></g>)", key,
                        svg_number(x + 3), svg_number(y - 7), svg_number(kSample - 6));
   const std::string line = fmt::format("M{} {}h{}", svg_number(x + 1), svg_number(y), svg_number(kSample - 2));
@@ -74,6 +75,7 @@ constexpr std::string_view kColours = R"(
 .taut .solid{fill:#ccd2dc;fill-rule:evenodd}
 .taut .free{fill:#fff;fill-rule:evenodd}
 .taut .rooms{fill:#7a3fd4;fill-opacity:.14}
+.taut .views{fill:#e8a713;fill-opacity:.13}
 .taut .roadmap{stroke:#a9c9e8}
 .taut .openings{stroke:#b9bfca}
 .taut .walls{stroke:#2c3440}
@@ -96,6 +98,7 @@ constexpr std::string_view kColours = R"(
 .taut .solid{fill:#3c4656}
 .taut .free{fill:#1d2430}
 .taut .rooms{fill:#b48cff;fill-opacity:.2}
+.taut .views{fill:#ffd166;fill-opacity:.13}
 .taut .roadmap{stroke:#38608c}
 .taut .openings{stroke:#566274}
 .taut .walls{stroke:#d4dbe6}

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
 #include <optional>
 #include <utility>
 
 #include <taut/geometry/predicates.h>
 #include <taut/robots/bug/detail/contours.h>
 #include <taut/robots/bug/detail/heading.h>
-#include <taut/robots/bug/detail/trail.h>
+#include <taut/robots/bug/detail/logbook.h>
+#include <taut/robots/bug/detail/tangent.h>
 #include <taut/search/query_ends.h>
 
 namespace taut::bug {
@@ -19,181 +18,83 @@ namespace {
 
 using detail::Contours;
 using detail::ExactPoint;
+using detail::Place;
+using detail::Places;
+using detail::product;
+using detail::Spot;
+using detail::squared_distance;
 using detail::Stand;
 using detail::Walk;
 using Tri = Triangulation;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-Interval sum(Interval a, Interval b) {
-  return {std::nextafter(a.lo + b.lo, -kInfinity), std::nextafter(a.hi + b.hi, kInfinity)};
-}
-
-Interval product(Interval a, double factor) {
-  return {std::nextafter(a.lo * factor, -kInfinity), std::nextafter(a.hi * factor, kInfinity)};
-}
-
-mpq_class squared_distance(const ExactPoint& a, Point b) {
-  const mpq_class dx = a.x - b.x, dy = a.y - b.y;
-  return dx * dx + dy * dy;
-}
-
-/// A place on a contour. Stations 2k and 2k + 1 are the tail of half-edge k and its inside.
-struct Place {
-  std::uint32_t contour = kNone;
-  std::uint32_t station = 0;
-  Stand stand;
-
-  Contours::At edge() const { return {contour, station / 2}; }
-  bool is_vertex() const { return station % 2 == 0; }
-};
-
+/// Bug 1 and Bug 2, from one stand.
 class Run {
  public:
-  Run(const Tri& tri, const Contours& contours, Point from, Point goal, const Options& options)
-      : tri_(tri), contours_(contours), from_(from), goal_(goal), options_(options), trail_(tri, from) {}
+  Run(const Places& places, Point from, Point goal, const Options& options)
+      : places_(places), from_(from), goal_(goal), options_(options), log_(places, from, goal) {}
 
   Journey from(Stand stand) {
     ExactPoint line(from_);
     while (!finished_) {
-      const Walk walk = detail::walk_to(tri_, stand, line, goal_);
+      const Walk walk = detail::walk_to(places_.tri(), stand, line, Spot(goal_));
       if (walk.reached) {
-        trail_.add(walk, goal_);
-        journey_.reached = true;
+        log_.walk(walk);
+        log_.journey().reached = true;
         break;
       }
-      const Place hit = place(walk.end);
-      trail_.add(walk, round(hit));
+      const Place hit = places_.at(walk.end);
+      log_.walk(walk, walk.end);
       stand = after(hit).stand;
       if (options_.algorithm == Algorithm::bug1) line = stand.at;
     }
-    return finish();
+    for (const Obstacle& o : log_.journey().obstacles)
+      log_.add_bound(
+          product(o.perimeter, options_.algorithm == Algorithm::bug1 ? 1.5 : static_cast<double>(o.entries)));
+    return log_.finish();
   }
 
  private:
-  Journey finish() {
-    journey_.path.points = trail_.points();
-    journey_.path.length = Length(journey_.path.points);
-    journey_.rounding = trail_.rounding();
-    journey_.bound = distance_interval(from_, goal_);
-    for (const Obstacle& o : journey_.obstacles)
-      journey_.bound =
-          sum(journey_.bound,
-              product(o.perimeter, options_.algorithm == Algorithm::bug1 ? 1.5 : static_cast<double>(o.entries)));
-    return std::move(journey_);
-  }
-
   /// What follows a hit: the place where the robot leaves; finished_ when there is none, or the goal is on the contour.
   Place after(const Place& hit) {
-    note(hit, journey_.hits);
+    Obstacle& obstacle = log_.note(hit.stand, hit.contour, log_.journey().hits);
+    if (++obstacle.hits == 1) obstacle.entries = entries(hit.contour);
     const std::optional<Place> goal = goal_on(hit);
     if (options_.algorithm == Algorithm::bug1) return goal ? arrive(hit, *goal) : after_bug1(hit);
     const std::optional<Place> leave = next_on_line(hit);
     if (goal && (!leave || steps(hit, goal->station) < steps(hit, leave->station))) return arrive(hit, *goal);
     if (!leave) return give_up(hit);
-    follow(hit, *leave, options_.turn);
-    note(*leave, journey_.leaves);
+    log_.follow(hit, *leave, options_.turn);
+    log_.note(leave->stand, leave->contour, log_.journey().leaves);
     return *leave;
   }
 
   Place after_bug1(const Place& hit) {
     const std::optional<Place> leave = nearest_open(hit.contour);
     if (!leave) return give_up(hit);
-    follow(hit, hit, options_.turn);
+    log_.follow(hit, hit, options_.turn);
     const Turn other = options_.turn == Turn::left ? Turn::right : Turn::left;
-    follow(hit, *leave,
-           way_length(hit, *leave, other) < way_length(hit, *leave, options_.turn) ? other : options_.turn);
-    note(*leave, journey_.leaves);
+    log_.follow(hit, *leave,
+                way_length(hit, *leave, other) < way_length(hit, *leave, options_.turn) ? other : options_.turn);
+    log_.note(leave->stand, leave->contour, log_.journey().leaves);
     return *leave;
   }
 
   Place arrive(const Place& hit, const Place& goal) {
-    follow(hit, goal, options_.turn);
-    journey_.reached = true;
+    log_.follow(hit, goal, options_.turn);
+    log_.journey().reached = true;
     finished_ = true;
     return goal;
   }
 
   Place give_up(const Place& hit) {
-    follow(hit, hit, options_.turn);
+    log_.follow(hit, hit, options_.turn);
     finished_ = true;
     return hit;
   }
 
-  // ---- places ----------------------------------------------------------------------------------------------------
-
-  Place place(const Stand& stand) const {
-    const bool vertex = stand.kind == Stand::Kind::vertex;
-    const Contours::At at = vertex ? contours_.at(tri_.sectors[stand.sector]) : contours_.at(stand.t, stand.i);
-    return {at.contour, 2 * at.edge + (vertex ? 0 : 1), stand};
-  }
-
-  Place vertex_place(Contours::At at) const {
-    const detail::HalfEdge e = contours_.edges(at.contour)[at.edge];
-    return {
-        at.contour, 2 * at.edge, {Stand::Kind::vertex, e.t, 0, contours_.sector(at), ExactPoint(contours_.tail(at))}};
-  }
-
-  Place side_place(Contours::At at, ExactPoint x) const {
-    const detail::HalfEdge e = contours_.edges(at.contour)[at.edge];
-    return {at.contour, 2 * at.edge + 1, {Stand::Kind::side, e.t, e.i, kNone, std::move(x)}};
-  }
-
-  std::uint32_t stations(std::uint32_t contour) const {
-    return 2 * static_cast<std::uint32_t>(contours_.edges(contour).size());
-  }
-
-  /// The station that is j steps after `from` the way the robot turns.
-  std::uint32_t station(const Place& from, std::uint32_t j) const {
-    const std::uint32_t n = stations(from.contour);
-    return (options_.turn == Turn::left ? from.station + j : from.station + n - j) % n;
-  }
-
-  std::uint32_t steps(const Place& from, std::uint32_t to) const {
-    const std::uint32_t n = stations(from.contour);
-    return (options_.turn == Turn::left ? to + n - from.station : from.station + n - to) % n;
-  }
-
-  Point round(const Place& place) {
-    const Point p = detail::rounded(tri_, place.stand);
-    trail_.add_rounding(place.stand.at, p);
-    return p;
-  }
-
-  void note(const Place& place, std::vector<Contact>& contacts) {
-    const auto [entry, is_new] =
-        numbers_.try_emplace(place.contour, static_cast<std::uint32_t>(journey_.obstacles.size()));
-    if (is_new) journey_.obstacles.push_back({contours_.perimeter(place.contour), 0, entries(place.contour)});
-    if (&contacts == &journey_.hits) ++journey_.obstacles[entry->second].hits;
-    const Point p = detail::rounded(tri_, place.stand);
-    contacts.push_back({p, std::hypot(goal_.x - p.x, goal_.y - p.y), entry->second});
-  }
-
-  // ---- along a contour -------------------------------------------------------------------------------------------
-
-  /// Is b after a, going along the half-edge that both are inside of?
-  bool is_ahead(const Place& a, const Place& b) const {
-    return squared_distance(a.stand.at, contours_.tail(a.edge())) <
-           squared_distance(b.stand.at, contours_.tail(a.edge()));
-  }
-
-  /// Calls visit(vertex) for all vertices between a and b; once around when they are the same.
-  template <typename Visit>
-  void each_vertex(const Place& a, const Place& b, Turn turn, Visit visit) const {
-    const std::uint32_t n = stations(a.contour);
-    const bool left = turn == Turn::left;
-    if (a.station == b.station && !a.is_vertex() && a.stand.at != b.stand.at && is_ahead(a, b) == left) return;
-    std::uint32_t at = a.station;
-    do {
-      at = left ? (at + 1) % n : (at + n - 1) % n;
-      if (at % 2 == 0 && at != b.station) visit(contours_.tail({a.contour, at / 2}));
-    } while (at != b.station);
-  }
-
-  void follow(const Place& a, const Place& b, Turn turn) {
-    each_vertex(a, b, turn, [&](Point p) { trail_.add(p); });
-    trail_.add(round(b));
-  }
+  std::uint32_t steps(const Place& from, std::uint32_t to) const { return places_.steps(from, to, options_.turn); }
+  Point tail(Contours::At at) const { return places_.contours().tail(at); }
+  Point head(Contours::At at) const { return places_.contours().head(at); }
 
   double way_length(const Place& a, const Place& b, Turn turn) const {
     if (a.station == b.station && a.stand.at == b.stand.at) return 0;
@@ -204,22 +105,22 @@ class Run {
       length += std::hypot(p.x - last.x, p.y - last.y);
       last = p;
     };
-    each_vertex(a, b, turn, to);
+    log_.each_vertex(a, b, turn, to);
     to(as_point(b));
     return length;
   }
 
   /// The first place of the contour, from the hit on, where the goal is.
   std::optional<Place> goal_on(const Place& hit) const {
-    for (std::uint32_t j = 1; j < stations(hit.contour); ++j) {
-      const std::uint32_t at = station(hit, j);
+    for (std::uint32_t j = 1; j < places_.stations(hit.contour); ++j) {
+      const std::uint32_t at = places_.station(hit, j, options_.turn);
       const Contours::At edge{hit.contour, at / 2};
-      if (at % 2 == 0 && contours_.tail(edge) == goal_) return vertex_place(edge);
-      if (at % 2 == 0 || contours_.tail(edge) == goal_ || contours_.head(edge) == goal_) continue;
-      if (on_segment(goal_, contours_.tail(edge), contours_.head(edge))) return side_place(edge, ExactPoint(goal_));
+      if (at % 2 == 0 && tail(edge) == goal_) return places_.vertex(edge);
+      if (at % 2 == 0 || tail(edge) == goal_ || head(edge) == goal_) continue;
+      if (on_segment(goal_, tail(edge), head(edge))) return places_.side(edge, ExactPoint(goal_));
     }
-    if (!hit.is_vertex() && on_segment(goal_, contours_.tail(hit.edge()), contours_.head(hit.edge())))
-      return side_place(hit.edge(), ExactPoint(goal_));
+    if (!hit.is_vertex() && on_segment(goal_, tail(hit.edge()), head(hit.edge())))
+      return places_.side(hit.edge(), ExactPoint(goal_));
     return std::nullopt;
   }
 
@@ -238,25 +139,17 @@ class Run {
     }
   };
 
-  /// The foot of the perpendicular from the goal, when it is inside the half-edge.
-  std::optional<ExactPoint> foot(Contours::At at) const {
-    const ExactPoint a(contours_.tail(at)), b(contours_.head(at));
-    const mpq_class dx = b.x - a.x, dy = b.y - a.y, along = dx * (goal_.x - a.x) + dy * (goal_.y - a.y);
-    const mpq_class whole = dx * dx + dy * dy;
-    if (along <= 0 || along >= whole) return std::nullopt;
-    const mpq_class part = along / whole;
-    return ExactPoint{a.x + part * dx, a.y + part * dy};
-  }
-
   std::optional<Place> nearest_open(std::uint32_t contour) const {
     Nearest nearest;
-    for (std::uint32_t k = 0; k < contours_.edges(contour).size(); ++k) {
+    const ExactPoint goal(goal_);
+    for (std::uint32_t k = 0; k < places_.contours().edges(contour).size(); ++k) {
       const Contours::At at{contour, k};
-      nearest.offer(squared_distance(ExactPoint(contours_.tail(at)), goal_), vertex_place(at));
-      if (const auto x = foot(at)) nearest.offer(squared_distance(*x, goal_), side_place(at, *x));
+      nearest.offer(squared_distance(ExactPoint(tail(at)), goal), places_.vertex(at));
+      if (const Place foot = places_.on(at, detail::nearest_on(tail(at), head(at), goal)); !foot.is_vertex())
+        nearest.offer(squared_distance(foot.stand.at, goal), foot);
     }
     for (const Place& p : nearest.places)
-      if (detail::leads_off(tri_, p.stand, goal_)) return p;
+      if (detail::leads_off(places_.tri(), p.stand, goal_)) return p;
     return std::nullopt;
   }
 
@@ -274,21 +167,21 @@ class Run {
   /// The place of a station that is on the m-line, between `after` and the goal; sides along the m-line have none.
   std::optional<Place> on_line(std::uint32_t contour, std::uint32_t station, const ExactPoint& after) const {
     const Contours::At at{contour, station / 2};
-    const Point tail = contours_.tail(at);
-    const int o = orientation(from_, goal_, tail);
+    const Point here = tail(at);
+    const int o = orientation(from_, goal_, here);
     std::optional<Place> found;
     if (station % 2 == 0) {
-      if (o == 0) found = vertex_place(at);
-    } else if (o * orientation(from_, goal_, contours_.head(at)) < 0) {
-      found = side_place(at, taut::detail::line_crossing({from_, goal_}, {tail, contours_.head(at)}));
+      if (o == 0) found = places_.vertex(at);
+    } else if (o * orientation(from_, goal_, head(at)) < 0) {
+      found = places_.side(at, taut::detail::line_crossing({from_, goal_}, {here, head(at)}));
     }
     return found && is_between(found->stand.at, after) ? found : std::nullopt;
   }
 
   std::optional<Place> next_on_line(const Place& hit) const {
-    for (std::uint32_t j = 1; j < stations(hit.contour); ++j)
-      if (auto p = on_line(hit.contour, station(hit, j), hit.stand.at);
-          p && p->stand.at != ExactPoint(goal_) && detail::leads_off(tri_, p->stand, goal_))
+    for (std::uint32_t j = 1; j < places_.stations(hit.contour); ++j)
+      if (auto p = on_line(hit.contour, places_.station(hit, j, options_.turn), hit.stand.at);
+          p && p->stand.at != ExactPoint(goal_) && detail::leads_off(places_.tri(), p->stand, goal_))
         return p;
     return std::nullopt;
   }
@@ -298,20 +191,17 @@ class Run {
     std::size_t count = 0;
     if (options_.algorithm == Algorithm::bug1) return 0;
     const ExactPoint start(from_);
-    for (std::uint32_t s = 0; s < stations(contour); ++s)
+    for (std::uint32_t s = 0; s < places_.stations(contour); ++s)
       if (const auto p = on_line(contour, s, start); p && p->stand.at != ExactPoint(goal_))
-        count +=
-            !detail::is_open(tri_, p->stand, goal_) && (p->stand.at == start || detail::is_open(tri_, p->stand, from_));
+        count += !detail::is_open(places_.tri(), p->stand, goal_) &&
+                 (p->stand.at == start || detail::is_open(places_.tri(), p->stand, from_));
     return count;
   }
 
-  const Tri& tri_;
-  const Contours& contours_;
+  const Places& places_;
   Point from_, goal_;
   Options options_;
-  detail::Trail trail_;
-  Journey journey_;
-  std::map<std::uint32_t, std::uint32_t> numbers_;  // contour -> obstacle
+  detail::Logbook log_;
   bool finished_ = false;
 };
 
@@ -347,8 +237,10 @@ Journey travel(const FreeSpace& space, Point from, Point to, const Options& opti
     return journey;
   }
   const Contours contours(space.triangulation());
+  const Places places(space.triangulation(), contours);
   for (const Stand& stand : stands(space, from, to)) {
-    journey = Run(space.triangulation(), contours, from, to, options).from(stand);
+    journey = options.algorithm == Algorithm::tangent ? detail::tangent_journey(places, stand, from, to, options)
+                                                      : Run(places, from, to, options).from(stand);
     if (journey.reached) break;
   }
   return journey;

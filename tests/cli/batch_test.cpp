@@ -35,6 +35,24 @@ class Batch : public testing::Test {
   std::string map;
 };
 
+TEST_F(Batch, TakesScenariosBetweenCornersOfCells) {
+  const Outcome good = run("version 1\r\n0 x.map 5 5 0 0 5 0 5\r\n3 x.map 5 5 0 0 5 5 10\r\n\r\n");
+  EXPECT_THAT(good.out, HasSubstr("2 5\n"));
+  EXPECT_EQ(good.code, 1) << "around the block it is shorter than 10";
+  EXPECT_THAT(good.err, HasSubstr("<stdin>:3: expected 10, found 8.24621125"));
+  EXPECT_EQ(run("version 1\n0 x.map 5 5 0 0 5 5 8.24621\n").code, 0);
+  EXPECT_EQ(run("version 1\n0 x.map 5 5 0 0 5 5 8.2462\n").code, 0);
+  EXPECT_EQ(run("version 1\n0 x.map 5 5 0 0 5 5 8.2463\n").code, 1);
+}
+
+TEST_F(Batch, RefusesScenariosOfAnotherMapOrVersion) {
+  const Outcome size = run("version 1\n0 x.map 6 5 0 0 5 5 8\n");
+  EXPECT_EQ(size.code, 3);
+  EXPECT_THAT(size.err, HasSubstr("<stdin>:2: is for a map of 6 x 5 cells"));
+  EXPECT_THAT(run("version 2\n").err, HasSubstr("<stdin>:1: version '2' is not known"));
+  EXPECT_THAT(run("version 1\n0 x.map 5 5 0 0 6 5 8\n").err, HasSubstr("<stdin>:2: the goal lies outside"));
+}
+
 TEST_F(Batch, AnswersEachLineInTheMapsOwnCoordinates) {
   const Outcome outcome = run("# head\n0.5 0.5 4.5 0.5\n\n0.5 0.5 4.5 4.5 # corner to corner\n0.5,0.5,0.5,0.5\n");
   EXPECT_EQ(outcome.code, 0) << outcome.err;

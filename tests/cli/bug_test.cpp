@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "support/paths.h"
 #include "support/run_program.h"
@@ -31,6 +33,51 @@ TEST(BugCommand, EndsWithOneWhenThereIsNoPathAndTwoOnNonsense) {
   EXPECT_EQ(run_taut("bug - --algorithm 2", kSealed).code, 1);
   EXPECT_EQ(run_taut("bug - --algorithm 3", kSealed).code, 2);
   EXPECT_EQ(run_taut("bug - --from 9,9", kSealed).code, 3);
+}
+
+TEST(BugCommand, PrintsTheShortestLengthAndTheRatioBesideTangentBugs) {
+  if (!program()) GTEST_SKIP() << "the program is not built";
+  const Outcome run = run_taut("bug - --algorithm tangent --range inf --json -", kRoom);
+  ASSERT_EQ(run.code, 0) << run.err;
+  const auto json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["algorithm"], "tangent");
+  EXPECT_EQ(json["range"], "inf");
+  EXPECT_EQ(json["length"], json["shortest"]);
+  EXPECT_EQ(json["ratio"], 1);
+  EXPECT_GE(json["bound"], json["length"]);
+  const Outcome touch = run_taut("bug - --algorithm tangent --range 0", kRoom);
+  EXPECT_THAT(touch.out, testing::HasSubstr("tangent bug, range 0, length 3.414214"));
+  EXPECT_EQ(run_taut("bug - --algorithm tangent", kSealed).code, 1);
+}
+
+TEST(BugCommand, TakesARangeForTangentBugOnly) {
+  if (!program()) GTEST_SKIP() << "the program is not built";
+  EXPECT_EQ(run_taut("bug - --range 2", kRoom).code, 2);
+  for (const char* range : {"-1", "nan", "far"})
+    EXPECT_EQ(run_taut(std::string("bug - --algorithm tangent --range ") + range, kRoom).code, 2) << range;
+}
+
+TEST(BugCommand, DrawsWhatWasInSight) {
+  if (!program()) GTEST_SKIP() << "the program is not built";
+  const std::string still = run_taut("bug - --algorithm tangent --svg -", kRoom).out;
+  EXPECT_THAT(still, testing::HasSubstr("<g class=\"views\">"));
+  EXPECT_THAT(still, testing::Not(testing::HasSubstr("<animate ")));
+  EXPECT_THAT(run_taut("bug - --algorithm tangent --animate -", kRoom).out, testing::HasSubstr("<animate "));
+  EXPECT_THAT(run_taut("bug - --algorithm bug2 --svg -", kRoom).out,
+              testing::Not(testing::HasSubstr("<g class=\"views\">")));
+}
+
+TEST(BugCommand, ComparesAllBugsWithTheShortestPath) {
+  if (!program()) GTEST_SKIP() << "the program is not built";
+  const Folder folder;
+  const std::string room = folder.file("room.txt", kRoom), sealed = folder.file("sealed.txt", kSealed);
+  const Outcome run = run_taut("bug compare " + room + " --range 0,1,inf");
+  EXPECT_EQ(run.code, 0) << run.err;
+  for (const char* robot : {"bug1", "bug2", "tangent", "shortest"}) EXPECT_THAT(run.out, testing::HasSubstr(robot));
+  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 7);
+  EXPECT_EQ(run_taut("bug compare " + room + " " + sealed).code, 1);
+  EXPECT_EQ(run_taut("bug compare").code, 2);
+  EXPECT_EQ(run_taut("bug").code, 2);
 }
 
 }  // namespace

@@ -86,6 +86,29 @@ TEST(MovingAi, ScenariosAreReadBackAsWritten) {
   EXPECT_EQ(movingai_scenario_text(scenarios), good);
 }
 
+TEST(MovingAi, LengthsHaveTheZerosThatTheFileLeftOut) {
+  const auto units = [](const std::string& lengths) {
+    std::string text = "version 1\n";
+    for (std::size_t from = 0; from < lengths.size();) {
+      const std::size_t end = std::min(lengths.find(' ', from), lengths.size());
+      text += "0 a 9 9 0 0 1 1 " + lengths.substr(from, end - from) + "\n";
+      from = end + 1;
+    }
+    std::vector<double> all;
+    for (const Scenario& s : read_movingai_scenarios(text, "x.scen")) all.push_back(s.unit());
+    return all;
+  };
+  EXPECT_THAT(units("3.41421 12 123.5"), testing::ElementsAre(1e-5, 1e-4, 1e-3));
+  EXPECT_THAT(units("3.41 12.00 123.50"), testing::ElementsAre(1e-2, 1e-2, 1e-2));
+  EXPECT_THAT(units("1 22"), testing::ElementsAre(1e-5, 1e-4));
+}
+
+TEST(MovingAi, PointsOfAnyAngleScenariosMayLieOnTheFarSide) {
+  const std::string line = "0 a 4 4 0 0 4 4 5.65685";
+  EXPECT_EQ(movingai_scenario(line, "x.scen", 2, ScenarioPlaces::corners).goal_column, 4U);
+  EXPECT_THROW(movingai_scenario(line, "x.scen", 2, ScenarioPlaces::cells), InputError);
+}
+
 TEST(MovingAi, BrokenScenariosNameTheirLine) {
   const auto refuse = [](const std::string& text) -> std::string {
     try {

@@ -1,16 +1,14 @@
-// Going straight to the goal, from a place that may be rational.
+// Going straight, between places that may be rational.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include <taut/geometry/detail/exact.h>
 #include <taut/geometry/triangulation.h>
+#include <taut/robots/bug/detail/rational.h>
 
 namespace taut::bug::detail {
-
-using taut::detail::ExactPoint;
 
 /// Where the robot stands.
 struct Stand {
@@ -34,7 +32,7 @@ struct Piece {
 
 struct Walk {
   bool reached = false;
-  Stand end;  ///< when not reached: on a side or at a vertex, where the way is blocked
+  Stand end;  ///< at the goal; when not reached on a side or at a vertex, where the way is blocked
   std::vector<Piece> pieces;
 };
 
@@ -45,6 +43,6 @@ bool is_open(const Triangulation& tri, const Stand& stand, Point goal);
 
 /// The walk from `stand` straight to the goal, as far as it gets. `from`, with the goal, is the line that it goes along: a
 /// point on it no nearer to the goal than the stand, exactly. Exact. Precondition: the stand is not the goal.
-Walk walk_to(const Triangulation& tri, const Stand& stand, const ExactPoint& from, Point goal);
+Walk walk_to(const Triangulation& tri, const Stand& stand, const ExactPoint& from, const Spot& goal);
 
 }  // namespace taut::bug::detail

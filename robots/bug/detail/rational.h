@@ -1,0 +1,41 @@
+// Signs and constructions on points that are rational.
+#pragma once
+
+#include <optional>
+
+#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/predicates.h>
+
+namespace taut::bug::detail {
+
+using taut::detail::ExactPoint;
+
+/// A point that is often, not always, a pair of doubles: predicates are quick when it is.
+struct Spot {
+  ExactPoint exact;
+  std::optional<Point> doubles;
+
+  explicit Spot(Point p) : exact(p), doubles(p) {}
+  explicit Spot(const ExactPoint& p);
+};
+
+/// The sign of the area of a, b, c, as of three Points. Exact.
+int orientation(const Spot& a, const Spot& b, Point c);
+int orientation(const Spot& a, Point b, Point c);
+int orientation(Point a, Point b, const Spot& c);
+
+/// Are a and b on the same ray out of v? Precondition: all three are in line, neither is v.
+bool same_way(const ExactPoint& v, const ExactPoint& a, const ExactPoint& b);
+
+mpq_class squared_distance(const ExactPoint& a, const ExactPoint& b);
+
+/// Where the line through p and q meets the one through a and b. Precondition: they are not parallel.
+ExactPoint crossing(const Spot& p, const Spot& q, Point a, Point b);
+
+/// The point of the closed segment a b nearest to p.
+ExactPoint nearest_on(Point a, Point b, const ExactPoint& p);
+
+/// The sign of sqrt(a) + sqrt(b) - sqrt(c) - sqrt(d). Exact. Precondition: none is negative.
+int compare_roots(const mpq_class& a, const mpq_class& b, const mpq_class& c, const mpq_class& d);
+
+}  // namespace taut::bug::detail
