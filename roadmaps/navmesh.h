@@ -71,4 +71,9 @@ Navmesh navmesh(const FreeSpace& space);
 /// The polygons are the free triangles themselves.
 Navmesh triangle_navmesh(const FreeSpace& space);
 
+/// The part of the mesh that a shortest path from `from` to the goal can pass: without the dead ends, whatever branches off and holds neither end. For
+/// these ends only (of a room, all of it). In a maze with few loops a tenth of the work; a side that leads into what was left out
+/// counts as none (across == kNone), and bends are bounded there too.
+Navmesh navmesh_between(const FreeSpace& space, Point from, const Goal& to);
+
 }  // namespace taut

@@ -20,7 +20,7 @@ namespace taut {
 class Polyanya {
  public:
   explicit Polyanya(FreeSpace space);
-  /// On a mesh of the same space.
+  /// On a mesh of the same space. With one of navmesh_between only the ends that it was made for may be asked.
   Polyanya(FreeSpace space, Navmesh mesh);
 
   const FreeSpace& space() const { return space_; }

@@ -48,6 +48,8 @@ void agree_in(const SmallWorld& world, int queries) {
     const std::string what = show(world) + " from " + show(from) + " to " + show(to);
     expect_agreement(graph, merged, from, {to, {}}, what);
     expect_agreement(graph, triangles, from, {to, {}}, what + " (triangles)");
+    PolyanyaSearch between{Polyanya(space, navmesh_between(space, from, {to, {}}))};
+    expect_agreement(graph, between, from, {to, {}}, what + " (mesh without dead ends)");
   }
 }
 
@@ -72,8 +74,10 @@ RC_GTEST_PROP(PolyanyaProperty, EntersARoomWhereTheVisibilityGraphDoes, ()) {
     Goal to;
     const int x = any(0, 4), y = any(0, 5);
     to.room = {{{double(x), double(y)}, {x + 1.0, y + 1.0}}, {{x + 1.0, double(y)}, {x + 2.0, y + 1.0}}};
-    expect_agreement(graph, search, from, to,
-                     fmt::format("{} from {} to the room at {}, {}", show(world), show(from), x, y));
+    const std::string what = fmt::format("{} from {} to the room at {}, {}", show(world), show(from), x, y);
+    expect_agreement(graph, search, from, to, what);
+    PolyanyaSearch between{Polyanya(space, navmesh_between(space, from, to))};
+    expect_agreement(graph, between, from, to, what + " (mesh without dead ends)");
   }
 }
 
@@ -98,7 +102,8 @@ RC_GTEST_PROP(PolyanyaProperty, IsAsLongAsInTheVisibilityGraphOffEveryLattice, (
 RC_GTEST_PROP(PolyanyaProperty, FindsTheNearestOfSeveralGoalsAndEachOfThem, ()) {
   const SmallWorld world = any_world({.side = 6, .walls = 12, .solids = 2});
   const FreeSpace space = world.space();
-  PolyanyaSearch one{Polyanya(space)}, all{Polyanya(space)};
+  const auto mesh = [&] { return any(0, 1) == 0 ? navmesh(space) : triangle_navmesh(space); };
+  PolyanyaSearch one{Polyanya(space)}, all{Polyanya(space, mesh())};
   const Point from = any_place(6);
   if (space.locate(from).kind == Location::Kind::outside) return;
   std::vector<Point> goals;
