@@ -44,6 +44,7 @@ struct Navmesh {
     std::vector<std::uint32_t> above;  ///< polygon -> the block towards the root, kNone at the root
     std::vector<std::uint32_t> depth;  ///< polygon -> how many blocks lie between it and the root
     std::vector<std::uint32_t> top;    ///< block -> its polygon nearest to the root
+    std::vector<std::uint32_t> bridge;  ///< block -> a corner of its only portal, kNone when it has several
   };
 
   std::vector<Corner> corners;

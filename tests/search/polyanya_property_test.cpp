@@ -122,7 +122,12 @@ RC_GTEST_PROP(PolyanyaProperty, FindsTheNearestOfSeveralGoalsAndEachOfThem, ()) 
   RC_ASSERT((all.find_nearest(from, goals) == SearchStatus::found) == least.has_value());
   if (!least) return;
   const GraphSearchResult nearest = all.result();
-  RC_ASSERT(nearest.path.length == *least);
+  if (nearest.path.length != *least) {
+    std::string places;
+    for (const Point p : goals) places += show(p) + " ";
+    RC_FAIL(fmt::format("{} from {} to the nearest of {}: {} instead of {}", show(world), show(from), places,
+                        nearest.path.length.decimals(20), least->decimals(20)));
+  }
   RC_ASSERT(nearest.path.points.back() == goals[nearest.goal]);
 }
 
