@@ -56,8 +56,12 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 
 }  // namespace
 
-PolyanyaEngine::PolyanyaEngine(const Navmesh& mesh)
-    : mesh_(mesh), best_(mesh.bends.size()), goals_here_(mesh.polygon_count()), allowed_(mesh.blocks.top.size(), 0) {
+PolyanyaEngine::PolyanyaEngine(const Navmesh& mesh, const Landmarks* landmarks)
+    : mesh_(mesh),
+      best_(mesh.bends.size()),
+      goals_here_(mesh.polygon_count()),
+      allowed_(mesh.blocks.top.size(), 0),
+      landmarks_(landmarks, mesh) {
   for (const Navmesh::Corner& c : mesh.corners)
     magnitude_ = std::max({magnitude_, std::abs(c.point.x), std::abs(c.point.y)});
   slack_ = 0x1p-44 * magnitude_;
@@ -83,6 +87,24 @@ void PolyanyaEngine::begin(const Query& query) {
   place_goals(query.goals);
   allow_blocks(query.start_polygons);
   if (query.other_ends) is_separated_ = false;
+  if (nearest_ && !query.other_ends && goals_.size() == 1)
+    landmarks_.aim_at(goals_[0].point, goals_[0].polygons);
+  else
+    landmarks_.aim_at_nothing();
+}
+
+void PolyanyaEngine::measure(std::uint32_t bend, std::vector<double>& distances) {
+  std::vector<std::uint32_t> around;
+  for (const Navmesh::Corner& corner : mesh_.corners)
+    if (corner.bend == bend) around.push_back(corner.polygon);
+  begin({mesh_.corners[mesh_.bends[bend].right_corner].point, around, {}, false, false, {}});
+  std::fill(allowed_.begin(), allowed_.end(), query_);
+  distances.assign(mesh_.bends.size(), kInfinity);
+  distances[bend] = 0;
+  distances_ = &distances;
+  look_around(around);
+  while (take()) node_.enter != kNone ? look_through() : turn();
+  distances_ = nullptr;
 }
 
 void PolyanyaEngine::place_goals(std::span<const MeshGoal> goals) {
@@ -187,8 +209,6 @@ void PolyanyaEngine::pull_taut() {
     root = static_cast<std::uint32_t>(roots_.size());
     roots_.push_back(next);
   }
-  expanded_ += corridor_.size();
-  generated_ = expanded_;
   improve(root, 0, end);
 }
 
@@ -318,7 +338,7 @@ void PolyanyaEngine::follow(const Cone& cone, std::uint32_t polygon, std::uint32
 void PolyanyaEngine::pass(const Cone& cone, std::uint32_t side, Point a, Point b, bool right_is_a, bool left_is_b) {
   const Navmesh::Corner& corner = mesh_.corners[side];
   if (corner.across == kNone || allowed_[corner.block] != query_) return;
-  const double bound = bound_through(cone, a, b, right_is_a, left_is_b);
+  const double bound = std::max(roots_[cone.root].least, bound_through(cone, a, b, right_is_a, left_is_b));
   if (bound > bound_) return;
   push({bound, cone.root, corner.across, right_is_a ? side : cone.right, left_is_b ? corner.across : cone.left});
 }
@@ -361,12 +381,13 @@ void PolyanyaEngine::see_corner(std::uint32_t root, std::uint32_t corner) {
   const double leg = distance(before.point, at), length = before.length + leg;
   const double error = error_of(before, leg, length);
   const double slack = slack_ + error + 0x1p-50 * length;
-  const double bound = length + to_goal(at) - slack;
+  if (distances_) (*distances_)[bend] = std::min((*distances_)[bend], length);
+  const double bound = length + std::max(to_goal(at), landmarks_.rest(bend)) - slack;
   if (bound > bound_) return;
   const std::uint32_t turns = turns_at(before.point, corner);
   if (turns == 0 || (known && is_worse(root, at, length, error, best.root))) return;
   best = {query_, static_cast<std::uint32_t>(roots_.size())};
-  roots_.push_back({at, length, error, root, bend});
+  roots_.push_back({at, length, error, root, bend, bound});
   push({bound, best.root, kNone, turns, 0});
 }
 

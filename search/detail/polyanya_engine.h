@@ -10,6 +10,7 @@
 
 #include <taut/geometry/detail/side.h>
 #include <taut/roadmaps/navmesh.h>
+#include <taut/search/detail/landmarks.h>
 #include <taut/search/detail/taut_string.h>
 #include <taut/search/graph_search.h>
 
@@ -34,7 +35,8 @@ struct MeshGoal {
 /// is below the best path's upper one. So the path is the shortest, whatever was rounded.
 class PolyanyaEngine {
  public:
-  explicit PolyanyaEngine(const Navmesh& mesh);
+  /// `landmarks` may be absent; they outlive the engine.
+  explicit PolyanyaEngine(const Navmesh& mesh, const Landmarks* landmarks = nullptr);
 
   /// What is asked. `start_polygons` are those that hold `start`.
   struct Query {
@@ -77,6 +79,9 @@ class PolyanyaEngine {
     return found() ? SearchStatus::found : SearchStatus::none;
   }
 
+  /// The lengths of the shortest paths from one bend to all, to within a few roundings; infinite where there is none.
+  void measure(std::uint32_t bend, std::vector<double>& distances);
+
   /// A further way to goal 0, straight from `root` to `end`.
   void add_way(std::uint32_t root, Point end) { improve(root, 0, end); }
   /// Could a way from this root, `distance` on (rounded), still be the shortest?
@@ -102,6 +107,7 @@ class PolyanyaEngine {
     double error;  // of `length`, at most
     std::uint32_t before;
     std::uint32_t bend;
+    double least = 0;  // of a path through it, at least
   };
 
   /// enter: the side, seen from inside, of the polygon that the cone comes to; kNone: the root's turns, those in `right`.
@@ -191,6 +197,8 @@ class PolyanyaEngine {
   std::vector<std::uint32_t> corridor_, corridor_back_;  // the corners of its portals, from the polygon that is left
   TautString string_;
   std::vector<bool> reachable_;  // by goal
+  LandmarkBounds landmarks_;
+  std::vector<double>* distances_ = nullptr;  // by bend, while measuring
 
   std::span<const MeshGoal> goals_;
   Box goal_box_;

@@ -39,7 +39,8 @@ void expect_agreement(const VisibilityGraph& graph, PolyanyaSearch& search, Poin
 void agree_in(const SmallWorld& world, int queries) {
   const FreeSpace space = world.space();
   const VisibilityGraph graph(space);
-  PolyanyaSearch merged{Polyanya(space)}, triangles{Polyanya(space, triangle_navmesh(space))};
+  PolyanyaSearch merged{Polyanya(space)}, triangles{Polyanya(space, triangle_navmesh(space))},
+      landmarks{Polyanya(space).with_landmarks(3)};
   const int side = static_cast<int>(world.area[2].x);
   for (int n = 0; n < queries; ++n) {
     const Point from = any_place(side), to = any_place(side);
@@ -48,6 +49,7 @@ void agree_in(const SmallWorld& world, int queries) {
     const std::string what = show(world) + " from " + show(from) + " to " + show(to);
     expect_agreement(graph, merged, from, {to, {}}, what);
     expect_agreement(graph, triangles, from, {to, {}}, what + " (triangles)");
+    expect_agreement(graph, landmarks, from, {to, {}}, what + " (landmarks)");
     PolyanyaSearch between{Polyanya(space, navmesh_between(space, from, {to, {}}))};
     expect_agreement(graph, between, from, {to, {}}, what + " (mesh without dead ends)");
   }
