@@ -33,6 +33,7 @@ struct Grid {
   bool is_blocked(int s) const { return blocked[static_cast<std::size_t>(s)] != 0; }
   void set(int s, bool wall) { blocked[static_cast<std::size_t>(s)] = wall; }
 
+  std::size_t state_count() const { return blocked.size(); }
   void each_neighbour(int s, auto&& visit) const {
     const int x = s % width, y = s / width;
     if (x + 1 < width) visit(s + 1);

@@ -29,6 +29,10 @@ namespace taut::cli {
 
 namespace {
 
+// Landmarks are made once the searches have taken about as many nodes as making them takes, if paths wind: where they are
+// hardly longer than straight lines landmarks say nothing that those do not.
+constexpr std::size_t kNodesABend = 32;
+constexpr double kWinding = 1.1;
 constexpr std::size_t kBlock = 1 << 16;  // of results, where nobody waits for each
 
 struct BatchOptions {
@@ -127,7 +131,8 @@ class Batch {
     begin_stage("space");
     const FreeSpace space(input.world, options_.query.robot);
     begin_stage("mesh");
-    PolyanyaSearch search{Polyanya(space)};
+    Polyanya polyanya(space);
+    PolyanyaSearch search(polyanya);
     prepared_ = total_.seconds();
     begin_stage("search");
     QueryReader reader(source.name());
@@ -141,6 +146,7 @@ class Batch {
                          fmt::format("is for a map of {} x {} cells, {} has {} x {}", query->map.x, query->map.y,
                                      input.name, box.max.x, box.max.y));
       answer(space, search, *query, source.name());
+      if (is_worth_landmarks(polyanya)) search = PolyanyaSearch(polyanya = polyanya.with_landmarks());
       if (out_.size() >= kBlock || source.may_wait()) flush();
     }
     flush();
@@ -170,8 +176,13 @@ class Batch {
     options_.json ? put_json(query, answer, search, matches) : put_line(query, answer, search);
   }
 
+  bool is_worth_landmarks(const Polyanya& polyanya) const {
+    return polyanya.landmarks() == nullptr && nodes_ > kNodesABend * polyanya.mesh().bends.size() &&
+           lengths_ > kWinding * straight_;
+  }
+
   /// A start or goal in a wall is an answer here, no reason to stop.
-  static Answer ask(const FreeSpace& space, PolyanyaSearch& search, const QueryLine& query) {
+  Answer ask(const FreeSpace& space, PolyanyaSearch& search, const QueryLine& query) {
     Answer answer;
     for (const Point p : {query.from, query.to})
       if (space.locate(p).kind == Location::Kind::outside) {
@@ -185,6 +196,9 @@ class Batch {
     if (status != SearchStatus::found) return answer;
     answer.status = "found";
     answer.length = Length(search.points()).value();
+    nodes_ += search.expanded();
+    lengths_ += answer.length;
+    straight_ += std::hypot(query.to.x - query.from.x, query.to.y - query.from.y);
     return answer;
   }
 
@@ -229,6 +243,8 @@ class Batch {
   std::string out_;
   std::size_t queries_ = 0, unanswered_ = 0, compared_ = 0, mismatches_ = 0;
   double seconds_ = 0, prepared_ = 0;
+  std::size_t nodes_ = 0;
+  double lengths_ = 0, straight_ = 0;
 };
 
 int run(const BatchOptions& options) { return Batch(options).run(); }

@@ -136,8 +136,9 @@ RoadmapKind polyanya() {
           "navigation mesh",
           true,
           false,
-          [](const FreeSpace& space, const BuildRequest&) {
-            const auto search = std::make_shared<PolyanyaSearch>(Polyanya(space));
+          [](const FreeSpace& space, const BuildRequest& request) {
+            const auto search = std::make_shared<PolyanyaSearch>(
+                Polyanya(space, request.from ? navmesh_between(space, *request.from, request.to) : navmesh(space)));
             return PlannedRoadmap{std::make_shared<const Roadmap>(),
                                   [search](Point from, const Goal& to, GraphAlgorithm) {
                                     search->find(from, to);

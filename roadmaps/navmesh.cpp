@@ -1,10 +1,12 @@
 #include <taut/roadmaps/navmesh.h>
 
-#include <algorithm>
+#include <bit>
 #include <numeric>
+#include <utility>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/detail/side.h>
 #include <taut/roadmaps/detail/navmesh_blocks.h>
+#include <taut/roadmaps/detail/navmesh_triangles.h>
 
 namespace taut {
 
@@ -12,102 +14,111 @@ namespace {
 
 using Tri = Triangulation;
 
-/// The sides of the free triangles as rings, and what is left of them when sides are taken out. Side 3 t + i lies opposite to corner i of triangle t.
+/// The sides of the chosen triangles as rings, and what is left of them when sides are taken out. Side 3 k + i lies opposite to corner i of
+/// the k-th of them.
 class Merging {
  public:
-  explicit Merging(const Tri& tri)
-      : tri_(tri), next_(3 * tri.triangles.size()), previous_(3 * tri.triangles.size()), leader_(tri.triangles.size()) {
-    for (std::uint32_t s = 0; s < next_.size(); ++s) {
-      const std::uint32_t t = s / 3;
-      next_[s] = 3 * t + static_cast<std::uint32_t>(Tri::ccw(static_cast<int>(s % 3)));
-      previous_[s] = 3 * t + static_cast<std::uint32_t>(Tri::cw(static_cast<int>(s % 3)));
-    }
+  Merging(const Tri& tri, std::vector<std::uint32_t> chosen)
+      : tri_(tri),
+        chosen_(std::move(chosen)),
+        place_(tri.triangles.size(), kNone),
+        sides_(3 * chosen_.size()),
+        leader_(chosen_.size()) {
+    for (std::uint32_t k = 0; k < chosen_.size(); ++k) place_[chosen_[k]] = k;
+    for (std::uint32_t k = 0; k < chosen_.size(); ++k)
+      for (int i = 0; i < 3; ++i)
+        sides_[3 * k + i] = {3 * k + Tri::ccw(i), 3 * k + Tri::cw(i), across(k, i),
+                             tri_.triangles[chosen_[k]][Tri::ccw(i)]};
     std::iota(leader_.begin(), leader_.end(), 0);
   }
 
-  /// Takes sides out, the longest first, as long as all angles stay convex.
+  /// Takes sides out, the longest first (to an eighth of their squared length), as long as all angles stay convex.
   void merge() {
-    struct Candidate {
-      double square;
-      std::uint32_t side;
-    };
-    std::vector<Candidate> candidates;
-    for (std::uint32_t s = 0; s < next_.size(); ++s) {
-      if (!is_portal(s) || across(s) < s) continue;
-      const Point a = tri_.points[origin(s)], b = tri_.points[origin(next_[s])];
-      candidates.push_back({(a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y), s});
-    }
-    std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-      return a.square != b.square ? a.square > b.square : a.side < b.side;
-    });
-    for (const Candidate& c : candidates)
-      if (stays_convex(c.side) && stays_convex(across(c.side))) take_out(c.side);
+    for (const std::uint32_t s : portals_by_length())
+      if (stays_convex(s) && stays_convex(sides_[s].across)) take_out(s);
   }
 
   Navmesh mesh() {
     Navmesh mesh;
-    number_bends(mesh);
     mesh.polygon_of.assign(tri_.triangles.size(), kNone);
-    corner_of_.assign(next_.size(), kNone);
-    std::vector<std::uint32_t> polygon_of_leader(tri_.triangles.size(), kNone);
-    for (std::uint32_t s = 0; s < next_.size(); ++s) {
-      if (!tri_.free[s / 3] || next_[s] == kNone || corner_of_[s] != kNone) continue;
+    bend_of_.assign(tri_.sectors.size(), kNone);
+    corner_of_.assign(sides_.size(), kNone);
+    std::vector<std::uint32_t> polygon_of_leader(chosen_.size(), kNone);
+    for (std::uint32_t s = 0; s < sides_.size(); ++s) {
+      if (sides_[s].next == kNone || corner_of_[s] != kNone) continue;
       polygon_of_leader[leader(s / 3)] = static_cast<std::uint32_t>(mesh.first.size());
       add_polygon(mesh, s);
     }
     mesh.first.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
-    for (std::uint32_t t = 0; t < tri_.triangles.size(); ++t)
-      if (tri_.free[t]) mesh.polygon_of[t] = polygon_of_leader[leader(t)];
-    for (std::uint32_t s = 0; s < next_.size(); ++s)
-      if (corner_of_[s] != kNone && is_portal(s)) mesh.corners[corner_of_[s]].across = corner_of_[across(s)];
+    for (std::uint32_t k = 0; k < chosen_.size(); ++k) mesh.polygon_of[chosen_[k]] = polygon_of_leader[leader(k)];
+    for (std::uint32_t s = 0; s < sides_.size(); ++s)
+      if (corner_of_[s] != kNone && sides_[s].across != kNone)
+        mesh.corners[corner_of_[s]].across = corner_of_[sides_[s].across];
     bound_bends(mesh);
     detail::find_blocks(mesh);
     return mesh;
   }
 
  private:
-  std::uint32_t origin(std::uint32_t s) const { return tri_.triangles[s / 3][Tri::ccw(static_cast<int>(s % 3))]; }
-  std::uint32_t across(std::uint32_t s) const {
-    const int i = static_cast<int>(s % 3);
-    return 3 * tri_.neighbours[s / 3][i] + static_cast<std::uint32_t>(tri_.mirror(s / 3, i));
+  struct Side {
+    std::uint32_t next, previous;  // in the ring; next is kNone when it is taken out
+    std::uint32_t across;          // the same side the other way round, when it is a portal between chosen triangles
+    std::uint32_t origin;          // the vertex that it begins at
+  };
+
+  std::uint32_t across(std::uint32_t k, int i) const {
+    const std::uint32_t t = chosen_[k], n = tri_.neighbours[t][i];
+    if (n == kNone || tri_.is_constrained(t, i) || place_[n] == kNone) return kNone;
+    return 3 * place_[n] + static_cast<std::uint32_t>(tri_.mirror(t, i));
   }
-  bool is_portal(std::uint32_t s) const {
-    const int i = static_cast<int>(s % 3);
-    return tri_.free[s / 3] && !tri_.is_constrained(s / 3, i) && tri_.neighbours[s / 3][i] != kNone;
+
+  Point origin(std::uint32_t s) const { return tri_.points[sides_[s].origin]; }
+
+  /// Each portal once, the longest first, by a counting sort of the leading bits of squared lengths.
+  std::vector<std::uint32_t> portals_by_length() const {
+    constexpr int kDropped = 20;
+    std::vector<std::uint32_t> first((0x7f800000U >> kDropped) + 2), keys;
+    const auto key = [&](std::uint32_t s) {
+      const Point a = origin(s), b = origin(sides_[s].next);
+      const double x = a.x - b.x, y = a.y - b.y;
+      return (0x7f800000U - std::bit_cast<std::uint32_t>(static_cast<float>(x * x + y * y))) >> kDropped;
+    };
+    keys.reserve(sides_.size());
+    for (std::uint32_t s = 0; s < sides_.size(); ++s) {
+      if (sides_[s].across == kNone || sides_[s].across < s) continue;
+      keys.push_back(key(s));
+      ++first[keys.back() + 1];
+    }
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    std::vector<std::uint32_t> sorted(keys.size());
+    for (std::uint32_t s = 0, n = 0; s < sides_.size(); ++s)
+      if (sides_[s].across != kNone && sides_[s].across > s) sorted[first[keys[n++]]++] = s;
+    return sorted;
   }
 
   /// Is the angle at the origin of this side convex without the side?
   bool stays_convex(std::uint32_t s) const {
-    const std::uint32_t before = origin(previous_[s]), after = origin(next_[next_[across(s)]]);
-    return before != after && orientation(tri_.points[before], tri_.points[origin(s)], tri_.points[after]) >= 0;
+    const std::uint32_t before = sides_[sides_[s].previous].origin,
+                        after = sides_[sides_[sides_[sides_[s].across].next].next].origin;
+    return before != after && detail::side_of(tri_.points[before], origin(s), tri_.points[after]) >= 0;
   }
 
   void take_out(std::uint32_t s) {
-    const std::uint32_t t = across(s);
-    join(previous_[s], next_[t]);
-    join(previous_[t], next_[s]);
+    const std::uint32_t t = sides_[s].across;
+    join(sides_[s].previous, sides_[t].next);
+    join(sides_[t].previous, sides_[s].next);
     leader_[leader(s / 3)] = leader(t / 3);
-    next_[s] = next_[t] = kNone;
+    sides_[s].next = sides_[t].next = kNone;
   }
 
   void join(std::uint32_t s, std::uint32_t t) {
-    next_[s] = t;
-    previous_[t] = s;
+    sides_[s].next = t;
+    sides_[t].previous = s;
   }
 
-  std::uint32_t leader(std::uint32_t t) {
-    while (leader_[t] != t) t = leader_[t] = leader_[leader_[t]];
-    return t;
-  }
-
-  void number_bends(Navmesh& mesh) {
-    bend_of_.assign(tri_.sectors.size(), kNone);
-    for (std::uint32_t s = 0; s < tri_.sectors.size(); ++s) {
-      const Tri::Sector& sector = tri_.sectors[s];
-      if (!sector.reflex || sector.full) continue;
-      bend_of_[s] = static_cast<std::uint32_t>(mesh.bends.size());
-      mesh.bends.push_back({tri_.points[sector.right], tri_.points[sector.left], kNone, kNone, s});
-    }
+  std::uint32_t leader(std::uint32_t k) {
+    while (leader_[k] != k) k = leader_[k] = leader_[leader_[k]];
+    return k;
   }
 
   void add_polygon(Navmesh& mesh, std::uint32_t first_side) {
@@ -116,34 +127,62 @@ class Merging {
     std::uint32_t s = first_side;
     do {
       corner_of_[s] = static_cast<std::uint32_t>(mesh.corners.size());
-      const std::uint32_t sector =
-          tri_.sector_of[3 * (s / 3) + static_cast<std::uint32_t>(Tri::ccw(static_cast<int>(s % 3)))];
-      mesh.corners.push_back({tri_.points[origin(s)], kNone, polygon, bend_of_[sector], kNone});
-      s = next_[s];
+      mesh.corners.push_back({origin(s), kNone, polygon, bend_at(mesh, s), kNone});
+      s = sides_[s].next;
     } while (s != first_side);
   }
 
-  static void bound_bends(Navmesh& mesh) {
-    for (std::uint32_t c = 0; c < mesh.corners.size(); ++c) {
-      const std::uint32_t bend = mesh.corners[c].bend;
-      if (bend == kNone) continue;
-      if (mesh.corners[c].across == kNone) mesh.bends[bend].right_corner = c;
-      if (mesh.corners[mesh.previous(c)].across == kNone) mesh.bends[bend].left_corner = c;
+  /// The bend at the origin of a side; numbered as they are met.
+  std::uint32_t bend_at(Navmesh& mesh, std::uint32_t s) {
+    const std::uint32_t at =
+        tri_.sector_of[3 * chosen_[s / 3] + static_cast<std::uint32_t>(Tri::ccw(static_cast<int>(s % 3)))];
+    const Tri::Sector& sector = tri_.sectors[at];
+    if (!sector.reflex || sector.full) return kNone;
+    if (bend_of_[at] == kNone) {
+      bend_of_[at] = static_cast<std::uint32_t>(mesh.bends.size());
+      mesh.bends.push_back({tri_.points[sector.right], tri_.points[sector.left], kNone, kNone, at});
     }
+    return bend_of_[at];
+  }
+
+  static void bound_bends(Navmesh& mesh) {
+    for (std::uint32_t p = 0; p < mesh.polygon_count(); ++p)
+      for (std::uint32_t c = mesh.first[p], before = mesh.first[p + 1] - 1; c < mesh.first[p + 1]; before = c++) {
+        if (mesh.corners[c].bend == kNone) continue;
+        Navmesh::Bend& bend = mesh.bends[mesh.corners[c].bend];
+        if (mesh.corners[c].across == kNone) bend.right_corner = c;
+        if (mesh.corners[before].across == kNone) bend.left_corner = c;
+      }
   }
 
   const Tri& tri_;
-  std::vector<std::uint32_t> next_, previous_, leader_, bend_of_, corner_of_;
+  std::vector<std::uint32_t> chosen_;
+  std::vector<std::uint32_t> place_;  // of a triangle among the chosen
+  std::vector<Side> sides_;
+  std::vector<std::uint32_t> leader_, bend_of_, corner_of_;
 };
 
-}  // namespace
-
-Navmesh navmesh(const FreeSpace& space) {
-  Merging merging(space.triangulation());
+Navmesh merged(const Tri& tri, std::vector<std::uint32_t> chosen) {
+  Merging merging(tri, std::move(chosen));
   merging.merge();
   return merging.mesh();
 }
 
-Navmesh triangle_navmesh(const FreeSpace& space) { return Merging(space.triangulation()).mesh(); }
+}  // namespace
+
+Navmesh navmesh(const FreeSpace& space) {
+  return merged(space.triangulation(), detail::free_triangles(space.triangulation()));
+}
+
+Navmesh triangle_navmesh(const FreeSpace& space) {
+  return Merging(space.triangulation(), detail::free_triangles(space.triangulation())).mesh();
+}
+
+Navmesh navmesh_between(const FreeSpace& space, Point from, const Goal& to) {
+  std::vector<Box> ends{{from, from}};
+  if (to.point) ends.push_back({*to.point, *to.point});
+  ends.insert(ends.end(), to.room.begin(), to.room.end());
+  return merged(space.triangulation(), detail::triangles_between(space.triangulation(), ends));
+}
 
 }  // namespace taut

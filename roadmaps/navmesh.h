@@ -44,6 +44,7 @@ struct Navmesh {
     std::vector<std::uint32_t> above;  ///< polygon -> the block towards the root, kNone at the root
     std::vector<std::uint32_t> depth;  ///< polygon -> how many blocks lie between it and the root
     std::vector<std::uint32_t> top;    ///< block -> its polygon nearest to the root
+    std::vector<std::uint32_t> bridge;  ///< block -> a corner of its only portal, kNone when it has several
   };
 
   std::vector<Corner> corners;
@@ -70,5 +71,10 @@ Navmesh navmesh(const FreeSpace& space);
 
 /// The polygons are the free triangles themselves.
 Navmesh triangle_navmesh(const FreeSpace& space);
+
+/// The part of the mesh that a shortest path from `from` to the goal can pass: without the dead ends, whatever branches off and holds neither end. For
+/// these ends only (of a room, all of it). In a maze with few loops a tenth of the work; a side that leads into what was left out
+/// counts as none (across == kNone), and bends are bounded there too.
+Navmesh navmesh_between(const FreeSpace& space, Point from, const Goal& to);
 
 }  // namespace taut

@@ -1,13 +1,14 @@
 // Replanning: the shortest path in a graph whose edges change while the robot is under way.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
-#include <optional>
+#include <type_traits>
 #include <unordered_map>
 #include <vector>
 
@@ -58,9 +59,51 @@ concept ReplanningGraph = requires(const G& graph, const typename G::State& s) {
   graph.heuristic(s, s);
 };
 
+/// A graph whose states are the numbers 0 .. state_count() - 1, which stays as it is: they are found by an array and not by hashing.
+template <class G>
+concept NumberedGraph = ReplanningGraph<G> && std::integral<typename G::State> && requires(const G& graph) {
+  { graph.state_count() } -> std::convertible_to<std::size_t>;
+};
+
+namespace detail {
+
+/// State -> a number given to it, in a hash table; in an array where the graph is numbered.
+template <class Graph, class Hash>
+class StateNumbers {
+ public:
+  explicit StateNumbers(const Graph&) {}
+  /// What s has; `next` the first time.
+  std::uint32_t number(const typename Graph::State& s, std::uint32_t next) {
+    return numbers_.try_emplace(s, next).first->second;
+  }
+  void clear() { numbers_.clear(); }
+
+ private:
+  std::unordered_map<typename Graph::State, std::uint32_t, Hash> numbers_;
+};
+
+template <NumberedGraph Graph, class Hash>
+class StateNumbers<Graph, Hash> {
+ public:
+  explicit StateNumbers(const Graph& graph) : numbers_(graph.state_count(), kUnmet) {}
+  std::uint32_t number(const typename Graph::State& s, std::uint32_t next) {
+    std::uint32_t& number = numbers_[static_cast<std::size_t>(s)];
+    if (number == kUnmet) number = next;
+    return number;
+  }
+  void clear() { std::fill(numbers_.begin(), numbers_.end(), kUnmet); }
+
+ private:
+  static constexpr std::uint32_t kUnmet = 0xffffffff;
+  std::vector<std::uint32_t> numbers_;
+};
+
+}  // namespace detail
+
 /// D* Lite, the optimised version (Koenig and Likhachev, "D* Lite", AAAI 2002, figure 4): searches backwards from a
 /// goal that stays and repairs only what a change touches, while the start moves. Without moves it is LPA* run
-/// backwards.
+/// backwards. Different here: of states with the same estimate the paper takes that nearest to the goal, which on an open grid is
+/// every cell between start and goal; here it is those that became dearer, then those nearest to the start.
 ///
 /// Use: change the graph, name every state whose outgoing edges changed (`changed`), move the start (`move_to`), then
 /// replan(). Edges and states may appear and vanish; whichever way, the state an edge leaves from is named.
@@ -74,7 +117,7 @@ concept ReplanningGraph = requires(const G& graph, const typename G::State& s) {
 ///     occurs, and up to 2^15 moves for every edge of the shortest path; heuristics are multiplied by 1 - 2^-10 for
 ///     that. Exact sums of square roots: RoadmapReplanner.
 ///  4. A stopped replan() goes on where it stood when called again.
-/// The graph must outlive it. Memory: about 100 bytes a state met. `Costs` adds and compares costs; see NumberCosts.
+/// The graph must outlive it. Memory: about 60 bytes a state met, and 40 more in a hash table or 4 for every state of a NumberedGraph. `Costs` adds and compares costs; see NumberCosts.
 template <ReplanningGraph Graph, class Costs = NumberCosts<typename Graph::Cost>,
           class Hash = std::hash<typename Graph::State>>
 class DstarLite {
@@ -83,16 +126,18 @@ class DstarLite {
   using Cost = typename Costs::Cost;
   using Key = typename Costs::Key;
 
-  DstarLite(const Graph& graph, State start, State goal, Costs costs = {}) : graph_(&graph), costs_(std::move(costs)) {
+  DstarLite(const Graph& graph, State start, State goal, Costs costs = {})
+      : graph_(&graph), costs_(std::move(costs)), numbers_(graph) {
     begin(std::move(start), std::move(goal));
   }
 
-  /// The cost of edges out of s changed, or edges appeared or vanished. O(degree).
+  /// The cost of edges out of s changed, or edges appeared or vanished. O(1): replan() looks at each such state once, however often it
+  /// was named.
   void changed(const State& s) {
     const Index u = node(s);
-    if (u == goal_) return;
-    look_ahead(u);
-    queue(u);
+    if (u == goal_ || nodes_[u].is_changed) return;
+    nodes_[u].is_changed = true;
+    changed_.push_back(u);
   }
 
   void move_to(const State& start) { start_ = node(start); }
@@ -100,8 +145,9 @@ class DstarLite {
   /// Forgets everything and searches anew: for a goal that moves, or when most edges changed.
   void restart(State start, State goal) {
     nodes_.clear();
-    index_.clear();
+    numbers_.clear();
     heap_.clear();
+    changed_.clear();
     moved_ = Key{};
     begin(std::move(start), std::move(goal));
   }
@@ -114,6 +160,7 @@ class DstarLite {
              std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() >= limits.seconds;
     };
     take_move();
+    take_changes();
     expanded_ = 0;
     while (is_unsettled()) {
       if (expanded_ >= limits.expansions || late()) return SearchStatus::stopped;
@@ -149,10 +196,23 @@ class DstarLite {
   using Index = std::uint32_t;
   static constexpr Index kNowhere = 0xffffffff;
 
+  /// By the least cost of a path through the state. Of equal ones those that became dearer come first, so that nobody goes on building upon them;
+  /// then what is nearer to the start.
   struct Priority {
-    Key first{}, second{};
+    Key through{};
+    bool is_cheaper = true;
+    Key rest{};
+
     friend bool operator<(const Priority& a, const Priority& b) {
-      return a.first < b.first || (!(b.first < a.first) && a.second < b.second);
+      if constexpr (std::is_same_v<Key, int>) return a.packed() < b.packed();
+      if (a.through < b.through || b.through < a.through) return a.through < b.through;
+      if (a.is_cheaper != b.is_cheaper) return b.is_cheaper;
+      return a.rest < b.rest;
+    }
+    /// The same order for numbers that are not negative, without a branch.
+    std::uint64_t packed() const {
+      return static_cast<std::uint64_t>(through) << 32 | std::uint64_t{is_cheaper} << 31 |
+             static_cast<std::uint64_t>(rest);
     }
   };
 
@@ -162,7 +222,13 @@ class DstarLite {
     Cost ahead;  // rhs: one step of looking ahead
     Index next = kNowhere;
     Index place = kNowhere;  // in the heap
-    Priority priority{};
+    bool is_changed = false;
+  };
+
+  struct Entry {
+    Priority priority;
+    Index node;
+    friend bool operator<(const Entry& a, const Entry& b) { return a.priority < b.priority; }
   };
 
   void begin(State start, State goal) {
@@ -173,9 +239,10 @@ class DstarLite {
   }
 
   Index node(const State& s) {
-    const auto [at, is_new] = index_.try_emplace(s, static_cast<Index>(nodes_.size()));
-    if (is_new) nodes_.push_back({s, costs_.infinity(), costs_.infinity()});
-    return at->second;
+    const auto next = static_cast<Index>(nodes_.size());
+    const Index u = numbers_.number(s, next);
+    if (u == next) nodes_.push_back({s, costs_.infinity(), costs_.infinity()});
+    return u;
   }
 
   /// The robot moved: what is queued became nearer by as much at most.
@@ -185,31 +252,39 @@ class DstarLite {
     last_ = start_;
   }
 
-  Priority priority(Index u) const {
-    const Node& n = nodes_[u];
-    const Cost& least = costs_.is_less(n.ahead, n.cost) ? n.ahead : n.cost;
-    if (costs_.is_infinite(least)) return {costs_.key_infinity(), costs_.key_infinity()};
-    const Key key = costs_.key(least);
-    const Key rest = costs_.weakened(graph_->heuristic(nodes_[last_].state, n.state));
-    return {costs_.key_plus(costs_.key_plus(key, rest), moved_), key};
+  void take_changes() {
+    for (const Index u : changed_) {
+      nodes_[u].is_changed = false;
+      look_ahead(u);
+      queue(u);
+    }
+    changed_.clear();
   }
 
+  Priority priority(Index u) const {
+    const Node& n = nodes_[u];
+    const bool is_cheaper = costs_.is_less(n.ahead, n.cost);
+    const Cost& least = is_cheaper ? n.ahead : n.cost;
+    if (costs_.is_infinite(least)) return {costs_.key_infinity(), is_cheaper, Key{}};
+    const Key rest = u == last_ ? Key{} : costs_.weakened(graph_->heuristic(nodes_[last_].state, n.state));
+    return {costs_.key_plus(costs_.key_plus(costs_.key(least), rest), moved_), is_cheaper, rest};
+  }
+
+  /// Is there anything left on which the start's cost may rest, or that may make it less?
   bool is_unsettled() const {
     if (heap_.empty()) return false;
     const Node& s = nodes_[start_];
-    return nodes_[heap_[0]].priority < priority(start_) || costs_.is_less(s.cost, s.ahead);
+    const Priority &top = heap_[0].priority, here = priority(start_);
+    if (top.through < here.through || costs_.is_less(s.cost, s.ahead)) return true;
+    return !top.is_cheaper && !(here.through < top.through);
   }
 
   void step() {
-    const Index u = heap_[0];
+    const Index u = heap_[0].node;
     const Priority now = priority(u);
-    if (nodes_[u].priority < now) {
-      nodes_[u].priority = now;
-      sink(0);
-      return;
-    }
+    if (heap_[0].priority.through < now.through) return sink(0, {now, u});
     ++expanded_;
-    costs_.is_less(nodes_[u].ahead, nodes_[u].cost) ? settle(u) : raise(u);
+    now.is_cheaper ? settle(u) : raise(u);
   }
 
   void settle(Index u) {
@@ -258,56 +333,62 @@ class DstarLite {
     const bool settled = costs_.is_equal(n.cost, n.ahead);
     if (settled && n.place == kNowhere) return;
     if (settled) return leave(u);
-    n.priority = priority(u);
+    const Entry entry{priority(u), u};
     if (n.place == kNowhere) {
       n.place = static_cast<Index>(heap_.size());
-      heap_.push_back(u);
+      heap_.push_back(entry);
     }
-    rise(n.place);
-    sink(n.place);
+    move(n.place, entry);
   }
 
   void leave(Index u) {
-    const Index hole = nodes_[u].place, last = heap_.back();
+    const Index hole = nodes_[u].place;
+    const Entry last = heap_.back();
     nodes_[u].place = kNowhere;
     heap_.pop_back();
-    if (last == u) return;
-    put(hole, last);
-    rise(hole);
-    sink(nodes_[last].place);
+    if (last.node == u) return;
+    // The last is seldom small: down to the bottom, without looking at it, and up again.
+    rise(sink_hole(hole), last);
   }
 
-  void put(Index place, Index u) {
-    heap_[place] = u;
-    nodes_[u].place = place;
+  void put(Index place, const Entry& entry) {
+    heap_[place] = entry;
+    nodes_[entry.node].place = place;
   }
-  /// Ties by the order in which states were met.
-  bool before(Index u, Index v) const {
-    if (nodes_[u].priority < nodes_[v].priority) return true;
-    return !(nodes_[v].priority < nodes_[u].priority) && u < v;
+  /// To where it belongs, from a place that it may have.
+  void move(Index place, const Entry& entry) {
+    place > 0 && entry < heap_[(place - 1) / 2] ? rise(place, entry) : sink(place, entry);
   }
-  void rise(Index place) {
-    const Index u = heap_[place];
-    for (; place > 0 && before(u, heap_[(place - 1) / 2]); place = (place - 1) / 2) put(place, heap_[(place - 1) / 2]);
-    put(place, u);
+  void rise(Index place, const Entry& entry) {
+    for (; place > 0 && entry < heap_[(place - 1) / 2]; place = (place - 1) / 2) put(place, heap_[(place - 1) / 2]);
+    put(place, entry);
   }
-  void sink(Index place) {
-    const Index u = heap_[place];
+  Index sink_hole(Index place) {
     const auto size = static_cast<Index>(heap_.size());
     for (Index child = 2 * place + 1; child < size; child = 2 * place + 1) {
-      if (child + 1 < size && before(heap_[child + 1], heap_[child])) ++child;
-      if (!before(heap_[child], u)) break;
+      if (child + 1 < size) child += heap_[child + 1] < heap_[child];
       put(place, heap_[child]);
       place = child;
     }
-    put(place, u);
+    return place;
+  }
+  void sink(Index place, const Entry& entry) {
+    const auto size = static_cast<Index>(heap_.size());
+    for (Index child = 2 * place + 1; child < size; child = 2 * place + 1) {
+      if (child + 1 < size) child += heap_[child + 1] < heap_[child];
+      if (!(heap_[child] < entry)) break;
+      put(place, heap_[child]);
+      place = child;
+    }
+    put(place, entry);
   }
 
   const Graph* graph_;
   Costs costs_;
   std::vector<Node> nodes_;
-  std::unordered_map<State, Index, Hash> index_;
-  std::vector<Index> heap_;
+  detail::StateNumbers<Graph, Hash> numbers_;
+  std::vector<Entry> heap_;
+  std::vector<Index> changed_;  // since the last replan()
   Index start_ = 0, goal_ = 0, last_ = 0;
   Key moved_{};
   std::size_t expanded_ = 0;

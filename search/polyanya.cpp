@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <taut/geometry/predicates.h>
+#include <taut/search/detail/landmarks.h>
 #include <taut/search/detail/polyanya_engine.h>
 #include <taut/search/detail/room_entries.h>
 #include <taut/search/query_ends.h>
@@ -77,11 +78,17 @@ Polyanya::Polyanya(FreeSpace space)
 Polyanya::Polyanya(FreeSpace space, Navmesh mesh)
     : space_(std::move(space)), mesh_(std::make_shared<const Navmesh>(std::move(mesh))) {}
 
+Polyanya Polyanya::with_landmarks(std::size_t count) const {
+  Polyanya made = *this;
+  made.landmarks_ = std::make_shared<const detail::Landmarks>(space_, *mesh_, count);
+  return made;
+}
+
 struct PolyanyaSearch::Impl {
   explicit Impl(Polyanya what)
       : polyanya(std::move(what)),
         space(polyanya.space()),
-        engine(polyanya.mesh()),
+        engine(polyanya.mesh(), polyanya.landmarks()),
         polygons_at(space, polyanya.mesh()) {}
 
   SearchStatus start_search(Point from, bool nearest, const SearchLimits& limits) {

@@ -13,6 +13,10 @@
 
 namespace taut {
 
+namespace detail {
+class Landmarks;
+}
+
 /// A free space with its navigation mesh, ready for any number of queries. Immutable, cheap to copy, for any number of threads.
 ///
 /// What it finds is what the visibility graph finds, of exactly the same length, without building one: a first query costs the
@@ -20,15 +24,21 @@ namespace taut {
 class Polyanya {
  public:
   explicit Polyanya(FreeSpace space);
-  /// On a mesh of the same space.
+  /// On a mesh of the same space. With one of navmesh_between only the ends that it was made for may be asked.
   Polyanya(FreeSpace space, Navmesh mesh);
 
   const FreeSpace& space() const { return space_; }
   const Navmesh& mesh() const { return *mesh_; }
 
+  /// The same with a table of distances from `count` far places, for thousands of queries on a world in which paths wind: searches for a single
+  /// goal then look at a fraction of the nodes. Lengths stay the same, exactly. Takes count + 1 searches over the whole mesh; 4 * count bytes a bend.
+  Polyanya with_landmarks(std::size_t count = 8) const;
+  const detail::Landmarks* landmarks() const { return landmarks_.get(); }
+
  private:
   FreeSpace space_;
   std::shared_ptr<const Navmesh> mesh_;
+  std::shared_ptr<const detail::Landmarks> landmarks_;
 };
 
 /// One query after the other in the same memory: once that has grown nothing is allocated. One thread at a time.

@@ -120,6 +120,7 @@ struct ChangingRoadmap {
 
   explicit ChangingRoadmap(std::shared_ptr<const Roadmap> map) : roadmap(std::move(map)) {}
 
+  std::size_t state_count() const { return roadmap->vertex_count(); }
   void each_out(Vertex v, auto&& visit) const {
     for (const Vertex w : roadmap->neighbours(v)) visit(w, leg(v, w));
   }
@@ -173,9 +174,9 @@ struct RoadmapReplanner::Impl {
   DstarLite<ChangingRoadmap, LegSums> search;
 };
 
-RoadmapReplanner::RoadmapReplanner(std::shared_ptr<const Roadmap> roadmap, Vertex start, Vertex goal)
-    : impl_(std::make_unique<Impl>(std::move(roadmap), start, goal)) {
-  TAUT_EXPECTS(std::max(start, goal) < impl_->graph.roadmap->vertex_count());
+RoadmapReplanner::RoadmapReplanner(std::shared_ptr<const Roadmap> roadmap, Vertex start, Vertex goal) {
+  TAUT_EXPECTS(std::max(start, goal) < roadmap->vertex_count());
+  impl_ = std::make_unique<Impl>(std::move(roadmap), start, goal);
 }
 RoadmapReplanner::~RoadmapReplanner() = default;
 RoadmapReplanner::RoadmapReplanner(RoadmapReplanner&&) noexcept = default;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <taut/search/detail/room_entries.h>
+#include <taut/search/polyanya.h>
 #include <taut/search/query_ends.h>
 
 namespace taut {
@@ -54,7 +55,7 @@ GraphSearchResult shortest_path(const VisibilityGraph& graph, Point from, const 
 }
 
 std::optional<Path> shortest_path(const FreeSpace& space, Point from, const Goal& to) {
-  GraphSearchResult result = shortest_path(VisibilityGraph(space), from, to);
+  GraphSearchResult result = shortest_path(Polyanya(space, navmesh_between(space, from, to)), from, to);
   if (result.status != SearchStatus::found) return std::nullopt;
   return std::move(result.path);
 }

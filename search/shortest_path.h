@@ -12,12 +12,12 @@
 
 namespace taut {
 
-/// The shortest path from `from` to the goal; nothing when there is none. One-off: builds the reduced visibility graph.
+/// The shortest path from `from` to the goal; nothing when there is none. One-off: Polyanya on what lies between the ends (navmesh_between).
 /// Throws InputError when `from` or the goal lies outside the world or inside an obstacle (with the point and, when it is known, the wall).
 std::optional<Path> shortest_path(const FreeSpace& space, Point from, const Goal& to);
 std::optional<Path> shortest_path(const FreeSpace& space, Point from, Point to);
 
-/// The same on a finished visibility graph, with counts and limits.
+/// The same length on a finished visibility graph, with counts and limits.
 GraphSearchResult shortest_path(const VisibilityGraph& graph, Point from, const Goal& to,
                                 GraphAlgorithm algorithm = GraphAlgorithm::astar, const SearchLimits& limits = {});
 

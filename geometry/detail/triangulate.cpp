@@ -108,14 +108,25 @@ void triangulate_with(Triangulation& out, std::span<const Ends> pairs, double sc
   }
   for (const auto& [a, b] : pairs) cdt.insert_constraint(handles[a], handles[b]);
 
-  std::uint32_t count = 0;
+  // Triangles in the order of their vertices, along the curve too.
+  std::vector<typename Cdt::Face_handle> faces;
+  faces.reserve(2 * out.points.size());
   for (const auto face : cdt.all_face_handles()) face->info() = kNone;
-  for (const auto face : cdt.finite_face_handles()) face->info() = count++;
-  out.triangles.resize(count);
-  out.neighbours.resize(count);
-  out.constrained.resize(count);
-  for (const auto face : cdt.finite_face_handles()) {
-    const std::uint32_t t = face->info();
+  for (const auto handle : handles) {
+    if (cdt.dimension() < 2) break;
+    auto face = cdt.incident_faces(handle);
+    const auto first = face;
+    do {
+      if (cdt.is_infinite(face) || face->info() != kNone) continue;
+      face->info() = static_cast<std::uint32_t>(faces.size());
+      faces.push_back(face);
+    } while (++face != first);
+  }
+  out.triangles.resize(faces.size());
+  out.neighbours.resize(faces.size());
+  out.constrained.resize(faces.size());
+  for (std::uint32_t t = 0; t < faces.size(); ++t) {
+    const auto face = faces[t];
     for (int i = 0; i < 3; ++i) {
       out.triangles[t][i] = face->vertex(i)->info();
       out.neighbours[t][i] = face->neighbor(i)->info();

@@ -12,6 +12,7 @@ class Blocks {
     mesh.blocks.above.assign(mesh.polygon_count(), kNone);
     mesh.blocks.depth.assign(mesh.polygon_count(), 0);
     mesh.blocks.top.clear();
+    mesh.blocks.bridge.clear();
   }
 
   void run() {
@@ -70,6 +71,7 @@ class Blocks {
   void close_block(std::uint32_t top, std::uint32_t last) {
     const std::uint32_t block = static_cast<std::uint32_t>(mesh_.blocks.top.size());
     mesh_.blocks.top.push_back(top);
+    mesh_.blocks.bridge.push_back(portals_.back() == last ? last : kNone);
     for (std::uint32_t c = kNone; c != last;) {
       c = portals_.back();
       portals_.pop_back();

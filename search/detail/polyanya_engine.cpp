@@ -56,8 +56,12 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 
 }  // namespace
 
-PolyanyaEngine::PolyanyaEngine(const Navmesh& mesh)
-    : mesh_(mesh), best_(mesh.bends.size()), goals_here_(mesh.polygon_count()), allowed_(mesh.blocks.top.size(), 0) {
+PolyanyaEngine::PolyanyaEngine(const Navmesh& mesh, const Landmarks* landmarks)
+    : mesh_(mesh),
+      best_(mesh.bends.size()),
+      goals_here_(mesh.polygon_count()),
+      allowed_(mesh.blocks.top.size(), 0),
+      landmarks_(landmarks, mesh) {
   for (const Navmesh::Corner& c : mesh.corners)
     magnitude_ = std::max({magnitude_, std::abs(c.point.x), std::abs(c.point.y)});
   slack_ = 0x1p-44 * magnitude_;
@@ -83,6 +87,24 @@ void PolyanyaEngine::begin(const Query& query) {
   place_goals(query.goals);
   allow_blocks(query.start_polygons);
   if (query.other_ends) is_separated_ = false;
+  if (nearest_ && !query.other_ends && goals_.size() == 1)
+    landmarks_.aim_at(goals_[0].point, goals_[0].polygons);
+  else
+    landmarks_.aim_at_nothing();
+}
+
+void PolyanyaEngine::measure(std::uint32_t bend, std::vector<double>& distances) {
+  std::vector<std::uint32_t> around;
+  for (const Navmesh::Corner& corner : mesh_.corners)
+    if (corner.bend == bend) around.push_back(corner.polygon);
+  begin({mesh_.corners[mesh_.bends[bend].right_corner].point, around, {}, false, false, {}});
+  std::fill(allowed_.begin(), allowed_.end(), query_);
+  distances.assign(mesh_.bends.size(), kInfinity);
+  distances[bend] = 0;
+  distances_ = &distances;
+  look_around(around);
+  while (take()) node_.enter != kNone ? look_through() : turn();
+  distances_ = nullptr;
 }
 
 void PolyanyaEngine::place_goals(std::span<const MeshGoal> goals) {
@@ -109,6 +131,7 @@ void PolyanyaEngine::place_goals(std::span<const MeshGoal> goals) {
 
 void PolyanyaEngine::allow_blocks(std::span<const std::uint32_t> starts) {
   reachable_.assign(goals_.size(), false);
+  only_bridges_ = true;
   for (const std::uint32_t p : starts)
     for (const GoalPlace& place : goal_places_)
       if (allow_between(p, place.polygon)) reachable_[place.goal] = true;
@@ -125,9 +148,68 @@ bool PolyanyaEngine::allow_between(std::uint32_t p, std::uint32_t q) {
     const std::uint32_t block = tree.above[deeper];
     if (block == kNone) return false;
     allowed_[block] = query_;
+    only_bridges_ = only_bridges_ && tree.bridge[block] != kNone;
     deeper = tree.top[block];
   }
   return true;
+}
+
+/// From start to goal along each pair of their polygons, where no other way leads from the one to the other. False where there is something to search.
+bool PolyanyaEngine::follow_corridors(const Query& query) {
+  if (is_separated_ || !nearest_ || query.other_ends || goals_.size() != 1 || !only_bridges_ ||
+      query.limits.expansions <= mesh_.polygon_count())
+    return false;
+  for (const std::uint32_t p : query.start_polygons)
+    for (const GoalPlace& place : goal_places_)
+      if (lay_out(p, place.polygon, query.start_polygons)) pull_taut();
+  return true;
+}
+
+/// The corridor between two polygons. False when there is none, or when it passes another polygon of the same end: from there it is no longer.
+bool PolyanyaEngine::lay_out(std::uint32_t p, std::uint32_t q, std::span<const std::uint32_t> starts) {
+  const Navmesh::BlockTree& tree = mesh_.blocks;
+  const std::uint32_t start = p, goal = q;
+  const auto is_other_end = [&](std::uint32_t polygon) {
+    return (polygon != goal && goals_here_[polygon].query == query_) ||
+           (polygon != start && starts.size() > 1 && std::find(starts.begin(), starts.end(), polygon) != starts.end());
+  };
+  corridor_.clear();
+  corridor_back_.clear();
+  if (is_other_end(p) || is_other_end(q)) return false;
+  while (p != q) {
+    const bool ahead = tree.depth[p] >= tree.depth[q];
+    std::uint32_t& deeper = ahead ? p : q;
+    const std::uint32_t block = tree.above[deeper];
+    if (block == kNone) return false;
+    std::uint32_t c = tree.bridge[block];
+    if ((mesh_.corners[c].polygon == deeper) != ahead) c = mesh_.corners[c].across;
+    (ahead ? corridor_ : corridor_back_).push_back(c);
+    deeper = tree.top[block];
+    if (p != q && is_other_end(deeper)) return false;
+  }
+  corridor_.insert(corridor_.end(), corridor_back_.rbegin(), corridor_back_.rend());
+  return true;
+}
+
+void PolyanyaEngine::pull_taut() {
+  const Point end = goals_[0].point;
+  string_.begin(roots_[0].point);
+  Point right = roots_[0].point, left = right;
+  for (const std::uint32_t c : corridor_) {
+    const Point a = mesh_.corners[c].point, b = mesh_.corners[mesh_.next(c)].point;
+    if (a != right) string_.widen_right(right = a);
+    if (b != left) string_.widen_left(left = b);
+  }
+  const std::vector<Point>& points = string_.close(end);
+  std::uint32_t root = 0;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const Root& before = roots_[root];
+    const double leg = distance(before.point, points[i]), length = before.length + leg;
+    const Root next{points[i], length, error_of(before, leg, length), root, kNone};
+    root = static_cast<std::uint32_t>(roots_.size());
+    roots_.push_back(next);
+  }
+  improve(root, 0, end);
 }
 
 bool PolyanyaEngine::out_of_time() { return limits_.seconds < 1e9 && expanded_ % 64 == 0 && now() >= deadline_; }
@@ -256,7 +338,7 @@ void PolyanyaEngine::follow(const Cone& cone, std::uint32_t polygon, std::uint32
 void PolyanyaEngine::pass(const Cone& cone, std::uint32_t side, Point a, Point b, bool right_is_a, bool left_is_b) {
   const Navmesh::Corner& corner = mesh_.corners[side];
   if (corner.across == kNone || allowed_[corner.block] != query_) return;
-  const double bound = bound_through(cone, a, b, right_is_a, left_is_b);
+  const double bound = std::max(roots_[cone.root].least, bound_through(cone, a, b, right_is_a, left_is_b));
   if (bound > bound_) return;
   push({bound, cone.root, corner.across, right_is_a ? side : cone.right, left_is_b ? corner.across : cone.left});
 }
@@ -297,14 +379,15 @@ void PolyanyaEngine::see_corner(std::uint32_t root, std::uint32_t corner) {
   const bool known = best.query == query_;
   if (known && (roots_[best.root].before == root || best.root == root)) return;
   const double leg = distance(before.point, at), length = before.length + leg;
-  const double error = before.error + 0x1p-50 * leg + 0x1p-52 * length + 1e-150;
+  const double error = error_of(before, leg, length);
   const double slack = slack_ + error + 0x1p-50 * length;
-  const double bound = length + to_goal(at) - slack;
+  if (distances_) (*distances_)[bend] = std::min((*distances_)[bend], length);
+  const double bound = length + std::max(to_goal(at), landmarks_.rest(bend)) - slack;
   if (bound > bound_) return;
   const std::uint32_t turns = turns_at(before.point, corner);
   if (turns == 0 || (known && is_worse(root, at, length, error, best.root))) return;
   best = {query_, static_cast<std::uint32_t>(roots_.size())};
-  roots_.push_back({at, length, error, root, bend});
+  roots_.push_back({at, length, error, root, bend, bound});
   push({bound, best.root, kNone, turns, 0});
 }
 
@@ -378,7 +461,7 @@ bool PolyanyaEngine::is_shorter_exactly(std::uint32_t a, Point end_a, std::uint3
 void PolyanyaEngine::improve(std::uint32_t root, std::uint32_t goal, Point end) {
   const Root& from = roots_[root];
   const double leg = distance(from.point, end), length = from.length + leg;
-  const double error = from.error + 0x1p-50 * leg + 0x1p-52 * length + 1e-150;
+  const double error = error_of(from, leg, length);
   Way& way = ways_[nearest_ ? 0 : goal];
   if (way.exists()) {
     const double difference = length - way.length, doubt = error + way.error;

@@ -10,6 +10,8 @@
 
 #include <taut/geometry/detail/side.h>
 #include <taut/roadmaps/navmesh.h>
+#include <taut/search/detail/landmarks.h>
+#include <taut/search/detail/taut_string.h>
 #include <taut/search/graph_search.h>
 
 namespace taut::detail {
@@ -26,12 +28,15 @@ struct MeshGoal {
 /// from it through a portal: a cone between two rays, each through a corner, or away from the root before (the straight
 /// continuation of the last leg). Rays are never rounded, so what is seen is exact: every test is the side of three given points.
 ///
+/// Where only one way leads from polygon to polygon, as in a maze without loops, there is nothing to search: a string is pulled taut along it.
+///
 /// Two numbers are doubles, with their error bounds: a root's length, and the lower bound of a path through a node, by which
 /// the queue is ordered. Where bounds overlap lengths are compared as sums of roots, and the search goes on until no open node's lower bound
 /// is below the best path's upper one. So the path is the shortest, whatever was rounded.
 class PolyanyaEngine {
  public:
-  explicit PolyanyaEngine(const Navmesh& mesh);
+  /// `landmarks` may be absent; they outlive the engine.
+  explicit PolyanyaEngine(const Navmesh& mesh, const Landmarks* landmarks = nullptr);
 
   /// What is asked. `start_polygons` are those that hold `start`.
   struct Query {
@@ -59,6 +64,7 @@ class PolyanyaEngine {
   SearchStatus run(const Query& query, OnRoot&& on_root) {
     begin(query);
     on_root(query.start, 0);
+    if (follow_corridors(query)) return SearchStatus::found;
     if (!is_separated_) look_around(query.start_polygons);
     while (take()) {
       if (expanded_ >= query.limits.expansions || out_of_time()) return SearchStatus::stopped;
@@ -72,6 +78,9 @@ class PolyanyaEngine {
     }
     return found() ? SearchStatus::found : SearchStatus::none;
   }
+
+  /// The lengths of the shortest paths from one bend to all, to within a few roundings; infinite where there is none.
+  void measure(std::uint32_t bend, std::vector<double>& distances);
 
   /// A further way to goal 0, straight from `root` to `end`.
   void add_way(std::uint32_t root, Point end) { improve(root, 0, end); }
@@ -98,6 +107,7 @@ class PolyanyaEngine {
     double error;  // of `length`, at most
     std::uint32_t before;
     std::uint32_t bend;
+    double least = 0;  // of a path through it, at least
   };
 
   /// enter: the side, seen from inside, of the polygon that the cone comes to; kNone: the root's turns, those in `right`.
@@ -121,6 +131,11 @@ class PolyanyaEngine {
     int from_left(Point p) const { return left_sign * side_of(origin, left_through, p); }
   };
 
+  /// Of the length of a way: to `before`, then `leg`; `length` is the sum.
+  static double error_of(const Root& before, double leg, double length) {
+    return before.error + 0x1p-50 * leg + 0x1p-52 * length + 1e-150;
+  }
+
   struct Best {
     std::uint32_t query = 0;
     std::uint32_t root = kNone;
@@ -138,6 +153,9 @@ class PolyanyaEngine {
   void place_goals(std::span<const MeshGoal> goals);
   void allow_blocks(std::span<const std::uint32_t> starts);
   bool allow_between(std::uint32_t p, std::uint32_t q);
+  bool follow_corridors(const Query& query);
+  bool lay_out(std::uint32_t p, std::uint32_t q, std::span<const std::uint32_t> starts);
+  void pull_taut();
   bool out_of_time();
   bool found() const;
 
@@ -176,12 +194,17 @@ class PolyanyaEngine {
   std::vector<GoalPlace> goal_places_;  // by polygon
   std::vector<Way> ways_;
   std::vector<Segment> legs_a_, legs_b_;
+  std::vector<std::uint32_t> corridor_, corridor_back_;  // the corners of its portals, from the polygon that is left
+  TautString string_;
   std::vector<bool> reachable_;  // by goal
+  LandmarkBounds landmarks_;
+  std::vector<double>* distances_ = nullptr;  // by bend, while measuring
 
   std::span<const MeshGoal> goals_;
   Box goal_box_;
   bool nearest_ = true;
   bool is_separated_ = false;  // no goal lies in a component of the start
+  bool only_bridges_ = false;  // from start to goals one way leads, portal after portal
   std::size_t unreached_ = 0;  // of goals asked each
   double bound_ = 0;           // no way longer than this is of interest
   Node next_{};                // the best of those just made, not yet in the heap

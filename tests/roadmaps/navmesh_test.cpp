@@ -1,9 +1,12 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <memory>
 #include <set>
 
 #include <taut/geometry/predicates.h>
+#include <taut/geometry/maze_generator.h>
 #include <taut/roadmaps/navmesh.h>
 
 #include "support/random_world.h"
@@ -54,6 +57,16 @@ TEST(Navmesh, HasABendAtTheFreeEndOfAWall) {
   ASSERT_EQ(mesh.bends.size(), 1U);
   EXPECT_EQ(mesh.bends[0].right, (Point{5, 0}));
   EXPECT_EQ(mesh.corners[mesh.bends[0].right_corner].point, (Point{5, 6}));
+}
+
+TEST(Navmesh, BetweenTwoPlacesOfAPerfectMazeIsTheCorridor) {
+  const FreeSpace space(world_of(std::make_shared<GridMaze>(generate_backtracker(60, 60, 1))));
+  const Navmesh all = navmesh(space), near = navmesh_between(space, {0.5, 0.5}, {Point{2.5, 0.5}, {}});
+  EXPECT_LT(near.polygon_count() * 2, all.polygon_count());
+  for (std::uint32_t p = 0; p < near.polygon_count(); ++p) {
+    const auto ring = near.ring(p);
+    EXPECT_LE(std::count_if(ring.begin(), ring.end(), [](const auto& c) { return c.across != kNone; }), 2);
+  }
 }
 
 RC_GTEST_PROP(Navmesh, IsConvexAndCoversTheFreeSpace, ()) {

@@ -37,7 +37,7 @@ struct Grid {
   int heuristic(int s, int t) const { return std::abs(s % width - t % width) + std::abs(s / width - t / width); }
 };
 
-/// A directed graph of numbered edges; heuristic 0, or one that a potential gives.
+/// A directed graph of numbered states; heuristic 0, or one that a potential gives.
 template <class Number>
 struct Graph {
   using State = int;
@@ -47,6 +47,7 @@ struct Graph {
   std::vector<Number> potential;  // heuristic(s, t) = potential[s] - potential[t], where positive
 
   explicit Graph(int n) : out(static_cast<std::size_t>(n)), in(out.size()), potential(out.size()) {}
+  std::size_t state_count() const { return out.size(); }
   void set(int s, int t, Number cost) {
     out[static_cast<std::size_t>(s)][t] = cost;
     in[static_cast<std::size_t>(t)][s] = cost;
@@ -83,6 +84,8 @@ std::map<int, typename G::Cost> dijkstra(const G& graph, int goal) {
   }
   return final;
 }
+
+static_assert(!NumberedGraph<Grid> && NumberedGraph<Graph<int>>, "both ways to find a state are tested");
 
 template <class G>
 void require_right(const G& graph, DstarLite<G>& search) {
@@ -181,6 +184,15 @@ TEST(DstarLite, LooksAtLessThanTheWholeGridWhenAWallTurnsUpNearTheStart) {
   search.replan();
   EXPECT_EQ(search.cost(), 198);
   EXPECT_LT(search.expanded(), 20U);
+}
+
+TEST(DstarLite, LooksAtNoMoreThanAStraightWayWhereNothingIsInTheWay) {
+  // All cells of the rectangle between start and goal have the same estimate.
+  Grid grid{100, 100, {}};
+  DstarLite<Grid> search(grid, 0, 9999);
+  ASSERT_EQ(search.replan(), SearchStatus::found);
+  EXPECT_EQ(search.cost(), 198);
+  EXPECT_LT(search.expanded(), 400U);
 }
 
 RC_GTEST_PROP(DstarLite, AgreesWithDijkstraWhileARobotDiscoversAGrid, ()) {

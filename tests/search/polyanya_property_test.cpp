@@ -39,7 +39,8 @@ void expect_agreement(const VisibilityGraph& graph, PolyanyaSearch& search, Poin
 void agree_in(const SmallWorld& world, int queries) {
   const FreeSpace space = world.space();
   const VisibilityGraph graph(space);
-  PolyanyaSearch merged{Polyanya(space)}, triangles{Polyanya(space, triangle_navmesh(space))};
+  PolyanyaSearch merged{Polyanya(space)}, triangles{Polyanya(space, triangle_navmesh(space))},
+      landmarks{Polyanya(space).with_landmarks(3)};
   const int side = static_cast<int>(world.area[2].x);
   for (int n = 0; n < queries; ++n) {
     const Point from = any_place(side), to = any_place(side);
@@ -48,6 +49,9 @@ void agree_in(const SmallWorld& world, int queries) {
     const std::string what = show(world) + " from " + show(from) + " to " + show(to);
     expect_agreement(graph, merged, from, {to, {}}, what);
     expect_agreement(graph, triangles, from, {to, {}}, what + " (triangles)");
+    expect_agreement(graph, landmarks, from, {to, {}}, what + " (landmarks)");
+    PolyanyaSearch between{Polyanya(space, navmesh_between(space, from, {to, {}}))};
+    expect_agreement(graph, between, from, {to, {}}, what + " (mesh without dead ends)");
   }
 }
 
@@ -72,8 +76,10 @@ RC_GTEST_PROP(PolyanyaProperty, EntersARoomWhereTheVisibilityGraphDoes, ()) {
     Goal to;
     const int x = any(0, 4), y = any(0, 5);
     to.room = {{{double(x), double(y)}, {x + 1.0, y + 1.0}}, {{x + 1.0, double(y)}, {x + 2.0, y + 1.0}}};
-    expect_agreement(graph, search, from, to,
-                     fmt::format("{} from {} to the room at {}, {}", show(world), show(from), x, y));
+    const std::string what = fmt::format("{} from {} to the room at {}, {}", show(world), show(from), x, y);
+    expect_agreement(graph, search, from, to, what);
+    PolyanyaSearch between{Polyanya(space, navmesh_between(space, from, to))};
+    expect_agreement(graph, between, from, to, what + " (mesh without dead ends)");
   }
 }
 
@@ -98,7 +104,8 @@ RC_GTEST_PROP(PolyanyaProperty, IsAsLongAsInTheVisibilityGraphOffEveryLattice, (
 RC_GTEST_PROP(PolyanyaProperty, FindsTheNearestOfSeveralGoalsAndEachOfThem, ()) {
   const SmallWorld world = any_world({.side = 6, .walls = 12, .solids = 2});
   const FreeSpace space = world.space();
-  PolyanyaSearch one{Polyanya(space)}, all{Polyanya(space)};
+  const auto mesh = [&] { return any(0, 1) == 0 ? navmesh(space) : triangle_navmesh(space); };
+  PolyanyaSearch one{Polyanya(space)}, all{Polyanya(space, mesh())};
   const Point from = any_place(6);
   if (space.locate(from).kind == Location::Kind::outside) return;
   std::vector<Point> goals;
@@ -117,7 +124,12 @@ RC_GTEST_PROP(PolyanyaProperty, FindsTheNearestOfSeveralGoalsAndEachOfThem, ()) 
   RC_ASSERT((all.find_nearest(from, goals) == SearchStatus::found) == least.has_value());
   if (!least) return;
   const GraphSearchResult nearest = all.result();
-  RC_ASSERT(nearest.path.length == *least);
+  if (nearest.path.length != *least) {
+    std::string places;
+    for (const Point p : goals) places += show(p) + " ";
+    RC_FAIL(fmt::format("{} from {} to the nearest of {}: {} instead of {}", show(world), show(from), places,
+                        nearest.path.length.decimals(20), least->decimals(20)));
+  }
   RC_ASSERT(nearest.path.points.back() == goals[nearest.goal]);
 }
 
