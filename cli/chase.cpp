@@ -225,7 +225,18 @@ void add_generate_options(CLI::App& app, GenerateOptions& options) {
       ->type_name("N")
       ->check(CLI::Range(1, 1'000'000))
       ->group("Map");
-  app.add_flag("--costly", options.recipe.costly, "Hills of cost 1 to 100, else every free cell costs 1")->group("Map");
+  app.add_flag("--costly", options.recipe.costly,
+               "Hills of cost 1 to 100, in a building costs that rise towards walls; else every free cell costs 1")
+      ->group("Map");
+  app.add_flag_callback(
+         "--building", [&options] { options.recipe.ground = ChaseGround::building; },
+         "One building of corridors and rooms instead of a town")
+      ->group("Map");
+  app.add_option("--inflation", options.recipe.inflation,
+                 "In a costly building a cell costs 1 + 10 for each cell of wall so near in x and y (default: 12)")
+      ->type_name("CELLS")
+      ->check(CLI::Range(1, 100))
+      ->group("Map");
   app.add_option_function<std::string>(
          "--buildings",
          [&options](const std::string& text) {
