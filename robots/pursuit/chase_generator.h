@@ -16,12 +16,14 @@ enum class ChaseGround {
 struct ChaseRecipe {
   int x_size = 200;
   int y_size = 200;
-  int seconds = 400;       ///< trajectory entries
-  bool costly = false;     ///< smooth hills of cost 1..100 over a town, costs that rise towards walls in a building; else every free cell costs 1
+  int seconds = 400;  ///< trajectory entries
+  bool costly =
+      false;  ///< smooth hills of cost 1..100 over a town, costs that rise towards walls in a building; else every free cell costs 1
   double buildings = 0.2;  ///< share of the town, roughly, under buildings: 0 .. 0.6
   std::uint64_t seed = 1;
   ChaseGround ground = ChaseGround::town;
-  int inflation = 12;  ///< in a costly building a cell costs 1 + 10 for each cell of wall no farther than this in x and y: 1 .. 100
+  int inflation =
+      12;  ///< in a costly building a cell costs 1 + 10 for each cell of wall no farther than this in x and y: 1 .. 100
 };
 
 /// The target walks on ways of fewest moves from one random place to the next. All free cells are connected with the robot's start, so the target can be met, given the seconds. Same recipe, same map, everywhere.

@@ -99,7 +99,8 @@ std::vector<std::uint8_t> building(int x_size, int y_size, taut::detail::Draws& 
 
 std::vector<std::uint32_t> inflated(const std::vector<std::uint8_t>& walls, int x_size, int y_size, int radius) {
   const auto rows = static_cast<std::size_t>(x_size), columns = static_cast<std::size_t>(y_size);
-  std::vector<std::uint32_t> sums((rows + 1) * (columns + 1), 0), costs(walls.size());  // of all cells below and to the left
+  std::vector<std::uint32_t> sums((rows + 1) * (columns + 1), 0),
+      costs(walls.size());  // of all cells below and to the left
   const auto sum = [&](int x, int y) -> std::uint32_t& {
     return sums[static_cast<std::size_t>(x) * (columns + 1) + static_cast<std::size_t>(y)];
   };

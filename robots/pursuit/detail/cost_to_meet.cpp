@@ -5,14 +5,15 @@
 
 namespace taut::pursuit::detail {
 
-CostToMeet::CostToMeet(Workspace& work, std::int64_t u, std::uint32_t lo, const std::vector<Meeting>& meetings,
+CostToMeet::CostToMeet(Worker& worker, std::int64_t u, std::uint32_t lo, const std::vector<Meeting>& meetings,
                        const std::vector<int>& latest)
-    : work_(work), u_(u), key_(work.map().index_count(), kFar) {
+    : work_(worker.work), u_(u), key_(work_.map().index_count(), kFar) {
+  const Workspace& work = work_;
   const ChaseMap& map = work.map();
   RadixHeap<CellIndex> queue;
   base_ = kNoCost;
   for (const Meeting& m : meetings) base_ = std::min(base_, u * work.seconds(m));
-  const auto most = static_cast<std::uint64_t>(std::max<Cost>(0, work.upper() - base_));
+  const auto most = static_cast<std::uint64_t>(std::max<Cost>(0, worker.upper() - base_));
   const auto enter = [&](CellIndex c, std::uint64_t cost, std::uint64_t moves) {
     if (cost >= most || latest[c] < 0) return;
     const std::uint64_t key = (cost << work.bits) | moves;
@@ -22,12 +23,12 @@ CostToMeet::CostToMeet(Workspace& work, std::int64_t u, std::uint32_t lo, const 
   };
   for (const Meeting& m : meetings)
     if (map.cost(m.cell) >= lo) enter(m.cell, static_cast<std::uint64_t>(u * work.seconds(m) - base_), 0);
-  ++work.effort.searches;
+  ++worker.effort.searches;
   const std::uint64_t most_moves = (std::uint64_t{1} << work.bits) - 1;
   for (std::size_t since = 0; !queue.empty();) {
     const auto [key, cell] = queue.pop();
     if (key != key_[cell]) continue;
-    work.count(since);
+    worker.count(since);
     const std::uint64_t cost = key >> work.bits, moves = std::min((key & most_moves) + 1, most_moves);
     for (const std::ptrdiff_t step : work.steps) {
       const CellIndex before = work.neighbour(cell, step);
