@@ -131,14 +131,13 @@ class Planning {
     const int last = meetings.back().second - chase.now;
     work_.bits = static_cast<int>(std::bit_width(static_cast<unsigned>(last))) + 1;
     work_.steps = neighbour_steps(map);
-    std::vector<int> hops;
     side_by_side([&] { work_.latest = latest_departures(map, meetings, chase.now, 0); },
-                 [&] { hops = hops_to(map, chase.from, meetings, last); });
+                 [&] { work_.hops = hops_from(map, chase.from, last); });
     work_.is_target.assign(map.index_count(), 0);
-    for (std::size_t i = 0; i < meetings.size(); ++i)
-      if (hops[i] <= work_.seconds(meetings[i])) {
-        meetings_.push_back(meetings[i]);
-        work_.is_target[meetings[i].cell] = 1;
+    for (const Meeting& m : meetings)
+      if (work_.hops[m.cell] <= work_.seconds(m)) {
+        meetings_.push_back(m);
+        work_.is_target[m.cell] = 1;
       }
     if (meetings_.empty()) return false;
     offer_earliest(here_.worker, meetings);
@@ -146,19 +145,22 @@ class Planning {
     return true;
   }
 
-  // A way's cheapest cell costs no more than its first.
-  void collect_values() {
+  // A way's cheapest cell costs no more than its first. Leaves cells that nobody passes who is in time.
+  void survey() {
     const ChaseMap& map = work_.map();
     const std::uint32_t most = map.cost(work_.chase->from);
+    std::uint32_t dearest = 0;
     for (std::size_t i = 0; i < map.index_count(); ++i) {
+      if (work_.latest[i] < work_.hops[i]) work_.latest[i] = -1;
+      if (work_.latest[i] < 0) continue;
       const std::uint32_t cost = map.costs()[i];
-      if (cost == ChaseMap::kObstacle || work_.latest[i] < 0) continue;
-      work_.dearest = std::max(work_.dearest, cost);
+      dearest = std::max(dearest, cost);
       if (cost > most) continue;
       if (values_.empty() || values_.back() != cost) values_.push_back(cost);
       if (values_.size() == values_.capacity()) make_unique();
     }
     make_unique();
+    work_.choose_parts(dearest);
   }
   void make_unique() {
     std::sort(values_.begin(), values_.end());
@@ -167,7 +169,7 @@ class Planning {
   }
 
   void search() {
-    collect_values();
+    survey();
     open_.push_back({0, 0, values_.size() - 1, std::vector<Cost>(meetings_.size(), 0)});
     Cost stuck = kNoCost;
     while (!open_.empty() && open_.front().bound < best_.cost) {
@@ -194,7 +196,7 @@ class Planning {
 
   static RangeSearch::Answer evaluated(RangeSearch& search, const Range& range, Open& node, std::size_t most_labels) {
     search.begin(range, std::move(node.bounds));
-    search.pass(range.lo);
+    search.pass(search.worker.work.parts * range.lo);
     return search.finish(most_labels);
   }
 
@@ -209,8 +211,9 @@ class Planning {
     const Range range = range_of(node);
     here_.begin(range, node.bounds);
     beside_.begin(range, std::move(node.bounds));
-    side_by_side([&] { here_.pass(range.lo); }, [&] { beside_.pass(beside_.guess()); });
+    side_by_side([&] { here_.pass(work_.parts * range.lo); }, [&] { beside_.pass(beside_.guess()); });
     here_.absorb(beside_);
+    beside_.release();
     return here_.finish(most_labels(node));
   }
 

@@ -17,20 +17,25 @@ void RangeSearch::begin(const Range& range, std::vector<Cost> bounds) {
   subjects_.assign(meetings_.size(), {});
   for (std::size_t i = 0; i < meetings_.size(); ++i)
     subjects_[i].bound = std::max(bounds[i], Cost{range.lo} * worker.work.seconds(meetings_[i]));
+  latest_.clear();
   tried_.clear();
   answer_ = {};
 }
 
-void RangeSearch::pass(Cost u) {
+std::vector<Meeting> RangeSearch::live() const {
   std::vector<Meeting> live;
+  for (std::size_t i = 0; i < meetings_.size(); ++i)
+    if (is_live(subjects_[i])) live.push_back(meetings_[i]);
+  return live;
+}
+
+void RangeSearch::pass(Cost u) {
   std::vector<std::size_t> index;
   for (std::size_t i = 0; i < meetings_.size(); ++i)
-    if (is_live(subjects_[i])) {
-      live.push_back(meetings_[i]);
-      index.push_back(i);
-    }
+    if (is_live(subjects_[i])) index.push_back(i);
+  const std::vector<Meeting> live = this->live();
   tried_.push_back(u);
-  const std::vector<Reach>& reached = forward_.run(range_, u, live);
+  const std::vector<Reach>& reached = forward_.run(range_, u, live, latest_.empty() ? worker.work.latest : latest_);
   Cost least = kNoCost;
   CellIndex where = 0;
   for (std::size_t i = 0; i < live.size(); ++i) {
@@ -47,11 +52,14 @@ void RangeSearch::pass(Cost u) {
 
 void RangeSearch::note(std::size_t i, Cost u, const Reach& reach) {
   Subject& s = subjects_[i];
-  s.bound = std::max(s.bound, reach.bound);
+  if (reach.bound > s.bound) {
+    s.bound = reach.bound;
+    s.best_u = u;
+  }
   if (reach.bound >= kNoCost) return;
   const Line line{reach.moves_cost, Cost{worker.work.seconds(meetings_[i])} - reach.moves};
   (line.slack < 0 ? s.late : s.early) = line;
-  s.is_done = u == Cost{range_.lo} && line.slack >= 0;
+  s.is_done = u == lo() && line.slack >= 0;
 }
 
 void RangeSearch::absorb(const RangeSearch& beside) {
@@ -59,14 +67,18 @@ void RangeSearch::absorb(const RangeSearch& beside) {
   tried_.insert(tried_.end(), beside.tried_.begin(), beside.tried_.end());
   for (std::size_t i = 0; i < subjects_.size(); ++i) {
     const Subject& other = beside.subjects_[i];
-    subjects_[i].bound = std::max(subjects_[i].bound, other.bound);
+    if (other.bound > subjects_[i].bound) {
+      subjects_[i].bound = other.bound;
+      subjects_[i].best_u = other.best_u;
+    }
     if (other.late.slack < 0) subjects_[i].late = other.late;
     if (other.early.slack >= 0) subjects_[i].early = other.early;
   }
 }
 
+// In parts.
 Cost RangeSearch::mean_cost() const {
-  return worker.upper() < kNoCost ? worker.upper() / std::max(1, worker.best.seconds) + 1 : 1;
+  return worker.upper() < kNoCost ? worker.work.parts * (worker.upper() / std::max(1, worker.best.seconds) + 1) : 1;
 }
 
 Cost RangeSearch::guess() const {
@@ -82,9 +94,11 @@ bool RangeSearch::descend() {
   const Cost lowest = *std::min_element(tried_.begin(), tried_.end());
   Cost u = lowest > 0 ? 0 : std::min(4 * lowest, -mean_cost());
   if (least->early.slack >= 0)
-    u = floor_divided(least->early.moves_cost - least->late.moves_cost, least->late.slack - least->early.slack);
-  u = std::clamp(u, worker.work.least_u(worker.upper()), Cost{range_.lo});
+    u = floor_divided(worker.work.parts * (least->early.moves_cost - least->late.moves_cost),
+                      least->late.slack - least->early.slack);
+  u = std::clamp(u, worker.work.least_u(worker.upper()), lo());
   if (std::find(tried_.begin(), tried_.end(), u) != tried_.end()) return false;
+  if (latest_.empty()) latest_ = worker.work.latest_for(live(), range_.lo);
   pass(u);
   return true;
 }
@@ -92,16 +106,14 @@ bool RangeSearch::descend() {
 RangeSearch::Answer RangeSearch::finish(std::size_t most_labels) {
   while (descend()) {
   }
-  std::vector<Meeting> late;
-  Cost least_late = kNoCost;
-  for (std::size_t i = 0; i < meetings_.size(); ++i)
-    if (is_live(subjects_[i])) {
-      late.push_back(meetings_[i]);
-      least_late = std::min(least_late, subjects_[i].bound);
-    }
-  if (least_late < answer_.bound) {
+  const Subject* least = nullptr;
+  for (const Subject& s : subjects_)
+    if (is_live(s) && (!least || s.bound < least->bound)) least = &s;
+  if (least && least->bound < answer_.bound) {
+    const Cost least_late = least->bound;
     forward_.release();
-    const std::optional<RangeBound> labels = search_labels(worker, range_, late, most_labels);
+    const std::optional<RangeBound> labels =
+        search_labels(worker, range_, live(), std::min(least->best_u, lo()), most_labels);
     answer_.is_open = !labels;
     if (!labels) answer_.bound = least_late;
     if (labels && labels->least < answer_.bound) {

@@ -28,9 +28,11 @@ class RangeSearch {
 
   /// `bounds`: what is known of each meeting.
   void begin(const Range& range, std::vector<Cost> bounds);
-  void pass(Cost u);                       ///< one search
+  void pass(Cost u);                       ///< one search; u in parts
   void absorb(const RangeSearch& beside);  ///< what another search has found about the same range
-  Answer finish(std::size_t most_labels);  ///< further searches. After pass(lo)
+  Answer finish(std::size_t most_labels);  ///< further searches. After pass(parts * lo)
+
+  void release() { forward_.release(); }  ///< the memory; after the last question
 
   Cost guess() const;  ///< for the u of a further pass, when it is not known which meeting needs it
 
@@ -44,11 +46,14 @@ class RangeSearch {
   };
   struct Subject {
     Cost bound = 0;
+    Cost best_u = 0;       // where the bound is that high
     bool is_done = false;  // in time at u = lo
     Line late{0, 0}, early{0, -1};
   };
 
   bool is_live(const Subject& s) const { return !s.is_done && s.bound < worker.upper(); }
+  std::vector<Meeting> live() const;
+  Cost lo() const { return worker.work.parts * range_.lo; }
   void note(std::size_t i, Cost u, const Reach& reach);
   bool descend();
   Cost mean_cost() const;
@@ -57,6 +62,7 @@ class RangeSearch {
   ForwardSearch forward_;
   Range range_;
   std::vector<Subject> subjects_;
+  std::vector<int> latest_;  // for the meetings that a first search left
   std::vector<Cost> tried_;
   Answer answer_;
 };

@@ -7,17 +7,34 @@ namespace taut::pursuit::detail {
 
 namespace {
 
+constexpr Cost kParts = 16;
 constexpr int kMostTraces = 32;
 constexpr int kWorthATrace = 64;  // parts of the best cost that a way must seem better by, while the search goes on
+
+Cost rounded_up(Cost a, Cost b) { return a / b + (a % b > 0); }  // b > 0
 
 bool by_cell(const Meeting& a, const Meeting& b) { return a.cell != b.cell ? a.cell < b.cell : a.second < b.second; }
 
 }  // namespace
 
+std::vector<int> Workspace::latest_for(const std::vector<Meeting>& meetings, std::uint32_t lo) const {
+  std::vector<int> departures = latest_departures(map(), meetings, chase->now, lo);
+  for (std::size_t i = 0; i < departures.size(); ++i)
+    if (departures[i] < hops[i]) departures[i] = -1;
+  return departures;
+}
+
+void Workspace::choose_parts(std::uint32_t dearest_cost) {
+  dearest = dearest_cost;
+  const Cost last = std::max(1, chase->meetings.back().second - chase->now);
+  const bool fits = kParts * dearest < (std::numeric_limits<Cost>::max() >> bits) / 4 / last;
+  parts = fits ? kParts : 1;
+}
+
 Cost Workspace::least_u(Cost upper) const {
   const Cost last = std::max(1, chase->meetings.back().second - chase->now);
-  const Cost room = (std::numeric_limits<Cost>::max() >> bits) - std::min(upper, kNoCost >> bits);
-  return -std::min(Cost{dearest}, std::max<Cost>(0, room / last - 1));
+  const Cost most = (std::numeric_limits<Cost>::max() >> bits) / parts, room = most - std::min(upper, most);
+  return -std::min(Cost{dearest}, std::max<Cost>(0, room / last - 1)) * parts;
 }
 
 void Worker::offer(const std::vector<CellIndex>& way, int seconds) {
@@ -62,9 +79,11 @@ void ForwardSearch::begin(Query& query) {
   queue_.push(0, (std::uint64_t{from} << 1) | touched);
 }
 
-const std::vector<Reach>& ForwardSearch::run(const Range& range, Cost u, const std::vector<Meeting>& meetings) {
+const std::vector<Reach>& ForwardSearch::run(const Range& range, Cost u, const std::vector<Meeting>& meetings,
+                                             const std::vector<int>& latest) {
   range_ = range;
   u_ = u;
+  latest_ = &latest;
   reached_.assign(meetings.size(), {});
   if (work_.map().cost(work_.chase->from) < range.lo || meetings.empty()) return reached_;
   Query query{meetings, {}, std::vector<std::uint8_t>(meetings.size(), 0), 0, meetings.size(), 0};
@@ -87,7 +106,7 @@ bool ForwardSearch::is_over(Query& query, std::uint64_t key) const {
   while (query.first < query.end && query.settled[query.end - 1]) --query.end;
   if (query.first == query.end) return true;
   const Meeting& nearest = query.meetings[u_ >= 0 ? query.first : query.end - 1];
-  query.most_reduced = worker_.upper() - u_ * work_.seconds(nearest) - 1;
+  query.most_reduced = work_.parts * worker_.upper() - u_ * work_.seconds(nearest) - 1;
   return static_cast<Cost>(key >> work_.bits) > query.most_reduced;
 }
 
@@ -99,17 +118,17 @@ void ForwardSearch::expand(Query& query, std::uint64_t key, std::uint64_t state)
   const std::uint64_t most_moves = (std::uint64_t{1} << work_.bits) - 1;
   const std::uint64_t next = key + step_key(cell) + ((key & most_moves) < most_moves);
   if (static_cast<Cost>(next >> work_.bits) > query.most_reduced) return;
-  for (const std::ptrdiff_t step : work_.steps) relax(query, work_.neighbour(cell, step), touched, next);
+  for (const std::ptrdiff_t step : work_.steps) relax(work_.neighbour(cell, step), touched, next);
 }
 
-void ForwardSearch::relax(Query&, CellIndex cell, bool touched, std::uint64_t key) {
+void ForwardSearch::relax(CellIndex cell, bool touched, std::uint64_t key) {
   if (key >= near_[cell]) return;
   const std::uint32_t cost = work_.map().cost(cell);
   if (cost == ChaseMap::kObstacle || cost < range_.lo) return;
   touched = touched || cost <= range_.hi;
   std::uint64_t& known = (touched ? near_ : far_)[cell];
   if (key >= known) return;
-  if (work_.latest[cell] < 0) return;
+  if ((*latest_)[cell] < 0) return;
   known = key;
   queue_.push(key, (std::uint64_t{cell} << 1) | touched);
 }
@@ -124,10 +143,11 @@ void ForwardSearch::arrive(Query& query, std::uint64_t key, CellIndex cell) {
   for (; at != query.by_cell.end() && at->first.cell == cell; ++at) {
     const int seconds = work_.seconds(at->first);
     query.settled[at->second] = 1;
-    reached_[at->second] = {reduced + u_ * seconds, reduced + u_ * moves, moves};
+    reached_[at->second] = {rounded_up(reduced + u_ * seconds, work_.parts), (reduced + u_ * moves) / work_.parts,
+                            moves};
     if (moves > seconds || !is_first_in_time) continue;
     is_first_in_time = false;
-    const Cost estimate = reduced + u_ * moves + (seconds - moves) * Cost{range_.lo};
+    const Cost estimate = reached_[at->second].moves_cost + (seconds - moves) * Cost{range_.lo};
     if (estimate < worker_.upper() - worker_.upper() / kWorthATrace) worker_.offer(way_to(cell), seconds);
   }
 }
