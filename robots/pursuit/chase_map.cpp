@@ -76,6 +76,12 @@ ChaseMap::ChaseMap(Parts parts)
   }
 }
 
+ChaseMap ChaseMap::without_trajectory() const {
+  ChaseMap ground = *this;
+  ground.target_ = {start_};
+  return ground;
+}
+
 std::string ChaseMap::cost_text(Cost units) const {
   std::string digits = std::to_string(units);
   if (decimals_ <= 0) return units == 0 ? digits : digits + std::string(static_cast<std::size_t>(-decimals_), '0');

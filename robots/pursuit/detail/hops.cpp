@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <taut/robots/pursuit/detail/radix_heap.h>
+
 namespace taut::pursuit::detail {
 
 std::vector<std::ptrdiff_t> neighbour_steps(const ChaseMap& map) {
@@ -66,6 +68,33 @@ std::vector<CellIndex> fewest_moves(const ChaseMap& map, CellIndex from, CellInd
   while (way.back() != from)
     way.push_back(static_cast<CellIndex>(static_cast<std::ptrdiff_t>(way.back()) - steps[came_by[way.back()]]));
   std::reverse(way.begin(), way.end());
+  return way;
+}
+
+std::vector<CellIndex> cheapest_way(const ChaseMap& map, CellIndex from, CellIndex to) {
+  // From `to`, so that the way is read off forwards.
+  const auto steps = neighbour_steps(map);
+  std::vector<std::uint64_t> least(map.index_count(), ~std::uint64_t{0});
+  std::vector<std::uint8_t> onward(map.index_count(), 0);
+  RadixHeap<CellIndex> queue;
+  least[to] = 0;
+  queue.push(0, to);
+  while (!queue.empty()) {
+    const auto [cost, cell] = queue.pop();
+    if (cost != least[cell]) continue;
+    if (cell == from) break;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const auto before = static_cast<CellIndex>(static_cast<std::ptrdiff_t>(cell) + steps[i]);
+      if (!map.is_free(before) || cost + map.cost(before) >= least[before]) continue;
+      least[before] = cost + map.cost(before);
+      onward[before] = static_cast<std::uint8_t>(i);
+      queue.push(least[before], before);
+    }
+  }
+  if (least[from] == ~std::uint64_t{0}) return {};
+  std::vector<CellIndex> way{from};
+  while (way.back() != to)
+    way.push_back(static_cast<CellIndex>(static_cast<std::ptrdiff_t>(way.back()) - steps[onward[way.back()]]));
   return way;
 }
 

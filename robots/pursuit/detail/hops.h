@@ -1,4 +1,4 @@
-// Least numbers of moves: breadth-first search over free cells.
+// Searches in the plane, without a clock: least numbers of moves, least costs.
 #pragma once
 
 #include <limits>
@@ -24,5 +24,8 @@ std::vector<int> latest_departures(const ChaseMap& map, const std::vector<Meetin
 
 /// A way of fewest moves from `from` to `to`, both ends included; empty when there is none.
 std::vector<CellIndex> fewest_moves(const ChaseMap& map, CellIndex from, CellIndex to);
+
+/// A way of least cost; empty when there is none. The cells that are left count. O(cells log cost).
+std::vector<CellIndex> cheapest_way(const ChaseMap& map, CellIndex from, CellIndex to);
 
 }  // namespace taut::pursuit::detail

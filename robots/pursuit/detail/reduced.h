@@ -37,8 +37,8 @@ struct Workspace {
   const Chase* chase = nullptr;
   std::function<bool()> stopped{};  ///< asked from two threads
   std::vector<std::ptrdiff_t> steps{};
-  std::vector<int> hops{};                ///< hops_from the robot
-  std::vector<int> latest{};              ///< latest_departures for all meetings, -1 where the robot comes later than that
+  std::vector<int> hops{};    ///< hops_from the robot
+  std::vector<int> latest{};  ///< latest_departures for all meetings, -1 where the robot comes later than that
   std::vector<std::uint8_t> is_target{};  ///< some meeting's cell
   int bits = 0;                           ///< of a key, for the number of moves
   std::uint32_t dearest = 0;              ///< cost of a cell
