@@ -54,7 +54,7 @@ struct RuleOptions {
   std::optional<double> plan_seconds;
 
   ChaseRequest request(const NamedPlanner* planner) const {
-    return {planner, clock, free_planning, plan_seconds.value_or(free_planning ? 0 : kPlanSeconds)};
+    return {planner, clock, free_planning, plan_seconds.value_or(free_planning ? 0 : kPlanSeconds), std::nullopt};
   }
 };
 

@@ -80,7 +80,7 @@ ChaseRun run_online(const ChaseMap& map, const ChaseRequest& request) {
                     [&](CellIndex at, int now) { return pursuer.next(at, unfolding.at(now)); });
   run.plans = pursuer.plans();
   const Chase chase = chase_of(map, request.clock);
-  run.plan = exact_plan(chase, {}, &run.effort);
+  run.plan = exact_plan(chase);
   run.fault = fault_of(run.plan, chase);
   return run;
 }

@@ -78,6 +78,7 @@ class Planning {
       if (!only_first) search();
     } catch (const SearchStopped& stop) {
       plan.reason = stop.reason;
+      if (only_open_) bound_ = std::max({bound_, here_.bound_so_far(), beside_.bound_so_far()});
     }
     for (const RangeSearch* side : {&here_, &beside_}) take(side->worker.best);
     if (best_.cost >= kNoCost) {
@@ -180,6 +181,7 @@ class Planning {
         nodes.push_back(std::move(open_.back()));
         open_.pop_back();
       }
+      only_open_ = nodes.size() == 1 && open_.empty() && stuck >= kNoCost;
       const std::vector<RangeSearch::Answer> answers = nodes.size() == 2 ? both(nodes) : std::vector{one(nodes[0])};
       share();
       for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -264,6 +266,7 @@ class Planning {
   std::vector<std::uint32_t> values_;
   std::vector<Open> open_;
   Incumbent best_;
+  bool only_open_ = false;  // the two sides look at all there is
   Cost bound_ = 0;
 };
 

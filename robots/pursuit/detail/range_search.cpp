@@ -103,6 +103,12 @@ bool RangeSearch::descend() {
   return true;
 }
 
+Cost RangeSearch::bound_so_far() const {
+  Cost least = kNoCost;
+  for (const Subject& s : subjects_) least = std::min(least, s.bound);
+  return least;
+}
+
 RangeSearch::Answer RangeSearch::finish(std::size_t most_labels) {
   while (descend()) {
   }

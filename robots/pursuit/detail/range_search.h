@@ -34,6 +34,9 @@ class RangeSearch {
 
   void release() { forward_.release(); }  ///< the memory; after the last question
 
+  /// Below which no way of the range costs less, as far as it is known; also after a search was stopped.
+  Cost bound_so_far() const;
+
   Cost guess() const;  ///< for the u of a further pass, when it is not known which meeting needs it
 
   Worker worker;
