@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,7 +54,7 @@ struct RuleOptions {
   std::optional<double> plan_seconds;
 
   ChaseRequest request(const NamedPlanner* planner) const {
-    return {planner, clock, free_planning, plan_seconds.value_or(free_planning ? 0 : kPlanSeconds)};
+    return {planner, clock, free_planning, plan_seconds.value_or(free_planning ? 0 : kPlanSeconds), std::nullopt};
   }
 };
 
@@ -83,7 +84,10 @@ ChaseMap read_map(const std::string& file) { return read_chase_map(read_bytes(fi
 struct ChaseOptions {
   std::string file;
   const NamedPlanner* planner = chase_planner("exact");
+  bool names_planner = false;
   RuleOptions rules;
+  bool online = false;
+  std::optional<int> horizon;
   OutputOptions output;
   std::string animation;
   bool path = false;
@@ -99,9 +103,20 @@ void require_one_stdout(const ChaseOptions& options) {
 void add_options(CLI::App& app, ChaseOptions& options) {
   app.add_option("MAP", options.file, "The cost map to read, sections N C R T M; - is standard input");
   app.add_option_function<std::string>(
-         "--planner", [&options](const std::string& text) { options.planner = planner_of(text); },
+         "--planner",
+         [&options](const std::string& text) {
+           options.planner = planner_of(text);
+           options.names_planner = true;
+         },
          "Who plans: exact (default), report, weighted, first")
       ->type_name("NAME")
+      ->group("Rules");
+  app.add_flag("--online", options.online,
+               "Do not know the target's way: see it second by second, and the horizon ahead")
+      ->group("Rules");
+  app.add_option("--horizon", options.horizon, "Seconds of the target's way that are seen ahead (default: 0)")
+      ->type_name("S")
+      ->check(CLI::Range(0, 1'000'000))
       ->group("Rules");
   add_rule_options(app, options.rules);
   add_output_options(app, options.output);
@@ -113,8 +128,17 @@ void add_options(CLI::App& app, ChaseOptions& options) {
   app.callback([&app, &options] {
     if (!app.get_subcommands().empty()) return;
     if (options.file.empty()) throw CLI::RequiredError("MAP");
+    if (options.horizon && !options.online) throw CLI::ValidationError("--horizon needs --online");
+    if (options.online && options.names_planner)
+      throw CLI::ValidationError("--online plans by itself, without --planner");
     require_one_stdout(options);
   });
+}
+
+ChaseRequest request_of(const ChaseOptions& options) {
+  ChaseRequest request = options.rules.request(options.planner);
+  if (options.online) request.horizon = options.horizon.value_or(0);
+  return request;
 }
 
 void say_what_it_took(const ChaseRun& run, double read) {
@@ -129,7 +153,7 @@ int run(const ChaseOptions& options) {
   double read = 0, played = 0;
   const ChaseMap map = timed("read", read, [&] { return read_map(options.file); });
   if (map.rounded()) note(fmt::format("taut: {}: costs have more digits than fit and were rounded", map.source()));
-  const ChaseRun run = timed("chase", played, [&] { return run_chase(map, options.rules.request(options.planner)); });
+  const ChaseRun run = timed("chase", played, [&] { return run_chase(map, request_of(options)); });
   begin_stage("write");
   const std::string drawing = options.output.svg.empty() ? "" : chase_svg(map, run, false);
   const std::string animation = options.animation.empty() ? "" : chase_svg(map, run, true);
@@ -167,7 +191,7 @@ void add_compare_options(CLI::App& app, CompareOptions& options) {
 std::string row(const ChaseMap& map, const ChaseRun& run) {
   const ChaseResult& r = run.result;
   return fmt::format("{:<20} {:<9} {:>6} {:>6} {:>6} {:>12} {:>7} {:>12} {:>12}\n", title_of(map.source()),
-                     run.request.planner->name, run.is_caught() ? "yes" : "no", r.time, r.moves, map.cost_text(r.cost),
+                     run.request.planner_name(), run.is_caught() ? "yes" : "no", r.time, r.moves, map.cost_text(r.cost),
                      run.is_proven(map) || run.is_hopeless() ? "yes" : "no", seconds_text(r.first_thought),
                      seconds_text(r.longest_thought));
 }
@@ -186,7 +210,8 @@ int run_compare(const CompareOptions& options) {
       const ChaseRun run = timed("chase", ignored, [&] { return run_chase(map, options.rules.request(&planner)); });
       table += row(map, run);
       if (!options.json.empty()) all.push_back(chase_json(map, run));
-      if (!run.is_caught()) note(fmt::format("taut: {}: {}: {}", title_of(file), planner.name, run.why_not()));
+      if (!run.is_caught())
+        note(fmt::format("taut: {}: {}: {}", title_of(file), run.request.planner_name(), run.why_not()));
       best = std::min(best, run.exit_code());
     }
     code = std::max(code, best);
@@ -225,7 +250,18 @@ void add_generate_options(CLI::App& app, GenerateOptions& options) {
       ->type_name("N")
       ->check(CLI::Range(1, 1'000'000))
       ->group("Map");
-  app.add_flag("--costly", options.recipe.costly, "Hills of cost 1 to 100, else every free cell costs 1")->group("Map");
+  app.add_flag("--costly", options.recipe.costly,
+               "Hills of cost 1 to 100, in a building costs that rise towards walls; else every free cell costs 1")
+      ->group("Map");
+  app.add_flag_callback(
+         "--building", [&options] { options.recipe.ground = ChaseGround::building; },
+         "One building of corridors and rooms instead of a town")
+      ->group("Map");
+  app.add_option("--inflation", options.recipe.inflation,
+                 "In a costly building a cell costs 1 + 10 for each cell of wall so near in x and y (default: 12)")
+      ->type_name("CELLS")
+      ->check(CLI::Range(1, 100))
+      ->group("Map");
   app.add_option_function<std::string>(
          "--buildings",
          [&options](const std::string& text) {

@@ -5,9 +5,12 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <utility>
 
 #include <taut/cli/exit_code.h>
 #include <taut/cli/report.h>
+#include <taut/robots/pursuit/exact_planner.h>
+#include <taut/robots/pursuit/online_pursuer.h>
 
 namespace taut::cli {
 
@@ -26,6 +29,10 @@ std::size_t peak_memory_bytes() {
 std::string headline(const ChaseMap& map, const ChaseRun& run) {
   if (!run.is_caught()) return (run.is_hopeless() ? "the target cannot be caught: " : "not caught: ") + run.why_not();
   const std::string where = "caught at " + cell_text(map.cell(run.result.track.back().cell));
+  if (run.request.horizon && run.plan.status == PlanStatus::found)
+    return where + fmt::format("; seeing {} ahead it costs {:.3f} times {} who knows all",
+                               count_text(static_cast<std::size_t>(*run.request.horizon), "second"),
+                               run.ratio().value_or(1), run.plan.optimal ? "the optimum of one" : "what somebody pays");
   if (run.is_proven(map)) return where + "; nobody does for less (proven)";
   return where + "; not proven optimal" +
          (run.plan.bound > 0 ? ", the least cost is at least " + map.cost_text(run.plan.bound) : "");
@@ -52,11 +59,36 @@ std::string ChaseRun::why_not() const {
   if (!fault.empty()) return "a wrong plan: " + fault;
   if (!result.reason.empty()) return result.reason;
   if (!plan.reason.empty() && plan.status != PlanStatus::found) return plan.reason;
+  if (request.horizon) return "the target got away; one who knew all of its way could catch it";
   return fmt::format("planning took so long that the target got away ({} for the first plan)",
                      seconds_text(result.first_thought));
 }
 
+std::optional<double> ChaseRun::ratio() const {
+  if (!request.horizon || !is_caught() || plan.status != PlanStatus::found || plan.cost <= 0) return std::nullopt;
+  return static_cast<double>(result.cost) / static_cast<double>(plan.cost);
+}
+
+namespace {
+
+ChaseRun run_online(const ChaseMap& map, const ChaseRequest& request) {
+  ChaseRun run{request, {}, {}, {}, 0, {}};
+  const ChaseMap ground = map.without_trajectory();
+  const Unfolding unfolding(map, request.clock, *request.horizon);
+  OnlinePursuer pursuer(ground, request.limits());
+  run.result = play(map, {request.clock, request.free_planning, {}},
+                    [&](CellIndex at, int now) { return pursuer.next(at, unfolding.at(now)); });
+  run.plans = pursuer.plans();
+  const Chase chase = chase_of(map, request.clock);
+  run.plan = exact_plan(chase);
+  run.fault = fault_of(run.plan, chase);
+  return run;
+}
+
+}  // namespace
+
 ChaseRun run_chase(const ChaseMap& map, const ChaseRequest& request) {
+  if (request.horizon) return run_online(map, request);
   ChaseRun run{request, {}, {}, {}, 0, {}};
   const auto plan = [&](const Chase& chase, const PlanLimits& limits, PlanEffort*) {
     return request.planner->plan(chase, limits, run.plans++ == 0 ? &run.effort : nullptr);
@@ -100,27 +132,34 @@ nlohmann::ordered_json chase_json(const ChaseMap& map, const ChaseRun& run) {
   const ChaseResult& r = run.result;
   Json path = Json::array();
   for (const ChaseStep& step : r.track) path.push_back({step.second, map.cell(step.cell).x, map.cell(step.cell).y});
-  return {{"file", map.source()},
-          {"planner", run.request.planner->name},
-          {"clock", name(run.request.clock)},
-          {"free_planning", run.request.free_planning},
-          {"caught", run.is_caught()},
-          {"time", r.time},
-          {"moves", r.moves},
-          {"cost", map.cost_value(r.cost)},
-          {"proven", run.is_proven(map) || run.is_hopeless()},
-          {"lower_bound", run.plan.status == PlanStatus::found ? Json(map.cost_value(run.plan.bound)) : Json(nullptr)},
-          {"reason", run.is_caught() ? Json(nullptr) : Json(run.why_not())},
-          {"costs_rounded", map.rounded()},
-          {"planning",
-           {{"first_seconds", r.first_thought},
-            {"slowest_seconds", r.longest_thought},
-            {"plans", run.plans},
-            {"searches", run.effort.searches},
-            {"expanded", run.effort.expanded},
-            {"labels", run.effort.labels}}},
-          {"peak_memory_bytes", peak_memory_bytes()},
-          {"path", std::move(path)}};
+  Json json = {
+      {"file", map.source()},
+      {"planner", run.request.planner_name()},
+      {"clock", name(run.request.clock)},
+      {"free_planning", run.request.free_planning},
+      {"caught", run.is_caught()},
+      {"time", r.time},
+      {"moves", r.moves},
+      {"cost", map.cost_value(r.cost)},
+      {"proven", run.is_proven(map) || run.is_hopeless()},
+      {"lower_bound", run.plan.status == PlanStatus::found ? Json(map.cost_value(run.plan.bound)) : Json(nullptr)},
+      {"reason", run.is_caught() ? Json(nullptr) : Json(run.why_not())},
+      {"costs_rounded", map.rounded()},
+      {"planning",
+       {{"first_seconds", r.first_thought},
+        {"slowest_seconds", r.longest_thought},
+        {"plans", run.plans},
+        {"searches", run.effort.searches},
+        {"expanded", run.effort.expanded},
+        {"labels", run.effort.labels}}},
+      {"peak_memory_bytes", peak_memory_bytes()},
+      {"path", std::move(path)}};
+  if (run.request.horizon)
+    json["online"] = {{"horizon", *run.request.horizon},
+                      {"clairvoyant_cost",
+                       run.plan.status == PlanStatus::found ? Json(map.cost_value(run.plan.cost)) : Json(nullptr)},
+                      {"ratio", run.ratio() ? Json(*run.ratio()) : Json(nullptr)}};
+  return json;
 }
 
 }  // namespace taut::cli

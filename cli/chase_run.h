@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <optional>
 #include <string>
 
 #include <taut/robots/pursuit/chase.h>
@@ -14,7 +15,10 @@ struct ChaseRequest {
   const pursuit::NamedPlanner* planner = nullptr;
   pursuit::Clock clock = pursuit::Clock::zero;
   bool free_planning = false;
-  double plan_seconds = 0;  ///< a call of the planner; 0: no limit
+  double plan_seconds = 0;     ///< a call of the planner; 0: no limit
+  std::optional<int> horizon;  ///< online: the seconds of the trajectory that are seen ahead; nobody plans on all of it
+
+  std::string_view planner_name() const { return horizon ? "online" : planner->name; }
 
   pursuit::PlanLimits limits() const;
 };
@@ -22,7 +26,7 @@ struct ChaseRequest {
 struct ChaseRun {
   ChaseRequest request;
   pursuit::ChaseResult result;
-  pursuit::Plan plan;  ///< the first
+  pursuit::Plan plan;  ///< the first; when online what somebody would do who knows it all: `exact`
   pursuit::PlanEffort effort;
   int plans = 0;
   std::string fault;  ///< of a plan, as its check sees it; a defect of the program
@@ -34,6 +38,8 @@ struct ChaseRun {
   bool is_hopeless() const { return plan.status == pursuit::PlanStatus::none && !is_caught(); }
   int exit_code() const;
   std::string why_not() const;  ///< when not caught
+  /// When online and caught: the cost in parts of that of `plan`.
+  std::optional<double> ratio() const;
 };
 
 ChaseRun run_chase(const pursuit::ChaseMap& map, const ChaseRequest& request);
@@ -47,8 +53,9 @@ std::string chase_text(const pursuit::ChaseMap& map, const ChaseRun& run);
 /// `x,y` at each second that a step ends, a line each: `0 119,45`.
 std::string track_text(const pursuit::ChaseMap& map, const ChaseRun& run);
 
-/// `file`, `planner`, `clock`, `free_planning`, `caught`, `time`, `moves`, `cost`, `proven`, `lower_bound`, `reason`, `planning`, `peak_memory_bytes`,
-/// `path` of [second, x, y].
+/// `file`, `planner` (`online`), `clock`, `free_planning`, `caught`, `time`, `moves`, `cost`, `proven`, `lower_bound`, `reason`, `planning`, `peak_memory_bytes`,
+/// `path` of [second, x, y]; when online `online`: `horizon`,
+/// `clairvoyant_cost`, `ratio`.
 nlohmann::ordered_json chase_json(const pursuit::ChaseMap& map, const ChaseRun& run);
 
 }  // namespace taut::cli

@@ -216,7 +216,7 @@ class Picture {
                         escaped(title_of(map_.source())));
     out_ += fmt::format("<text x=\"8\" y=\"{:.0f}\">{}, cost {}, {} s, {} moves, planner {}, clock {}</text>",
                         height_ + 48, run_.is_caught() ? "caught" : "not caught", map_.cost_text(r.cost), r.time,
-                        r.moves, run_.request.planner->name, name(run_.request.clock));
+                        r.moves, run_.request.planner_name(), name(run_.request.clock));
     const double x = std::max(width_, 520.0) - 150;
     for (const auto& [who, down] : {std::pair{"robot", 0}, std::pair{"target", 75}})
       out_ +=

@@ -31,17 +31,6 @@ std::string fault_of_move(const ChaseMap& map, CellIndex from, CellIndex to) {
   return map.is_free(to) ? "" : move + " to " + text(b) + " ends in an obstacle";
 }
 
-/// Where the labels run out before a proof, the report's planner may know a better way; the bound stays.
-Plan exact_or_better(const Chase& chase, const PlanLimits& limits, PlanEffort* effort) {
-  Plan plan = exact_plan(chase, limits, effort);
-  if (plan.status != PlanStatus::found || plan.optimal || limits.seconds > 0) return plan;
-  Plan other = entry_plan(chase, 1, limits);
-  if (other.status != PlanStatus::found || other.cost >= plan.cost) return plan;
-  other.bound = plan.bound;
-  other.reason = plan.reason;
-  return other;
-}
-
 /// Whole seconds, at least one; more than `most` are as many.
 int seconds_of_step(double thought, int most) {
   if (!(thought > 1)) return 1;
@@ -117,7 +106,7 @@ std::span<const NamedPlanner> chase_planners() {
   static constexpr std::array<NamedPlanner, 4> kPlanners{{
       {"exact", "the least cost, proven",
        [](const Chase& chase, const PlanLimits& limits, PlanEffort* effort) {
-         return exact_or_better(chase, limits, effort);
+         return exact_plan(chase, limits, effort);
        }},
       {"report", "A* to the entry that looks cheapest, waiting there",
        [](const Chase& chase, const PlanLimits& limits, PlanEffort* effort) {

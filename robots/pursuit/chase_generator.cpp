@@ -5,6 +5,7 @@
 
 #include <taut/geometry/detail/draws.h>
 #include <taut/geometry/errors.h>
+#include <taut/robots/pursuit/detail/building.h>
 #include <taut/robots/pursuit/detail/hops.h>
 
 namespace taut::pursuit {
@@ -21,16 +22,20 @@ void require(bool holds, const char* message) {
   if (!holds) throw InputError("", 0, message);
 }
 
-class Town {
+class Site {
  public:
-  explicit Town(const ChaseRecipe& recipe) : recipe_(recipe), draws_(recipe.seed) {
+  explicit Site(const ChaseRecipe& recipe) : recipe_(recipe), draws_(recipe.seed) {
     const auto cells = static_cast<std::size_t>(recipe.x_size) * static_cast<std::size_t>(recipe.y_size);
     parts_ = {recipe.x_size, recipe.y_size, std::vector<std::uint32_t>(cells, 1), 0, {}, {}, "1000", false, ""};
   }
 
   ChaseMap build() {
-    if (recipe_.costly) raise_hills();
-    put_up_buildings();
+    if (recipe_.ground == ChaseGround::building) {
+      put_up_one_building();
+    } else {
+      if (recipe_.costly) raise_hills();
+      put_up_buildings();
+    }
     parts_.start = largest_place();
     parts_.target = {parts_.start};
     const ChaseMap empty(parts_);
@@ -59,6 +64,16 @@ class Town {
                 std::max(at(x, y), static_cast<std::uint32_t>(1 + kHill * rest / (std::int64_t{radius} * radius)));
         }
     }
+  }
+
+  void put_up_one_building() {
+    const std::vector<std::uint8_t> walls = detail::building(recipe_.x_size, recipe_.y_size, draws_);
+    if (recipe_.costly) {
+      parts_.costs = detail::inflated(walls, recipe_.x_size, recipe_.y_size, recipe_.inflation);
+      parts_.threshold = std::to_string(1 + *std::max_element(parts_.costs.begin(), parts_.costs.end()));
+    }
+    for (std::size_t i = 0; i < walls.size(); ++i)
+      if (walls[i]) parts_.costs[i] = ChaseMap::kObstacle;
   }
 
   void put_up_buildings() {
@@ -150,7 +165,8 @@ ChaseMap generate_chase_map(const ChaseRecipe& recipe) {
   require(is_side(recipe.x_size) && is_side(recipe.y_size), "a chase map's sides go from 3 to 32766");
   require(recipe.seconds >= 1 && recipe.seconds <= 16'000, "a trajectory has 1 to 16000 entries");
   require(recipe.buildings >= 0 && recipe.buildings <= 0.6, "the share of buildings goes from 0 to 0.6");
-  return Town(recipe).build();
+  require(recipe.inflation >= 1 && recipe.inflation <= 100, "the inflation goes from 1 to 100 cells");
+  return Site(recipe).build();
 }
 
 }  // namespace taut::pursuit

@@ -7,18 +7,27 @@
 
 namespace taut::pursuit {
 
+/// Where the walls are.
+enum class ChaseGround {
+  town,      ///< rectangular buildings with a door or two, some of them solid
+  building,  ///< one building: corridors, rooms, doors
+};
+
 struct ChaseRecipe {
   int x_size = 200;
   int y_size = 200;
-  int seconds = 400;       ///< trajectory entries
-  bool costly = false;     ///< cost fields: smooth hills of cost 1..100 over the floor; else every free cell costs 1
-  double buildings = 0.2;  ///< share of the map, roughly, under buildings: 0 .. 0.6
+  int seconds = 400;  ///< trajectory entries
+  bool costly =
+      false;  ///< smooth hills of cost 1..100 over a town, costs that rise towards walls in a building; else every free cell costs 1
+  double buildings = 0.2;  ///< share of the town, roughly, under buildings: 0 .. 0.6
   std::uint64_t seed = 1;
+  ChaseGround ground = ChaseGround::town;
+  int inflation =
+      12;  ///< in a costly building a cell costs 1 + 10 for each cell of wall no farther than this in x and y: 1 .. 100
 };
 
-/// A town: buildings are rectangular walls with a door or two, some of them solid; the target walks on ways of fewest moves from one random place to
-/// the next. All free cells are connected with the robot's start, so the target can be met, given the seconds. Same recipe, same map, everywhere.
-/// Throws InputError unless 3 <= sizes <= ChaseMap::kLongestSide, seconds >= 1 and the share is in range. O(cells) a place.
+/// The target walks on ways of fewest moves from one random place to the next. All free cells are connected with the robot's start, so the target can be met, given the seconds. Same recipe, same map, everywhere.
+/// Throws InputError unless 3 <= sizes <= ChaseMap::kLongestSide, seconds >= 1 and the rest is in range. O(cells) a place.
 ChaseMap generate_chase_map(const ChaseRecipe& recipe);
 
 }  // namespace taut::pursuit

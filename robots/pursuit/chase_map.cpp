@@ -34,12 +34,16 @@ void require_sizes(const ChaseMap::Parts& parts) {
   require(parts.target.size() <= 1'000'000, parts.source, "the target's trajectory has more than 1000000 entries");
 }
 
-std::vector<std::uint32_t> bordered(const ChaseMap::Parts& parts) {
-  const auto rows = static_cast<std::size_t>(parts.x_size), columns = static_cast<std::size_t>(parts.y_size);
-  std::vector<std::uint32_t> costs((rows + 2) * (columns + 2), ChaseMap::kObstacle);
-  for (std::size_t x = 0; x < rows; ++x)
-    std::copy_n(&parts.costs[x * columns], columns, &costs[(x + 1) * (columns + 2) + 1]);
-  return costs;
+/// In place, from the last row to the first: large maps are read into memory that is already wide enough.
+void add_border(std::vector<std::uint32_t>& costs, std::size_t rows, std::size_t columns) {
+  const std::size_t stride = columns + 2;
+  costs.resize((rows + 2) * stride, ChaseMap::kObstacle);
+  const auto at = [&](std::size_t i) { return costs.begin() + static_cast<std::ptrdiff_t>(i); };
+  for (std::size_t x = rows; x-- > 0;) {
+    std::move_backward(at(x * columns), at((x + 1) * columns), at((x + 1) * stride + 1 + columns));
+    std::fill_n(at((x + 1) * stride + 1 + columns), 2, ChaseMap::kObstacle);  // the next row's first, too
+  }
+  std::fill_n(costs.begin(), stride + 1, ChaseMap::kObstacle);
 }
 
 }  // namespace
@@ -58,11 +62,12 @@ ChaseMap::ChaseMap(Parts parts)
       source_(std::move(parts.source)) {
   parts.source = source_;
   require_sizes(parts);
-  costs_ = bordered(parts);
   const std::uint32_t limit = largest_cost(parts.target.size());
-  for (const std::uint32_t cost : parts.costs)
-    require(cost == kObstacle || cost <= limit, source_, "a cost is too large to add up exactly");
-  parts.costs = {};
+  std::uint32_t dearest = 0;
+  for (const std::uint32_t cost : parts.costs) dearest = std::max(dearest, cost + 1);  // obstacles become 0
+  require(dearest <= limit + 1, source_, "a cost is too large to add up exactly");
+  costs_ = std::move(parts.costs);
+  add_border(costs_, static_cast<std::size_t>(x_size_), static_cast<std::size_t>(y_size_));
   require(is_on(parts, parts.start), source_,
           "the robot starts at " + detail::text(parts.start) + ", outside the map of " + size_text(parts));
   start_ = index(parts.start);
@@ -74,6 +79,12 @@ ChaseMap::ChaseMap(Parts parts)
                 ", is outside the map of " + size_text(parts));
     target_.push_back(index(parts.target[i]));
   }
+}
+
+ChaseMap ChaseMap::without_trajectory() const {
+  ChaseMap ground = *this;
+  ground.target_ = {start_};
+  return ground;
 }
 
 std::string ChaseMap::cost_text(Cost units) const {

@@ -67,6 +67,9 @@ class ChaseMap {
   const std::vector<CellIndex>& target() const { return target_; }
   std::size_t duration() const { return target_.size(); }  ///< number of entries, one a second
 
+  /// The same ground and start, for somebody who must not know where the target goes: the trajectory has one entry, the start.
+  ChaseMap without_trajectory() const;
+
   int decimals() const { return decimals_; }
   bool rounded() const { return rounded_; }  ///< a cost had more digits than fit (guarantees 2, 3) and was rounded
   const std::string& threshold() const { return threshold_; }

@@ -8,7 +8,7 @@
 #include <tuple>
 
 #include <taut/geometry/detail/expects.h>
-#include <taut/robots/pursuit/detail/reduced.h>
+#include <taut/robots/pursuit/detail/range_search.h>
 
 namespace taut::pursuit {
 
@@ -17,7 +17,8 @@ namespace {
 using namespace detail;
 
 /// The way that `latest` itself leads along.
-void offer_earliest(Workspace& work, const std::vector<Meeting>& meetings) {
+void offer_earliest(Worker& worker, const std::vector<Meeting>& meetings) {
+  const Workspace& work = worker.work;
   std::vector<CellIndex> way{work.chase->from};
   const auto seconds_at = [&](CellIndex c) {
     if (work.is_target[c])
@@ -35,7 +36,7 @@ void offer_earliest(Workspace& work, const std::vector<Meeting>& meetings) {
       }
     seconds = seconds_at(way.back());
   }
-  work.offer(way, seconds);
+  worker.offer(way, seconds);
 }
 
 std::vector<Meeting> to_come(const Chase& chase) {
@@ -49,18 +50,20 @@ std::vector<Meeting> to_come(const Chase& chase) {
 struct Open {
   Cost bound;
   std::size_t lo, hi;  // into the values
+  std::vector<Cost> bounds;
 
   friend bool operator<(const Open& a, const Open& b) {
     return std::tie(a.bound, a.lo) > std::tie(b.bound, b.lo);  // for a heap with the least bound on top
   }
 };
 
+constexpr std::size_t kSmallMap = 10'000;
+constexpr std::size_t kMostLabelsOfARange = 4'000'000;  // rather split it
+
 class Planning {
  public:
-  Planning(const Chase& chase, const PlanLimits& limits) : limits_(limits), forward_(work_) {
+  Planning(const Chase& chase, const PlanLimits& limits) : limits_(limits) {
     work_.chase = &chase;
-    work_.best.cost = kNoCost;
-    work_.better = limits.better;
     if (limits.stopped || limits.seconds > 0) work_.stopped = [this] { return is_stopped(); };
   }
 
@@ -71,30 +74,53 @@ class Planning {
         plan.reason = reason_of_failure(*work_.chase);
         return plan;
       }
+      bound_ = only_first ? 0 : kNoCost;
       if (!only_first) search();
-      bound_ = only_first ? 0 : work_.best.cost;
     } catch (const SearchStopped& stop) {
       plan.reason = stop.reason;
+      if (only_open_) bound_ = std::max({bound_, here_.bound_so_far(), beside_.bound_so_far()});
     }
-    if (work_.best.cost < kNoCost) {
-      const std::string reason = plan.reason;
-      plan = std::move(work_.best);
-      plan.reason = reason;
-      plan.bound = std::min(bound_, plan.cost);
-      plan.optimal = plan.bound == plan.cost;
-    } else {
+    for (const RangeSearch* side : {&here_, &beside_}) take(side->worker.best);
+    if (best_.cost >= kNoCost) {
       plan.status = PlanStatus::stopped;
+      return plan;
     }
+    const std::string reason = plan.reason;
+    plan = plan_along(*work_.chase, best_.way, best_.seconds);
+    plan.bound = std::min(bound_, plan.cost);
+    plan.optimal = plan.bound == plan.cost;
+    if (!plan.optimal) plan.reason = reason.empty() ? "too many labels" : reason;
     return plan;
   }
 
-  const PlanEffort& effort() const { return work_.effort; }
+  PlanEffort effort() const {
+    PlanEffort sum;
+    for (const RangeSearch* side : {&here_, &beside_}) {
+      sum.searches += side->worker.effort.searches;
+      sum.expanded += side->worker.effort.expanded;
+      sum.labels += side->worker.effort.labels;
+    }
+    return sum;
+  }
 
  private:
   bool is_stopped() const {
     if (limits_.stopped && limits_.stopped()) return true;
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin_;
     return limits_.seconds > 0 && taken.count() >= limits_.seconds;
+  }
+
+  void take(const Incumbent& incumbent) {
+    if (incumbent.cost >= best_.cost) return;
+    best_ = incumbent;
+    if (limits_.better) limits_.better(plan_along(*work_.chase, best_.way, best_.seconds));
+  }
+
+  // Both sides go on with the best of both.
+  void share() {
+    take(here_.worker.best);
+    take(beside_.worker.best);
+    here_.worker.best = beside_.worker.best = best_;
   }
 
   // Keeps the meetings that can be reached at all.
@@ -106,32 +132,36 @@ class Planning {
     const int last = meetings.back().second - chase.now;
     work_.bits = static_cast<int>(std::bit_width(static_cast<unsigned>(last))) + 1;
     work_.steps = neighbour_steps(map);
-    std::vector<int> hops;
-    std::thread beside([&] { hops = hops_to(map, chase.from, meetings, last); });
-    work_.latest = latest_departures(map, meetings, chase.now, 0);
-    beside.join();
+    side_by_side([&] { work_.latest = latest_departures(map, meetings, chase.now, 0); },
+                 [&] { work_.hops = hops_from(map, chase.from, last); });
     work_.is_target.assign(map.index_count(), 0);
-    for (std::size_t i = 0; i < meetings.size(); ++i)
-      if (hops[i] <= work_.seconds(meetings[i])) {
-        meetings_.push_back(meetings[i]);
-        work_.is_target[meetings[i].cell] = 1;
+    for (const Meeting& m : meetings)
+      if (work_.hops[m.cell] <= work_.seconds(m)) {
+        meetings_.push_back(m);
+        work_.is_target[m.cell] = 1;
       }
     if (meetings_.empty()) return false;
-    offer_earliest(work_, meetings);
+    offer_earliest(here_.worker, meetings);
+    share();
     return true;
   }
 
-  // A way's cheapest cell costs no more than its first.
-  void collect_values() {
+  // A way's cheapest cell costs no more than its first. Leaves cells that nobody passes who is in time.
+  void survey() {
     const ChaseMap& map = work_.map();
     const std::uint32_t most = map.cost(work_.chase->from);
+    std::uint32_t dearest = 0;
     for (std::size_t i = 0; i < map.index_count(); ++i) {
+      if (work_.latest[i] < work_.hops[i]) work_.latest[i] = -1;
+      if (work_.latest[i] < 0) continue;
       const std::uint32_t cost = map.costs()[i];
-      if (cost > most || work_.latest[i] < 0) continue;
+      dearest = std::max(dearest, cost);
+      if (cost > most) continue;
       if (values_.empty() || values_.back() != cost) values_.push_back(cost);
       if (values_.size() == values_.capacity()) make_unique();
     }
     make_unique();
+    work_.choose_parts(dearest);
   }
   void make_unique() {
     std::sort(values_.begin(), values_.end());
@@ -140,48 +170,103 @@ class Planning {
   }
 
   void search() {
-    collect_values();
-    std::vector<Open> open{{0, 0, values_.size() - 1}};
-    while (!open.empty()) {
-      std::pop_heap(open.begin(), open.end());
-      const Open node = open.back();
-      open.pop_back();
-      if (node.bound >= work_.upper()) break;
-      bound_ = node.bound;
-      for (const Open& part : parts(node)) {
-        open.push_back(part);
-        std::push_heap(open.begin(), open.end());
+    survey();
+    open_.push_back({0, 0, values_.size() - 1, std::vector<Cost>(meetings_.size(), 0)});
+    Cost stuck = kNoCost;
+    while (!open_.empty() && open_.front().bound < best_.cost) {
+      bound_ = std::min(stuck, open_.front().bound);
+      std::vector<Open> nodes;
+      while (nodes.size() < 2 && !open_.empty() && open_.front().bound < best_.cost) {
+        std::pop_heap(open_.begin(), open_.end());
+        nodes.push_back(std::move(open_.back()));
+        open_.pop_back();
       }
+      only_open_ = nodes.size() == 1 && open_.empty() && stuck >= kNoCost;
+      const std::vector<RangeSearch::Answer> answers = nodes.size() == 2 ? both(nodes) : std::vector{one(nodes[0])};
+      share();
+      for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (!split(nodes[i], answers[i])) stuck = std::min(stuck, answers[i].bound);
     }
+    bound_ = std::min(stuck, best_.cost);
   }
 
-  // What is left of a range once it was searched.
-  std::vector<Open> parts(const Open& node) {
-    const Range range{values_[node.lo], values_[node.hi]};
-    RangeBound bound = forward_.run(range, meetings_);
-    std::erase_if(bound.open, [&](const Meeting& m) {
-      return Cost{range.lo} * work_.seconds(m) >= std::min(work_.upper(), bound.least);
-    });
-    if (!bound.open.empty()) {
-      forward_.release();
-      const RangeBound labels = search_labels(work_, range, bound.open, limits_.most_labels);
-      if (labels.least < bound.least) bound = labels;
+  Range range_of(const Open& node) const { return {values_[node.lo], values_[node.hi]}; }
+
+  std::size_t most_labels(const Open& node) const {
+    return std::min(limits_.most_labels / 2, node.lo == node.hi ? limits_.most_labels : kMostLabelsOfARange);
+  }
+
+  static RangeSearch::Answer evaluated(RangeSearch& search, const Range& range, Open& node, std::size_t most_labels) {
+    search.begin(range, std::move(node.bounds));
+    search.pass(search.worker.work.parts * range.lo);
+    return search.finish(most_labels);
+  }
+
+  std::vector<RangeSearch::Answer> both(std::vector<Open>& nodes) {
+    std::vector<RangeSearch::Answer> answers(2);
+    side_by_side([&] { answers[0] = evaluated(here_, range_of(nodes[0]), nodes[0], most_labels(nodes[0])); },
+                 [&] { answers[1] = evaluated(beside_, range_of(nodes[1]), nodes[1], most_labels(nodes[1])); });
+    return answers;
+  }
+
+  RangeSearch::Answer one(Open& node) {
+    const Range range = range_of(node);
+    here_.begin(range, node.bounds);
+    beside_.begin(range, std::move(node.bounds));
+    side_by_side([&] { here_.pass(work_.parts * range.lo); }, [&] { beside_.pass(beside_.guess()); });
+    here_.absorb(beside_);
+    beside_.release();
+    return here_.finish(most_labels(node));
+  }
+
+  // The same result, in whatever order. A thread is not worth it on a small map.
+  template <typename F, typename G>
+  void side_by_side(F here, G beside) const {
+    if (work_.map().index_count() < kSmallMap) {
+      here();
+      return beside();
     }
-    if (bound.least >= work_.upper()) return {};
-    const auto at =
-        static_cast<std::size_t>(std::lower_bound(values_.begin(), values_.end(), bound.cheapest) - values_.begin());
-    std::vector<Open> parts;
-    if (at > node.lo) parts.push_back({bound.least, node.lo, at - 1});
-    if (at > node.lo && at <= node.hi) parts.push_back({bound.least, at, node.hi});
-    return parts;
+    std::optional<SearchStopped> stopped;
+    {
+      const std::jthread thread([&] {
+        try {
+          beside();
+        } catch (const SearchStopped& stop) {
+          stopped = stop;
+        }
+      });
+      here();
+    }
+    if (stopped) throw *stopped;
+  }
+
+  // False when what is left of a node cannot be split.
+  bool split(const Open& node, const RangeSearch::Answer& answer) {
+    if (answer.bound >= best_.cost) return true;
+    if (answer.is_open && node.lo == node.hi) return false;
+    const Range range = range_of(node);
+    const std::uint32_t middle = range.lo + (range.hi - range.lo) / 2 + 1;
+    const std::uint32_t value = answer.is_open ? middle : std::min(middle, answer.cheapest);
+    const auto at = std::max(
+        static_cast<std::size_t>(std::lower_bound(values_.begin(), values_.end(), value) - values_.begin()), node.lo);
+    if (at == node.lo) return true;  // the bound's way costs no more than the bound
+    for (const auto& [lo, hi] : {std::pair{node.lo, at - 1}, std::pair{at, node.hi}}) {
+      if (lo > hi) continue;
+      open_.push_back({answer.bound, lo, hi, answer.bounds});
+      std::push_heap(open_.begin(), open_.end());
+    }
+    return true;
   }
 
   const PlanLimits& limits_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   Workspace work_;
-  ForwardSearch forward_;
   std::vector<Meeting> meetings_;
+  RangeSearch here_{work_, meetings_}, beside_{work_, meetings_};
   std::vector<std::uint32_t> values_;
+  std::vector<Open> open_;
+  Incumbent best_;
+  bool only_open_ = false;  // the two sides look at all there is
   Cost bound_ = 0;
 };
 

@@ -25,13 +25,11 @@ std::string reason_of_failure(const Chase& chase) {
   if (first == chase.meetings.end())
     return chase.map->duration() == 1 ? "the trajectory is too short: its only entry is where the target begins"
                                       : "the target has gone, or is inside obstacles for the rest of its trajectory";
-  const std::vector<int> hops =
-      detail::hops_to(*chase.map, chase.from, {first, chase.meetings.end()}, detail::kNoLimit);
+  const std::vector<int> hops = detail::hops_from(*chase.map, chase.from, detail::kNoLimit);
   int least = detail::kUnreachable, lateness = detail::kUnreachable;
-  for (std::size_t i = 0; i < hops.size(); ++i) {
-    least = std::min(least, hops[i]);
-    if (hops[i] != detail::kUnreachable)
-      lateness = std::min(lateness, hops[i] - ((first + static_cast<std::ptrdiff_t>(i))->second - chase.now));
+  for (auto m = first; m != chase.meetings.end(); ++m) {
+    least = std::min(least, hops[m->cell]);
+    if (hops[m->cell] != detail::kUnreachable) lateness = std::min(lateness, hops[m->cell] - (m->second - chase.now));
   }
   if (least == detail::kUnreachable) return "obstacles separate the target's whole trajectory from the robot";
   return "the trajectory is too short: the robot comes at least " + std::to_string(lateness) +

@@ -44,7 +44,7 @@ enum class PlanStatus {
 /// A way: `cells[i]` is where one is at second `now + i`, the first is `from`, the last a meeting, and no earlier one is.
 struct Plan {
   PlanStatus status = PlanStatus::none;
-  bool optimal = false;          ///< proven: no way costs less, and none of this cost meets the target earlier
+  bool optimal = false;          ///< proven: no way costs less
   Cost cost = 0;                 ///< sum of the costs of all cells but the last, in units
   std::vector<CellIndex> cells;  ///< when found
   Cost bound = 0;                ///< no way costs less; equal to cost when optimal
@@ -61,8 +61,8 @@ struct PlanEffort {
 /// How long to go on.
 struct PlanLimits {
   double seconds = 0;                    ///< 0: as long as it takes. A first plan may come later
-  std::size_t most_labels = 60'000'000;  ///< 24 bytes each
-  std::function<bool()> stopped{};       ///< asked every few thousand steps; may come from another thread
+  std::size_t most_labels = 30'000'000;  ///< about 50 bytes each at worst
+  std::function<bool()> stopped{};       ///< asked every few thousand steps, from two threads at once
   std::function<void(const Plan&)>
       better{};  ///< called with each plan that is better than the one before, proven or not
 };

@@ -67,23 +67,40 @@ class Tokens {
     return static_cast<int>(value.mantissa);
   }
 
-  Decimal number(const char* what) {
+  std::optional<Decimal> number() {
     const char* before = at_;
     Decimal value;
-    const bool scanned = detail::scan(at_, end_, value) && ends_here();
-    if (!scanned) {
-      at_ = before;
+    if (detail::scan(at_, end_, value) && ends_here()) {
+      separate();
+      return value;
+    }
+    at_ = before;
+    return std::nullopt;
+  }
+
+  Decimal number(const char* what) {
+    const std::optional<Decimal> value = number();
+    if (!value) {
       if (at_ != end_ && *at_ == '-') fail(std::string(what) + " " + word() + " is negative");
       fail(std::string(what) + " expected, " + (at_end() ? "not the end of the file" : "not '" + word() + "'"));
     }
-    separate();
-    return value;
+    return *value;
   }
 
   /// One to four digits and a fraction of zeros, if any: the usual cost. Absent, and nothing read, when it is something else.
   std::optional<std::uint32_t> small() {
     const char* p = at_;
     std::uint32_t value = 0;
+    const auto digit = [&] { return static_cast<unsigned char>(*p - '0'); };
+    if (end_ - p > 5) {  // mostly, a comma and the next cost follow
+      for (int digits = 0; digits < 4 && digit() < 10; ++digits, ++p) value = 10 * value + digit();
+      if (p != at_ && *p == ',' && static_cast<unsigned char>(p[1] - '0') < 10) {
+        at_ = p + 1;
+        return value;
+      }
+      p = at_;
+      value = 0;
+    }
     for (int digits = 0; p != end_ && *p >= '0' && *p <= '9'; ++p) {
       if (++digits > 4) return std::nullopt;
       value = 10 * value + static_cast<std::uint32_t>(*p - '0');
@@ -221,14 +238,16 @@ class Reader {
                       count = columns * static_cast<std::size_t>(parts_.x_size);
     // Before memory is taken for them: a cost and what separates it are two bytes.
     if (tokens_.bytes_left() + 1 < 2 * count) too_few(count);
-    detail::CostStore costs(threshold_, ChaseMap::largest_cost(parts_.target.size()), count);
+    const std::size_t border = 2 * (columns + static_cast<std::size_t>(parts_.x_size)) + 4;  // ChaseMap adds it
+    detail::CostStore costs(threshold_, ChaseMap::largest_cost(parts_.target.size()), count + border);
     while (costs.size() < count) {
       if (const auto whole = tokens_.small()) {
         costs.add(*whole);
         continue;
       }
       if (tokens_.at_end() || tokens_.at_letter()) too_few(count, costs.size());
-      costs.add(tokens_.number(cost_name(costs.size()).c_str()));
+      const std::optional<Decimal> cost = tokens_.number();
+      costs.add(cost ? *cost : tokens_.number(cost_name(costs.size()).c_str()));
     }
     if (!tokens_.at_end())
       tokens_.fail("more than " + count_text(count) + " costs: '" + tokens_.word() + "' is left over");

@@ -92,14 +92,38 @@ TEST_F(ChaseProgram, SaysWhyATargetCannotBeCaught) {
                 "the trajectory is too short: its only entry is where the target begins");
 }
 
+TEST_F(ChaseProgram, ChasesATargetThatItSeesSecondBySecond) {
+  const Outcome all = run_taut("chase --online --horizon 1000 " + town());
+  EXPECT_EQ(all.code, 0) << all.err;
+  EXPECT_THAT(all.out, HasSubstr("costs 1.000 times the optimum of one who knows all"));
+  EXPECT_THAT(all.out, HasSubstr("   yes      40      40      71\n"));
+  const json answer = json::parse(run_taut("chase --online --json - " + town()).out);
+  EXPECT_EQ(answer["planner"], "online");
+  EXPECT_EQ(answer["caught"], true);
+  EXPECT_EQ(answer["online"]["horizon"], 0);
+  EXPECT_EQ(answer["online"]["clairvoyant_cost"], 71);
+  EXPECT_GE(answer["online"]["ratio"], 1);
+  const Outcome away = run_taut("chase - --online", "N 1,5 C 5 R 1,1 T 1,3 1,4 1,5 M 1,1,1,1,1");
+  EXPECT_EQ(away.code, 1) << "nobody could: " << away.out;
+}
+
+TEST_F(ChaseProgram, GeneratesBuildings) {
+  const Outcome map = run_taut("chase generate --building --costly --inflation 3 --size 80x50 --duration 150 --seed 4");
+  EXPECT_EQ(map.out,
+            run_taut("chase generate --building --costly --inflation 3 --size 80x50 --duration 150 --seed 4").out);
+  EXPECT_EQ(json::parse(run_taut("chase - --json -", map.out).out)["proven"], true);
+}
+
 TEST_F(ChaseProgram, GeneratesTheTownOfTheData) {
   const Outcome run = run_taut("chase generate --size 60x40 --duration 120 --costly --buildings 0.25 --seed 2");
   EXPECT_EQ(run.out, contents(town()));
 }
 
 TEST_F(ChaseProgram, RefusesWrongUsage) {
-  for (const char* words : {"chase", "chase --planner magic x", "chase --clock two x", "chase compare",
-                            "chase generate --size 2", "chase --svg - --animate - x", "chase --plan-seconds -1 x"}) {
+  for (const char* words :
+       {"chase", "chase --planner magic x", "chase --clock two x", "chase compare", "chase generate --size 2",
+        "chase --svg - --animate - x", "chase --plan-seconds -1 x", "chase --horizon 3 x",
+        "chase --online --planner exact x", "chase generate --inflation 0"}) {
     const Outcome run = run_taut(words);
     EXPECT_EQ(run.code, 2) << words;
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;

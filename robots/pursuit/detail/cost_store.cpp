@@ -21,9 +21,9 @@ std::uint64_t divided(std::uint64_t value, int places, bool& rounded) {
 
 }  // namespace
 
-CostStore::CostStore(const Decimal& threshold, std::uint32_t limit, std::size_t count)
+CostStore::CostStore(const Decimal& threshold, std::uint32_t limit, std::size_t room)
     : threshold_(threshold), limit_(limit), small_(kSmall, kUnknown) {
-  values_.reserve(count);
+  values_.reserve(room);
 }
 
 Decimal CostStore::decimal_of(std::uint32_t whole) {

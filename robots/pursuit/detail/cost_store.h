@@ -14,7 +14,7 @@ namespace taut::pursuit::detail {
 /// Keeps costs exactly as long as none exceeds `limit` units, then rounds to the nearest multiple of the finest unit that fits.
 class CostStore {
  public:
-  CostStore(const Decimal& threshold, std::uint32_t limit, std::size_t count);
+  CostStore(const Decimal& threshold, std::uint32_t limit, std::size_t room);
 
   void add(const Decimal& cost) {
     const std::uint32_t value = value_of(cost);  // may change what is stored

@@ -2,65 +2,28 @@
 
 #include <algorithm>
 
+#include <taut/robots/pursuit/detail/radix_heap.h>
+
 namespace taut::pursuit::detail {
-
-namespace {
-
-/// Cells by the number of moves: calls visit(cell, moves) for each, in order, until it says true. `reached` is marked.
-class Waves {
- public:
-  explicit Waves(const ChaseMap& map) : map_(map), steps_(neighbour_steps(map)), reached_(map.index_count(), false) {}
-
-  template <typename Visit>
-  void spread(CellIndex from, int limit, Visit visit) {
-    std::vector<CellIndex> wave{from}, next;
-    reached_[from] = true;
-    for (int moves = 0; !wave.empty(); ++moves, wave.swap(next), next.clear())
-      for (const CellIndex c : wave) {
-        if (visit(c, moves)) return;
-        if (moves == limit) continue;
-        for (const std::ptrdiff_t step : steps_)
-          enter(static_cast<CellIndex>(static_cast<std::ptrdiff_t>(c) + step), next);
-      }
-  }
-
- private:
-  void enter(CellIndex c, std::vector<CellIndex>& next) {
-    if (reached_[c] || !map_.is_free(c)) return;
-    reached_[c] = true;
-    next.push_back(c);
-  }
-
-  const ChaseMap& map_;
-  std::vector<std::ptrdiff_t> steps_;
-  std::vector<std::uint8_t> reached_;
-};
-
-}  // namespace
 
 std::vector<std::ptrdiff_t> neighbour_steps(const ChaseMap& map) {
   const auto s = static_cast<std::ptrdiff_t>(map.stride());
   return {-s, -1, 1, s, -s - 1, -s + 1, s - 1, s + 1};
 }
 
-std::vector<int> hops_to(const ChaseMap& map, CellIndex from, const std::vector<Meeting>& meetings, int limit) {
-  std::vector<std::uint8_t> wanted(map.index_count(), 0);
-  std::size_t missing = 0;
-  for (const Meeting& m : meetings)
-    if (!wanted[m.cell]) wanted[m.cell] = 1, ++missing;
-  std::vector<std::pair<CellIndex, int>> found;
-  Waves(map).spread(from, limit, [&](CellIndex c, int moves) {
-    if (!wanted[c]) return false;
-    found.push_back({c, moves});
-    return --missing == 0;
-  });
-  std::sort(found.begin(), found.end());
-  std::vector<int> hops;
-  hops.reserve(meetings.size());
-  for (const Meeting& m : meetings) {
-    const auto at = std::lower_bound(found.begin(), found.end(), std::pair{m.cell, 0});
-    hops.push_back(at != found.end() && at->first == m.cell ? at->second : kUnreachable);
-  }
+std::vector<int> hops_from(const ChaseMap& map, CellIndex from, int limit) {
+  std::vector<int> hops(map.index_count(), kUnreachable);
+  const auto steps = neighbour_steps(map);
+  std::vector<CellIndex> wave{from}, next;
+  hops[from] = 0;
+  for (int moves = 1; !wave.empty() && moves <= limit; ++moves, wave.swap(next), next.clear())
+    for (const CellIndex cell : wave)
+      for (const std::ptrdiff_t step : steps) {
+        const auto c = static_cast<CellIndex>(static_cast<std::ptrdiff_t>(cell) + step);
+        if (hops[c] != kUnreachable || !map.is_free(c)) continue;
+        hops[c] = moves;
+        next.push_back(c);
+      }
   return hops;
 }
 
@@ -105,6 +68,33 @@ std::vector<CellIndex> fewest_moves(const ChaseMap& map, CellIndex from, CellInd
   while (way.back() != from)
     way.push_back(static_cast<CellIndex>(static_cast<std::ptrdiff_t>(way.back()) - steps[came_by[way.back()]]));
   std::reverse(way.begin(), way.end());
+  return way;
+}
+
+std::vector<CellIndex> cheapest_way(const ChaseMap& map, CellIndex from, CellIndex to) {
+  // From `to`, so that the way is read off forwards.
+  const auto steps = neighbour_steps(map);
+  std::vector<std::uint64_t> least(map.index_count(), ~std::uint64_t{0});
+  std::vector<std::uint8_t> onward(map.index_count(), 0);
+  RadixHeap<CellIndex> queue;
+  least[to] = 0;
+  queue.push(0, to);
+  while (!queue.empty()) {
+    const auto [cost, cell] = queue.pop();
+    if (cost != least[cell]) continue;
+    if (cell == from) break;
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const auto before = static_cast<CellIndex>(static_cast<std::ptrdiff_t>(cell) + steps[i]);
+      if (!map.is_free(before) || cost + map.cost(before) >= least[before]) continue;
+      least[before] = cost + map.cost(before);
+      onward[before] = static_cast<std::uint8_t>(i);
+      queue.push(least[before], before);
+    }
+  }
+  if (least[from] == ~std::uint64_t{0}) return {};
+  std::vector<CellIndex> way{from};
+  while (way.back() != to)
+    way.push_back(static_cast<CellIndex>(static_cast<std::ptrdiff_t>(way.back()) - steps[onward[way.back()]]));
   return way;
 }
 

@@ -6,7 +6,7 @@
 //     t u + sum over its moves of (w - u),      with equality for u = m,                                                      (*)
 //
 // and the sum has no negative term. So each u gives a bound by one search with Dijkstra's algorithm in the plane, without any clock: the seconds enter
-// by t u and by k <= t. A `Range` lo..hi of m is searched with u = lo, over cells of cost >= lo, along ways that visit a cell of cost <= hi.
+// by t u and by k <= t. u need not be whole: it is counted in parts, Workspace::parts to a unit. A `Range` lo..hi of m is searched with u = lo, over cells of cost >= lo, along ways that visit a cell of cost <= hi.
 #pragma once
 
 #include <cstdint>
@@ -35,85 +35,115 @@ struct SearchStopped {
 /// What all searches of one planning share.
 struct Workspace {
   const Chase* chase = nullptr;
-  Stopped stopped{};
+  std::function<bool()> stopped{};  ///< asked from two threads
   std::vector<std::ptrdiff_t> steps{};
-  std::vector<int> latest{};              ///< latest_departures for all meetings
+  std::vector<int> hops{};    ///< hops_from the robot
+  std::vector<int> latest{};  ///< latest_departures for all meetings, -1 where the robot comes later than that
   std::vector<std::uint8_t> is_target{};  ///< some meeting's cell
   int bits = 0;                           ///< of a key, for the number of moves
-  PlanEffort effort{};
-  Plan best{};  ///< so far; cost kNoCost without one
-  std::function<void(const Plan&)> better{};
+  std::uint32_t dearest = 0;              ///< cost of a cell
+  Cost parts = 1;                         ///< of a unit, for u
 
   const ChaseMap& map() const { return *chase->map; }
-  Cost upper() const { return best.cost; }
   int seconds(const Meeting& m) const { return m.second - chase->now; }
-
-  /// Takes the plan along `way` when it costs less than the best.
-  void offer(const std::vector<CellIndex>& way, int seconds);
-  void count(std::size_t& since);  ///< one more cell expanded; throws SearchStopped
-
   CellIndex neighbour(CellIndex c, std::ptrdiff_t step) const {
     return static_cast<CellIndex>(static_cast<std::ptrdiff_t>(c) + step);
   }
+  /// The latest departures for some of the meetings over cells of cost >= lo, -1 where the robot comes later.
+  std::vector<int> latest_for(const std::vector<Meeting>& meetings, std::uint32_t lo) const;
+  /// Sets `dearest` and `parts`.
+  void choose_parts(std::uint32_t dearest);
+  /// The least u in parts with which keys fit: a reduced cost below upper - u * (last second) and the moves in 63 bits.
+  Cost least_u(Cost upper) const;
 };
 
-/// What a search of a range says about the meetings it was asked for.
-struct RangeBound {
-  Cost least = kNoCost;        ///< bound (*) with u = lo of the best meeting reached in time
-  std::uint32_t cheapest = 0;  ///< of the cells of that way
-  std::vector<Meeting> open;   ///< meetings that were not reached in time, but might be by dearer and shorter ways
+/// A way in time, and when it is at its end.
+struct Incumbent {
+  Cost cost = kNoCost;
+  std::vector<CellIndex> way{};
+  int seconds = 0;
+};
+
+/// One thread's part of a planning. The searches need a best way: upper() times Workspace::parts must fit.
+struct Worker {
+  const Workspace& work;
+  Incumbent best{};
+  PlanEffort effort{};
+
+  Cost upper() const { return best.cost; }
+  void offer(const std::vector<CellIndex>& way, int seconds);  ///< takes it when it costs less than the best
+  void count(std::size_t& since);                              ///< one more cell expanded; throws SearchStopped
+};
+
+/// How a search for one u came to a meeting.
+struct Reach {
+  Cost bound =
+      kNoCost;  ///< (*): no way of the range to this meeting costs less; kNoCost: it cannot be better than the best plan
+  Cost moves_cost = 0;  ///< of the way of that bound, without waiting
+  int moves = 0;        ///< of that way; more than the meeting's seconds: it is late
 };
 
 /// Dijkstra's algorithm from the robot, by (reduced cost, moves). Arrays are kept from call to call.
 class ForwardSearch {
  public:
-  explicit ForwardSearch(Workspace& work) : work_(work) {}
+  explicit ForwardSearch(Worker& worker) : worker_(worker), work_(worker.work) {}
 
-  /// `meetings` ascending. Offers what it finds to the workspace.
-  RangeBound run(const Range& range, const std::vector<Meeting>& meetings);
+  /// `meetings` ascending, `latest` of Workspace::latest_for them; u in parts, not above range.lo. Offers the ways in time that it finds. The answers,
+  /// one a meeting, hold until the next run.
+  const std::vector<Reach>& run(const Range& range, Cost u, const std::vector<Meeting>& meetings,
+                                const std::vector<int>& latest);
+  /// The way of the last run to a meeting's cell. Precondition: its bound is not kNoCost.
+  std::vector<CellIndex> way_to(CellIndex cell) const;
   void release();  ///< the memory
 
  private:
   struct Query;
   void begin(Query& query);
+  bool is_over(Query& query, std::uint64_t key) const;
   void expand(Query& query, std::uint64_t key, std::uint64_t state);
-  void relax(Query& query, CellIndex cell, bool touched, std::uint64_t key);
+  void relax(CellIndex cell, bool touched, std::uint64_t key);
   void arrive(Query& query, std::uint64_t key, CellIndex cell);
-  std::vector<CellIndex> trace(const Query& query, CellIndex cell) const;
+  void offer_the_best(const Query& query);
+  std::uint64_t step_key(CellIndex left) const {
+    return static_cast<std::uint64_t>(work_.parts * work_.map().cost(left) - u_) << work_.bits;
+  }
 
-  Workspace& work_;
+  Worker& worker_;
+  const Workspace& work_;
+  Range range_;
+  Cost u_ = 0;
+  const std::vector<int>* latest_ = nullptr;
+  std::vector<Reach> reached_;
   std::vector<std::uint64_t> far_;   // keys of ways that have not yet visited a cell of cost <= hi
   std::vector<std::uint64_t> near_;  // and of those that have
   RadixHeap<std::uint64_t> queue_;
 };
 
-/// Least t u + sum (w - u) from each cell to a meeting, over cells of cost >= lo; u may be below lo, and below 0 (not below minus the dearest cost).
+/// Least t u + sum (w - u) from each cell to a meeting, over cells of cost >= lo; u may be below lo, and below 0 (not below least_u). All in parts.
 class CostToMeet {
  public:
-  CostToMeet(Workspace& work, std::int64_t u, std::uint32_t lo, const std::vector<Meeting>& meetings,
+  CostToMeet(Worker& worker, Cost u, std::uint32_t lo, const std::vector<Meeting>& meetings,
              const std::vector<int>& latest);
 
-  std::int64_t u() const { return u_; }
-  /// kNoCost where it is not below Workspace::upper().
-  Cost at(CellIndex c) const { return key_[c] == kFar ? kNoCost : static_cast<Cost>(key_[c] >> work_.bits) + base_; }
-
-  struct Way {
-    std::vector<CellIndex> cells;
-    int seconds = 0;  ///< of the meeting; less than the moves when there is none in time. -1: unknown
-  };
-  /// The way of that cost, of several one of fewest moves. Precondition: at(from) < kNoCost.
-  Way way(CellIndex from, const std::vector<Meeting>& meetings) const;
+  Cost u() const { return u_; }
+  /// kNoCost where it is not below Worker::upper().
+  Cost at(CellIndex c) const { return cost_[c] == kFar ? kNoCost : static_cast<Cost>(cost_[c]) + base_; }
 
  private:
-  Workspace& work_;
-  std::int64_t u_;
+  Cost u_;
   Cost base_ = 0;
-  std::vector<std::uint64_t> key_;  // cost above the base, and the moves of the shortest such way
+  std::vector<std::uint64_t> cost_;  // above the base
 };
 
-/// Where the seconds bind: a search by (reduced cost, moves) that keeps all ways of which neither is better in both, pruned by costs to meet at two
-/// values of u. Gives the same bound, now with every meeting reached in time, and leaves none open.
-RangeBound search_labels(Workspace& work, const Range& range, const std::vector<Meeting>& meetings,
-                         std::size_t most_labels);
+/// What a search with two criteria says about a range.
+struct RangeBound {
+  Cost least = kNoCost;        ///< bound (*) with u = lo of the best meeting reached in time
+  std::uint32_t cheapest = 0;  ///< of the cells of that way
+};
+
+/// Where the seconds bind: a search by (reduced cost, moves) that keeps all ways of which neither is better in both, pruned by costs to meet for u = lo
+/// and for the `u` given, in parts, best one where the bound of the best meeting is highest. Gives bound (*) with u = lo, for every meeting among ways that are in time. Nothing when it would take more than so many labels.
+std::optional<RangeBound> search_labels(Worker& worker, const Range& range, const std::vector<Meeting>& meetings,
+                                        Cost u, std::size_t most_labels);
 
 }  // namespace taut::pursuit::detail

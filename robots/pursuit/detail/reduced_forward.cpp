@@ -5,29 +5,56 @@
 
 namespace taut::pursuit::detail {
 
-void Workspace::offer(const std::vector<CellIndex>& way, int seconds) {
-  const WayCost cost = cost_of(map(), way);
-  if (cost.total(way.size() - 1, seconds) >= upper()) return;
-  best = plan_along(*chase, way, seconds);
-  if (better) better(best);
+namespace {
+
+constexpr Cost kParts = 16;
+constexpr int kMostTraces = 32;
+constexpr int kWorthATrace = 64;  // parts of the best cost that a way must seem better by, while the search goes on
+
+Cost rounded_up(Cost a, Cost b) { return a / b + (a % b > 0); }  // b > 0
+
+bool by_cell(const Meeting& a, const Meeting& b) { return a.cell != b.cell ? a.cell < b.cell : a.second < b.second; }
+
+}  // namespace
+
+std::vector<int> Workspace::latest_for(const std::vector<Meeting>& meetings, std::uint32_t lo) const {
+  std::vector<int> departures = latest_departures(map(), meetings, chase->now, lo);
+  for (std::size_t i = 0; i < departures.size(); ++i)
+    if (departures[i] < hops[i]) departures[i] = -1;
+  return departures;
 }
 
-void Workspace::count(std::size_t& since) {
+void Workspace::choose_parts(std::uint32_t dearest_cost) {
+  dearest = dearest_cost;
+  const Cost last = std::max(1, chase->meetings.back().second - chase->now);
+  const bool fits = kParts * dearest < (std::numeric_limits<Cost>::max() >> bits) / 4 / last;
+  parts = fits ? kParts : 1;
+}
+
+Cost Workspace::least_u(Cost upper) const {
+  const Cost last = std::max(1, chase->meetings.back().second - chase->now);
+  const Cost most = (std::numeric_limits<Cost>::max() >> bits) / parts, room = most - std::min(upper, most);
+  return -std::min(Cost{dearest}, std::max<Cost>(0, room / last - 1)) * parts;
+}
+
+void Worker::offer(const std::vector<CellIndex>& way, int seconds) {
+  const Cost cost = cost_of(work.map(), way).total(way.size() - 1, seconds);
+  if (cost < upper()) best = {cost, way, seconds};
+}
+
+void Worker::count(std::size_t& since) {
   ++effort.expanded;
   if (++since < 4096) return;
   since = 0;
-  if (stopped && stopped()) throw SearchStopped{"out of time"};
+  if (work.stopped && work.stopped()) throw SearchStopped{"out of time"};
 }
 
 struct ForwardSearch::Query {
-  Range range;
   const std::vector<Meeting>& meetings;
-  std::vector<Meeting> by_cell;   // sorted by cell, then second
-  std::vector<std::uint8_t> met;  // per meeting, in order of seconds
-  std::size_t first = 0;          // the earliest not met
-  bool touched_at_start;
+  std::vector<std::pair<Meeting, std::size_t>> by_cell;  // sorted by cell, then second
+  std::vector<std::uint8_t> settled;                     // per meeting
+  std::size_t first, end;                                // of the meetings not settled, from either side
   Cost most_reduced = 0;  // a way whose reduced cost is more cannot be better than the best plan
-  RangeBound bound;
 };
 
 void ForwardSearch::release() {
@@ -36,46 +63,51 @@ void ForwardSearch::release() {
 }
 
 void ForwardSearch::begin(Query& query) {
-  const std::size_t cells = work_.map().index_count();
-  near_.assign(cells, kFar);
-  if (query.touched_at_start)
+  const CellIndex from = work_.chase->from;
+  const bool touched = work_.map().cost(from) <= range_.hi;
+  near_.assign(work_.map().index_count(), kFar);
+  if (touched)
     far_ = {};
   else
-    far_.assign(cells, kFar);
+    far_.assign(work_.map().index_count(), kFar);
   queue_.clear();
-  query.by_cell = query.meetings;
-  std::sort(query.by_cell.begin(), query.by_cell.end(), [](const Meeting& a, const Meeting& b) {
-    return a.cell != b.cell ? a.cell < b.cell : a.second < b.second;
-  });
-  query.met.assign(query.meetings.size(), 0);
-  ++work_.effort.searches;
+  for (std::size_t i = 0; i < query.meetings.size(); ++i) query.by_cell.push_back({query.meetings[i], i});
+  std::sort(query.by_cell.begin(), query.by_cell.end(),
+            [](const auto& a, const auto& b) { return detail::by_cell(a.first, b.first); });
+  ++worker_.effort.searches;
+  (touched ? near_ : far_)[from] = 0;
+  queue_.push(0, (std::uint64_t{from} << 1) | touched);
 }
 
-RangeBound ForwardSearch::run(const Range& range, const std::vector<Meeting>& meetings) {
-  const CellIndex from = work_.chase->from;
-  const std::uint32_t start_cost = work_.map().cost(from);
-  Query query{range, meetings, {}, {}, 0, start_cost <= range.hi, 0, {}};
-  if (start_cost < range.lo || meetings.empty()) return query.bound;
+const std::vector<Reach>& ForwardSearch::run(const Range& range, Cost u, const std::vector<Meeting>& meetings,
+                                             const std::vector<int>& latest) {
+  range_ = range;
+  u_ = u;
+  latest_ = &latest;
+  reached_.assign(meetings.size(), {});
+  if (work_.map().cost(work_.chase->from) < range.lo || meetings.empty()) return reached_;
+  Query query{meetings, {}, std::vector<std::uint8_t>(meetings.size(), 0), 0, meetings.size(), 0};
   begin(query);
-  (query.touched_at_start ? near_ : far_)[from] = 0;
-  queue_.push(0, (std::uint64_t{from} << 1) | query.touched_at_start);
-  std::size_t since = 0;
-  while (!queue_.empty()) {
+  for (std::size_t since = 0; !queue_.empty();) {
     const auto [key, state] = queue_.pop();
     const auto cell = static_cast<CellIndex>(state >> 1);
     const bool touched = state & 1;
     if (key != (touched ? near_ : far_)[cell] || (!touched && near_[cell] < key)) continue;
-    while (query.first < meetings.size() && query.met[query.first]) ++query.first;
-    if (query.first == meetings.size()) break;
-    query.most_reduced = work_.upper() - Cost{range.lo} * work_.seconds(meetings[query.first]) - 1;
-    if (static_cast<Cost>(key >> work_.bits) > query.most_reduced) break;
-    work_.count(since);
+    if (is_over(query, key)) break;
+    worker_.count(since);
     expand(query, key, state);
   }
-  for (std::size_t i = 0; i < meetings.size(); ++i)
-    if (!query.met[i] && Cost{range.lo} * work_.seconds(meetings[i]) < work_.upper())
-      query.bound.open.push_back(meetings[i]);
-  return query.bound;
+  offer_the_best(query);
+  return reached_;
+}
+
+bool ForwardSearch::is_over(Query& query, std::uint64_t key) const {
+  while (query.first < query.end && query.settled[query.first]) ++query.first;
+  while (query.first < query.end && query.settled[query.end - 1]) --query.end;
+  if (query.first == query.end) return true;
+  const Meeting& nearest = query.meetings[u_ >= 0 ? query.first : query.end - 1];
+  query.most_reduced = work_.parts * worker_.upper() - u_ * work_.seconds(nearest) - 1;
+  return static_cast<Cost>(key >> work_.bits) > query.most_reduced;
 }
 
 void ForwardSearch::expand(Query& query, std::uint64_t key, std::uint64_t state) {
@@ -84,58 +116,72 @@ void ForwardSearch::expand(Query& query, std::uint64_t key, std::uint64_t state)
   if (touched && work_.is_target[cell]) arrive(query, key, cell);
   // Ways that are too slow are followed nevertheless: dropping one would let a dearer way pass for the least. Their moves stop counting.
   const std::uint64_t most_moves = (std::uint64_t{1} << work_.bits) - 1;
-  const std::uint64_t next =
-      key + (std::uint64_t{work_.map().cost(cell) - query.range.lo} << work_.bits) + ((key & most_moves) < most_moves);
+  const std::uint64_t next = key + step_key(cell) + ((key & most_moves) < most_moves);
   if (static_cast<Cost>(next >> work_.bits) > query.most_reduced) return;
-  for (const std::ptrdiff_t step : work_.steps) relax(query, work_.neighbour(cell, step), touched, next);
+  for (const std::ptrdiff_t step : work_.steps) relax(work_.neighbour(cell, step), touched, next);
 }
 
-void ForwardSearch::relax(Query& query, CellIndex cell, bool touched, std::uint64_t key) {
+void ForwardSearch::relax(CellIndex cell, bool touched, std::uint64_t key) {
   if (key >= near_[cell]) return;
   const std::uint32_t cost = work_.map().cost(cell);
-  if (cost == ChaseMap::kObstacle || cost < query.range.lo) return;
-  touched = touched || cost <= query.range.hi;
+  if (cost == ChaseMap::kObstacle || cost < range_.lo) return;
+  touched = touched || cost <= range_.hi;
   std::uint64_t& known = (touched ? near_ : far_)[cell];
   if (key >= known) return;
-  if (work_.latest[cell] < 0) return;
+  if ((*latest_)[cell] < 0) return;
   known = key;
   queue_.push(key, (std::uint64_t{cell} << 1) | touched);
 }
 
-// The earliest meeting at the cell that is not over, and all later ones there, are reached.
+// All meetings there are settled, in time or late. Of those in time the earliest costs least.
 void ForwardSearch::arrive(Query& query, std::uint64_t key, CellIndex cell) {
   const auto moves = static_cast<int>(key & ((std::uint64_t{1} << work_.bits) - 1));
-  const auto less = [](const Meeting& a, const Meeting& b) {
-    return a.cell != b.cell ? a.cell < b.cell : a.second < b.second;
-  };
-  auto at = std::lower_bound(query.by_cell.begin(), query.by_cell.end(), Meeting{cell, moves + work_.chase->now}, less);
-  if (at == query.by_cell.end() || at->cell != cell) return;
-  const Cost value = static_cast<Cost>(key >> work_.bits) + Cost{query.range.lo} * work_.seconds(*at);
-  if (value < work_.upper() && value < query.bound.least) {
-    const std::vector<CellIndex> way = trace(query, cell);
-    query.bound.least = value;
-    query.bound.cheapest = cost_of(work_.map(), way).least;
-    work_.offer(way, work_.seconds(*at));
-  }
-  for (; at != query.by_cell.end() && at->cell == cell; ++at) {
-    const auto by_second = std::lower_bound(query.meetings.begin(), query.meetings.end(), at->second,
-                                            [](const Meeting& m, int second) { return m.second < second; });
-    query.met[static_cast<std::size_t>(by_second - query.meetings.begin())] = 1;
+  const auto reduced = static_cast<Cost>(key >> work_.bits);
+  auto at = std::lower_bound(query.by_cell.begin(), query.by_cell.end(), cell,
+                             [](const auto& m, CellIndex c) { return m.first.cell < c; });
+  bool is_first_in_time = true;
+  for (; at != query.by_cell.end() && at->first.cell == cell; ++at) {
+    const int seconds = work_.seconds(at->first);
+    query.settled[at->second] = 1;
+    reached_[at->second] = {rounded_up(reduced + u_ * seconds, work_.parts), (reduced + u_ * moves) / work_.parts,
+                            moves};
+    if (moves > seconds || !is_first_in_time) continue;
+    is_first_in_time = false;
+    const Cost estimate = reached_[at->second].moves_cost + (seconds - moves) * Cost{range_.lo};
+    if (estimate < worker_.upper() - worker_.upper() / kWorthATrace) worker_.offer(way_to(cell), seconds);
   }
 }
 
-std::vector<CellIndex> ForwardSearch::trace(const Query& query, CellIndex cell) const {
+// With waiting at cost lo, if it were so cheap, the most promising first.
+void ForwardSearch::offer_the_best(const Query& query) {
+  std::vector<std::pair<Cost, std::size_t>> promising;
+  for (std::size_t i = 0; i < query.meetings.size(); ++i) {
+    const Reach& reach = reached_[i];
+    const int seconds = work_.seconds(query.meetings[i]);
+    if (!query.settled[i] || reach.moves > seconds) continue;
+    const Cost estimate = reach.moves_cost + (seconds - reach.moves) * Cost{range_.lo};
+    if (estimate < worker_.upper()) promising.push_back({estimate, i});
+  }
+  std::sort(promising.begin(), promising.end());
+  int traces = 0;
+  for (const auto& [estimate, i] : promising) {
+    if (estimate >= worker_.upper() || ++traces > kMostTraces) return;
+    worker_.offer(way_to(query.meetings[i].cell), work_.seconds(query.meetings[i]));
+  }
+}
+
+std::vector<CellIndex> ForwardSearch::way_to(CellIndex cell) const {
   const ChaseMap& map = work_.map();
   std::vector<CellIndex> way{cell};
   bool touched = true;
   const auto leads = [&](CellIndex before, bool before_touched, std::uint64_t key) {
     const std::vector<std::uint64_t>& keys = before_touched ? near_ : far_;
     if (keys.empty() || keys[before] == kFar) return false;
-    return keys[before] + (std::uint64_t{map.cost(before) - query.range.lo} << work_.bits) + 1 == key;
+    return keys[before] + step_key(before) + 1 == key;
   };
   while ((touched ? near_ : far_)[way.back()] != 0) {
     const std::uint64_t key = (touched ? near_ : far_)[way.back()];
-    const bool touches_here = map.cost(way.back()) <= query.range.hi;
+    const bool touches_here = map.cost(way.back()) <= range_.hi;
     for (const std::ptrdiff_t step : work_.steps) {
       const CellIndex before = work_.neighbour(way.back(), step);
       if (leads(before, touched, key)) {

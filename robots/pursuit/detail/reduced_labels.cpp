@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <optional>
 
 #include <taut/robots/pursuit/detail/reduced.h>
 
@@ -7,96 +6,41 @@ namespace taut::pursuit::detail {
 
 namespace {
 
-constexpr int kMostTangents = 8;
 constexpr std::uint32_t kNoLabel = ~std::uint32_t{0};
 
 /// What the label search needs to know about the way ahead.
 struct Ahead {
-  std::vector<Meeting> meetings;      // that can still be better
-  std::vector<int> latest;            // over cells of cost >= lo
-  std::optional<CostToMeet> lower;    // u = lo
-  std::optional<CostToMeet> tangent;  // u < lo, where the bound at the start is highest
+  const std::vector<Meeting>& meetings;  // that can still be better
+  const std::vector<int>& latest;        // over cells of cost >= lo
+  const CostToMeet& lower;               // u = lo
+  const CostToMeet& tangent;             // u < lo, where the bound at the start is highest
 };
-
-/// A way as a function of u: its bound (*) is moves_cost + slack * u.
-struct Line {
-  Cost moves_cost = 0;
-  Cost slack = 0;  // seconds - moves; negative: not in time
-};
-
-Line line_of(const Workspace& work, const CostToMeet::Way& way) {
-  return {cost_of(work.map(), way.cells).moves, way.seconds - static_cast<Cost>(way.cells.size()) + 1};
-}
-
-Cost floor_divided(Cost a, Cost b) { return a / b - ((a % b != 0) && ((a < 0) != (b < 0))); }
-
-// The bound at the start is a concave function of u: raised by tangents (Handler and Zang, "A dual algorithm for the constrained shortest path
-// problem", 1980). Ways in time that are met on the way are offered.
-void find_tangent(Workspace& work, const Range& range, Ahead& ahead) {
-  const CellIndex from = work.chase->from;
-  const CostToMeet::Way way = ahead.lower->way(from, ahead.meetings);
-  if (way.seconds < 0) return;
-  Line late = line_of(work, way);
-  if (late.slack >= 0) return work.offer(way.cells, way.seconds);
-  if (work.upper() >= kNoCost) return;
-  Cost moves_cost = 0;
-  for (std::size_t i = 0; i + 1 < work.best.cells.size(); ++i)
-    if (work.best.cells[i] != work.best.cells[i + 1]) moves_cost += work.map().cost(work.best.cells[i]);
-  Cost waits = 0;
-  for (std::size_t i = 0; i + 1 < work.best.cells.size(); ++i) waits += work.best.cells[i] == work.best.cells[i + 1];
-  Line early{moves_cost, waits};
-  const Cost least_u =
-      -Cost{*std::max_element(work.map().costs().begin(), work.map().costs().end(), [](auto a, auto b) {
-        return (a == ChaseMap::kObstacle ? 0 : a) < (b == ChaseMap::kObstacle ? 0 : b);
-      })};
-  Cost best_bound = ahead.lower->at(from), last_u = range.lo;
-  for (int i = 0; i < kMostTangents; ++i) {
-    const Cost crossing = floor_divided(early.moves_cost - late.moves_cost, late.slack - early.slack);
-    const Cost u = std::clamp<Cost>(crossing, least_u, Cost{range.lo});
-    if (u == last_u) return;
-    last_u = u;
-    CostToMeet next(work, u, range.lo, ahead.meetings, ahead.latest);
-    if (next.at(from) >= kNoCost) {  // nothing is left below the best plan
-      ahead.tangent.emplace(std::move(next));
-      return;
-    }
-    const CostToMeet::Way here = next.way(from, ahead.meetings);
-    const Line line = line_of(work, here);
-    const Cost bound = next.at(from);
-    if (bound >= best_bound) {
-      best_bound = bound;
-      ahead.tangent.emplace(std::move(next));
-    }
-    if (here.seconds < 0) return;
-    if (line.slack >= 0) work.offer(here.cells, here.seconds);
-    (line.slack >= 0 ? early : late) = line;
-  }
-}
 
 class LabelSearch {
  public:
-  LabelSearch(Workspace& work, const Range& range, const Ahead& ahead, std::size_t most_labels)
-      : work_(work), range_(range), ahead_(ahead), most_labels_(most_labels) {}
+  LabelSearch(Worker& worker, const Range& range, const Ahead& ahead, std::size_t most_labels)
+      : worker_(worker), work_(worker.work), range_(range), ahead_(ahead), most_labels_(most_labels) {}
 
-  RangeBound run() {
+  std::optional<RangeBound> run() {
     const CellIndex from = work_.chase->from;
     const bool touched = work_.map().cost(from) <= range_.hi;
     moves_.assign(2 * work_.map().index_count(), std::numeric_limits<int>::max());
-    base_ = ahead_.lower->at(from);
+    base_ = lower(from);
     enter(from, touched, 0, 0, kNoLabel);
     std::size_t since = 0;
-    while (!queue_.empty()) {
+    while (!queue_.empty() && labels_.size() < most_labels_) {
       const auto [key, label] = queue_.pop();
       const Cost bound = base_ + static_cast<Cost>(key >> work_.bits);
-      if (bound >= std::min(work_.upper(), result_.least)) break;
-      work_.count(since);
+      if (bound >= std::min(worker_.upper(), result_.least)) break;
+      worker_.count(since);
       settle(label, bound, static_cast<int>(key & ((std::uint64_t{1} << work_.bits) - 1)));
     }
-    work_.effort.labels += labels_.size();
-    if (end_ != kNoLabel && result_.least < work_.upper()) {
+    worker_.effort.labels += labels_.size();
+    if (labels_.size() >= most_labels_) return std::nullopt;
+    if (end_ != kNoLabel && result_.least < worker_.upper()) {
       const std::vector<CellIndex> way = trace(end_);
       result_.cheapest = cost_of(work_.map(), way).least;
-      work_.offer(way, end_seconds_);
+      worker_.offer(way, end_seconds_);
     }
     return result_;
   }
@@ -108,6 +52,11 @@ class LabelSearch {
     std::uint32_t touched : 1;
   };
 
+  Cost lower(CellIndex cell) const {
+    const Cost cost = ahead_.lower.at(cell);
+    return cost >= kNoCost ? kNoCost : cost / work_.parts;  // u is whole, and so is this
+  }
+
   // By (bound, moves): at one cell the reduced costs ascend, so a label is as good as none when one with no more moves has been there.
   bool is_dominated(CellIndex cell, bool touched, int moves) const {
     return moves_[2 * std::size_t{cell} + 1] <= moves || (!touched && moves_[2 * std::size_t{cell}] <= moves);
@@ -115,11 +64,10 @@ class LabelSearch {
 
   void enter(CellIndex cell, bool touched, Cost reduced, int moves, std::uint32_t parent) {
     if (moves > ahead_.latest[cell] || is_dominated(cell, touched, moves)) return;
-    const Cost upper = std::min(work_.upper(), result_.least), bound = reduced + ahead_.lower->at(cell);
+    const Cost upper = std::min(worker_.upper(), result_.least), bound = reduced + lower(cell);
     if (bound >= upper) return;
-    if (ahead_.tangent && reduced + moves * (Cost{range_.lo} - ahead_.tangent->u()) + ahead_.tangent->at(cell) >= upper)
-      return;
-    if (labels_.size() >= most_labels_) throw SearchStopped{"too many labels"};
+    const Cost above = work_.parts * (reduced + moves * Cost{range_.lo}) - moves * ahead_.tangent.u();
+    if (above + ahead_.tangent.at(cell) >= work_.parts * upper) return;
     queue_.push((static_cast<std::uint64_t>(bound - base_) << work_.bits) | static_cast<std::uint64_t>(moves),
                 static_cast<std::uint32_t>(labels_.size()));
     labels_.push_back({cell, parent & 0x7fffffffU, touched});
@@ -130,7 +78,7 @@ class LabelSearch {
     const CellIndex cell = label.cell;
     if (is_dominated(cell, label.touched, moves)) return;
     moves_[2 * std::size_t{cell} + label.touched] = moves;
-    const Cost reduced = bound - ahead_.lower->at(cell);
+    const Cost reduced = bound - lower(cell);
     if (label.touched && work_.is_target[cell]) arrive(index, cell, reduced, moves);
     const Cost next = reduced + work_.map().cost(cell) - range_.lo;
     for (const std::ptrdiff_t step : work_.steps) {
@@ -161,9 +109,10 @@ class LabelSearch {
     return way;
   }
 
-  Workspace& work_;
+  Worker& worker_;
+  const Workspace& work_;
   const Range& range_;
-  const Ahead& ahead_;
+  Ahead ahead_;
   std::size_t most_labels_;
   Cost base_ = 0;
   std::vector<int> moves_;  // least so far, per cell not touched and touched
@@ -176,16 +125,16 @@ class LabelSearch {
 
 }  // namespace
 
-RangeBound search_labels(Workspace& work, const Range& range, const std::vector<Meeting>& meetings,
-                         std::size_t most_labels) {
-  Ahead ahead{meetings, latest_departures(work.map(), meetings, work.chase->now, range.lo), {}, {}};
+std::optional<RangeBound> search_labels(Worker& worker, const Range& range, const std::vector<Meeting>& meetings,
+                                        Cost u, std::size_t most_labels) {
+  const Workspace& work = worker.work;
+  const std::vector<int> latest = work.latest_for(meetings, range.lo);
   const CellIndex from = work.chase->from;
-  if (ahead.latest[from] < 0) return {};
-  ahead.lower.emplace(work, range.lo, range.lo, meetings, ahead.latest);
-  if (ahead.lower->at(from) >= work.upper()) return {};
-  find_tangent(work, range, ahead);
-  if (ahead.lower->at(from) >= work.upper()) return {};
-  return LabelSearch(work, range, ahead, most_labels).run();
+  const CostToMeet tangent(worker, u, range.lo, meetings, latest);
+  if (tangent.at(from) >= work.parts * worker.upper()) return RangeBound{};
+  const CostToMeet lower(worker, work.parts * range.lo, range.lo, meetings, latest);
+  if (lower.at(from) >= work.parts * worker.upper()) return RangeBound{};
+  return LabelSearch(worker, range, {meetings, latest, lower, tangent}, most_labels).run();
 }
 
 }  // namespace taut::pursuit::detail
