@@ -1,41 +1,50 @@
 #include <taut/robots/car/lattice_planner.h>
 
-#include <algorithm>
-#include <cmath>
+#include <array>
 #include <map>
-#include <numbers>
 #include <tuple>
 
 #include <taut/robots/car/detail/disc_distance.h>
 #include <taut/robots/car/detail/lattice_search.h>
+#include <taut/robots/car/detail/shortcuts.h>
 
 namespace taut::car {
+
+namespace {
+
+/// From coarse to fine: the next one is asked only when there is no way in the former.
+constexpr std::array<detail::Lattice, 2> kLattices{{{4, 4, 0.02}, {10, 2, kMargin}}};
+
+}  // namespace
 
 struct LatticePlanner::Impl {
   Impl(const Course& c, WallReading r) : course(c), reading(r) {}
 
   struct Known {
     detail::Obstacles obstacles;
-    detail::DiscDistance distance;
+    detail::DiscDistance disc;
+    detail::PoseDistance distance;
   };
 
   const Known& known(RoadblockSet closed) {
     auto at = by_closed.find(closed);
     if (at == by_closed.end()) {
       detail::Obstacles obstacles(course, closed, reading);
-      detail::DiscDistance distance(obstacles, course.goal);
-      at = by_closed.emplace(closed, Known{std::move(obstacles), std::move(distance)}).first;
+      detail::DiscDistance disc(obstacles, course.goal);
+      detail::PoseDistance distance(obstacles, disc, course.goal);
+      at = by_closed.emplace(closed, Known{std::move(obstacles), std::move(disc), std::move(distance)}).first;
     }
     return at->second;
   }
 
   std::optional<Plan> search(const Pose& from, RoadblockSet closed) {
     const Known& what = known(closed);
-    if (!what.distance.reaches({from.x, from.y})) return std::nullopt;
+    if (!what.disc.reaches({from.x, from.y})) return std::nullopt;
     ++plans;
-    for (const detail::Lattice& lattice : {detail::Lattice{4, 4}, detail::Lattice{10, 2}})
-      if (std::optional<Plan> plan = detail::lattice_search(what.obstacles, what.distance, lattice, from, expanded))
-        return plan;
+    for (const detail::Lattice& lattice : kLattices)
+      if (const auto plan =
+              detail::lattice_search(what.obstacles, what.disc, what.distance, lattice, from, expanded))
+        return detail::with_shortcuts(from, *plan, what.obstacles, lattice.slack);
     return std::nullopt;
   }
 

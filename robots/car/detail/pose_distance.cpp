@@ -1,0 +1,238 @@
+#include <taut/robots/car/detail/pose_distance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace taut::car::detail {
+
+namespace {
+
+constexpr int kParts = 8;  // of a step, in costs
+constexpr int kHeadings = PoseDistance::kTableHeadings;
+constexpr double kUnit = 2 * std::numbers::pi / kHeadings;
+constexpr double kArc = kUnit / kTurn;  // steps of an arc to the next heading
+constexpr std::int32_t kNever = std::numeric_limits<std::int32_t>::max();
+constexpr double kCircumscribed = 1.803;  // half the car's diagonal: with so much room every heading is free
+
+int wrapped(int heading) { return (heading + kHeadings) % kHeadings; }
+
+/// Short raster vectors close to the headings of the first eighth.
+constexpr std::array<std::array<int, 2>, 5> kAhead{{{1, 0}, {5, 1}, {5, 2}, {3, 2}, {1, 1}}};
+
+std::array<int, 2> ahead(int heading) {
+  const int quarter = heading / (kHeadings / 4), rest = heading % (kHeadings / 4);
+  auto [x, y] = kAhead[static_cast<std::size_t>(std::min(rest, kHeadings / 4 - rest))];
+  if (rest > kHeadings / 8) std::swap(x, y);
+  for (int i = 0; i < quarter; ++i) {
+    std::swap(x, y);
+    x = -x;
+  }
+  return {x, y};
+}
+
+}  // namespace
+
+/// States by cost, in a ring of buckets that is longer than twice the dearest move.
+class PoseDistance::Queue {
+ public:
+  void push(std::int32_t cost, State s) {
+    ring_[static_cast<std::size_t>(cost) % kRing].push_back(s);
+    ++in_ring_;
+  }
+
+  /// Before run(): at any cost.
+  void seed(std::int32_t cost, State s) { seeds_.emplace_back(cost, s); }
+
+  template <typename Visit>
+  void each_seed(Visit visit) const {
+    for (const auto& [cost, s] : seeds_) visit(cost, s);
+  }
+
+  /// Calls visit(cost, state) by rising cost; it may push what is dearer, by one move.
+  template <typename Visit>
+  void run(Visit visit) {
+    std::ranges::sort(seeds_, std::greater<>());
+    for (std::int32_t cost = 0; in_ring_ != 0 || !seeds_.empty(); ++cost) {
+      if (in_ring_ == 0) cost = seeds_.back().first;
+      for (; !seeds_.empty() && seeds_.back().first <= cost; seeds_.pop_back()) push(cost, seeds_.back().second);
+      const std::vector<State> states = std::exchange(ring_[static_cast<std::size_t>(cost) % kRing], {});
+      in_ring_ -= states.size();
+      for (const State s : states) visit(cost, s);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kRing = 512;
+  std::array<std::vector<State>, kRing> ring_;
+  std::size_t in_ring_ = 0;
+  std::vector<std::pair<std::int32_t, State>> seeds_;
+};
+
+PoseDistance::PoseDistance(const Obstacles& obstacles, const DiscDistance& disc, Point goal)
+    : columns_(obstacles.course().width * kRaster), rows_(obstacles.course().height * kRaster) {
+  lay_moves();
+  find_free(obstacles, disc);
+  cost_.assign(free_.size() * kHeadings, kNever);
+  Queue queue;
+  for (int j = std::max(0, raster(goal.y - 2)); j <= std::min(rows_ - 1, raster(goal.y + 2)); ++j)
+    for (int i = std::max(0, raster(goal.x - 2)); i <= std::min(columns_ - 1, raster(goal.x + 2)); ++i)
+      for (int h = 0; h < kHeadings; ++h) {
+        const State s = static_cast<State>((j * columns_ + i) * kHeadings + h);
+        if (!is_free(s) || !covers({middle(i), middle(j), h * kUnit}, goal, 0.5 / kRaster)) continue;
+        cost_[s] = 0;
+        queue.seed(0, s);
+      }
+  spread(queue);
+}
+
+void PoseDistance::lay_moves() {
+  const auto add = [&](int h, double dx, double dy, int turn, double cost) {
+    const int x = static_cast<int>(std::lround(dx)), y = static_cast<int>(std::lround(dy));
+    const double way = std::hypot(dx, dy), rounded = std::hypot(x, y);
+    const double scale = way == 0 ? 1 : rounded / way;  // no speed is gained by rounding
+    const Move move{x, y, turn, std::max(1, static_cast<int>(std::lround(cost * scale * kParts)))};
+    moves_[static_cast<std::size_t>(h)].push_back(move);
+    moves_into_[static_cast<std::size_t>(wrapped(h + turn))].push_back(move);
+  };
+  const double chord = 2 * (kForward / kTurn) * std::sin(kUnit / 2) * kRaster;
+  for (int h = 0; h < kHeadings; ++h) {
+    const auto [x, y] = ahead(h);
+    const double steps = std::hypot(x, y) / kRaster / kForward;
+    add(h, x, y, 0, steps);
+    add(h, -x, -y, 0, steps * kForward / kBackward);
+    for (const int turn : {1, -1}) {
+      const double middle_of_arc = (h + 0.5 * turn) * kUnit, dx = chord * std::cos(middle_of_arc),
+                   dy = chord * std::sin(middle_of_arc);
+      add(h, dx, dy, turn, kArc);
+      add(h, 0, 0, turn, 4 * kArc);
+      add(h, -dx, -dy, turn, 7 * kArc);
+    }
+  }
+}
+
+void PoseDistance::find_free(const Obstacles& obstacles, const DiscDistance& disc) {
+  free_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
+  for (int j = 0; j < rows_; ++j)
+    for (int i = 0; i < columns_; ++i) {
+      const Point p{middle(i), middle(j)};
+      if (!disc.reaches(p)) continue;
+      std::uint32_t& bits = free_[static_cast<std::size_t>(j * columns_ + i)];
+      if (obstacles.room(p) > kCircumscribed) {
+        bits = ~0U;
+        continue;
+      }
+      for (int h = 0; h < kHeadings; ++h)
+        if (obstacles.is_free({p.x, p.y, h * kUnit}, -kTableSlack)) bits |= 1U << h;
+    }
+}
+
+template <typename Visit>
+void PoseDistance::each_before(State s, Visit visit) const {
+  const int cell = static_cast<int>(s / kHeadings), i = cell % columns_, j = cell / columns_;
+  const int h = static_cast<int>(s % kHeadings);
+  for (const Move& m : moves_into_[static_cast<std::size_t>(h)]) {
+    const int x = i - m.dx, y = j - m.dy;
+    if (x < 0 || y < 0 || x >= columns_ || y >= rows_) continue;
+    const State before = static_cast<State>((y * columns_ + x) * kHeadings + wrapped(h - m.turn));
+    if (is_free(before)) visit(before, m.cost);
+  }
+}
+
+template <typename Visit>
+void PoseDistance::each_after(State s, Visit visit) const {
+  const int cell = static_cast<int>(s / kHeadings), i = cell % columns_, j = cell / columns_;
+  const int h = static_cast<int>(s % kHeadings);
+  for (const Move& m : moves_[static_cast<std::size_t>(h)]) {
+    const int x = i + m.dx, y = j + m.dy;
+    if (x < 0 || y < 0 || x >= columns_ || y >= rows_) continue;
+    const State after = static_cast<State>((y * columns_ + x) * kHeadings + wrapped(h + m.turn));
+    if (is_free(after)) visit(after, m.cost);
+  }
+}
+
+void PoseDistance::spread(Queue& queue) {
+  queue.run([&](std::int32_t cost, State s) {
+    if (cost_[s] != cost) return;
+    ++settled_;
+    each_before(s, [&](State before, int by) {
+      if (cost + by >= cost_[before]) return;
+      cost_[before] = cost + by;
+      queue.push(cost + by, before);
+    });
+  });
+}
+
+PoseDistance::PoseDistance(const PoseDistance& before, const Obstacles& obstacles, const DiscDistance& disc)
+    : PoseDistance(before) {
+  settled_ = 0;
+  Queue queue;
+  for (const State s : shut(obstacles, disc)) queue.seed(cost_[s], s);
+  const std::vector<State> lost = unsettle(queue, before.cost_);
+  Queue again;
+  for (const State s : lost) {
+    std::int32_t best = kNever;
+    each_after(s, [&](State after, int by) {
+      if (cost_[after] != kNever) best = std::min(best, cost_[after] + by);
+    });
+    if (best != kNever) again.seed(best, s);
+  }
+  again.each_seed([&](std::int32_t cost, State s) { cost_[s] = cost; });
+  spread(again);
+}
+
+/// By old costs: when a state is looked at, all that it could lean on is decided.
+std::vector<PoseDistance::State> PoseDistance::unsettle(Queue& queue, const std::vector<std::int32_t>& old) {
+  std::vector<State> lost;
+  queue.run([&](std::int32_t cost, State s) {
+    if (cost_[s] == kNever) return;
+    if (is_free(s)) {
+      bool leans = cost == 0;
+      each_after(s, [&](State after, int by) { leans = leans || (cost_[after] != kNever && old[after] + by == cost); });
+      if (leans) return;
+      lost.push_back(s);
+    }
+    cost_[s] = kNever;
+    each_before(s, [&](State b, int by) {
+      if (cost_[b] != kNever && old[b] == cost + by) queue.push(cost + by, b);
+    });
+  });
+  return lost;
+}
+
+std::vector<PoseDistance::State> PoseDistance::shut(const Obstacles& obstacles, const DiscDistance& disc) {
+  std::vector<State> closed;
+  const std::vector<std::uint32_t> were = free_;
+  for (int j = 0; j < rows_; ++j)
+    for (int i = 0; i < columns_; ++i) {
+      const auto cell = static_cast<std::size_t>(j * columns_ + i);
+      const Point p{middle(i), middle(j)};
+      std::uint32_t& bits = free_[cell];
+      if (bits == 0) continue;
+      if (!disc.reaches(p)) bits = 0;
+      if (obstacles.room(p) <= kCircumscribed)
+        for (int h = 0; h < kHeadings; ++h)
+          if ((bits >> h) & 1 && !obstacles.is_free({p.x, p.y, h * kUnit}, -kTableSlack)) bits &= ~(1U << h);
+      for (int h = 0; h < kHeadings; ++h)
+        if (((were[cell] & ~bits) >> h) & 1 && cost_[cell * kHeadings + static_cast<std::size_t>(h)] != kNever)
+          closed.push_back(static_cast<State>(cell * kHeadings + static_cast<std::size_t>(h)));
+    }
+  return closed;
+}
+
+double PoseDistance::steps_from(const Pose& pose) const {
+  const int i = raster(pose.x), j = raster(pose.y);
+  if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return kFar;
+  const double turns = pose.heading / kUnit, whole = std::floor(turns), part = turns - whole;
+  const int h = ((static_cast<int>(whole) % kHeadings) + kHeadings) % kHeadings;
+  const std::size_t cell = static_cast<std::size_t>(j * columns_ + i) * kHeadings;
+  const std::int32_t a = cost_[cell + static_cast<std::size_t>(h)], b = cost_[cell + static_cast<std::size_t>(wrapped(h + 1))];
+  if (a == kNever && b == kNever) return kFar;
+  if (a == kNever) return static_cast<double>(b) / kParts;
+  if (b == kNever) return static_cast<double>(a) / kParts;
+  return (a + part * (b - a)) / kParts;
+}
+
+}  // namespace taut::car::detail

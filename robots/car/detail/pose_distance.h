@@ -1,0 +1,57 @@
+// How far a pose is from the goal: a backward search on a coarse lattice of poses, repaired when a roadblock closes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <taut/robots/car/detail/disc_distance.h>
+
+namespace taut::car::detail {
+
+/// Steps to the goal from poses on a lattice: the raster's middles, kTableHeadings headings, the car's own moves rounded to it. An estimate of what
+/// the true car needs, within some percent; unlike a disc's way it knows what turning and reversing cost. Whether poses
+/// are free is tested with the car smaller by kTableSlack, for what rounding moves.
+class PoseDistance {
+ public:
+  PoseDistance(const Obstacles& obstacles, const DiscDistance& disc, Point goal);
+
+  /// The same goal with more cells closed: only what went through them is searched again. `before` had a subset of the closed cells.
+  PoseDistance(const PoseDistance& before, const Obstacles& obstacles, const DiscDistance& disc);
+
+  /// Steps, between the nearest headings; kFar where the lattice knows no way (the car may).
+  double steps_from(const Pose& pose) const;
+
+  std::size_t settled() const { return settled_; }  ///< states that got a value when this was made
+
+  static constexpr double kFar = 1e9;
+  static constexpr int kTableHeadings = 32;
+  static constexpr double kTableSlack = 0.15;
+
+ private:
+  using State = std::uint32_t;
+  struct Move {
+    int dx, dy, turn, cost;
+  };
+  class Queue;
+
+  void lay_moves();
+  void find_free(const Obstacles& obstacles, const DiscDistance& disc);
+  std::vector<State> shut(const Obstacles& obstacles, const DiscDistance& disc);
+  std::vector<State> unsettle(Queue& queue, const std::vector<std::int32_t>& old);
+  void spread(Queue& queue);
+  template <typename Visit>
+  void each_before(State s, Visit visit) const;
+  template <typename Visit>
+  void each_after(State s, Visit visit) const;
+  bool is_free(State s) const { return (free_[s / kTableHeadings] >> (s % kTableHeadings)) & 1; }
+
+  int columns_ = 0, rows_ = 0;
+  std::array<std::vector<Move>, kTableHeadings> moves_;  ///< from each heading
+  std::array<std::vector<Move>, kTableHeadings> moves_into_;
+  std::vector<std::uint32_t> free_;  ///< of raster cells, a bit a heading
+  std::vector<std::int32_t> cost_;   ///< in 1/kParts steps
+  std::size_t settled_ = 0;
+};
+
+}  // namespace taut::car::detail

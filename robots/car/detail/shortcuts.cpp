@@ -1,0 +1,213 @@
+#include <taut/robots/car/detail/shortcuts.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+namespace taut::car::detail {
+
+namespace {
+
+using Vector = std::array<double, 3>;
+
+constexpr double kSame = 1e-11;      // two poses, when their differences are below it
+constexpr int kIterations = 12;      // of Newton's method
+constexpr std::size_t kLeast = 8;    // steps of a stretch
+constexpr double kShrink = 0.75;     // a stretch's length from one round to the next
+constexpr int kRounds = 4;
+constexpr std::array<double, 5> kSides{0, 0.5, -0.5, 0.95, -0.95};  // where the goal comes to lie across the car
+constexpr std::array<std::array<double, 2>, 4> kSplits{{{1 / 3.0, 1 / 3.0}, {0.2, 0.6}, {0.15, 0.35}, {0.5, 0.35}}};
+
+/// The pose after `steps` steps with one control: what stepped() gives, in one go.
+Pose after_arc(const Pose& from, double control, int steps) {
+  const double length = kForward * steps, turn = kTurn * control * steps, middle = from.heading + turn / 2;
+  const double chord = std::abs(turn) < 1e-6 ? length : length * std::sin(turn / 2) / (turn / 2);
+  return {from.x + chord * std::cos(middle), from.y + chord * std::sin(middle), from.heading + turn};
+}
+
+/// Solves a x = b by elimination; nothing when it is (nearly) singular.
+std::optional<Vector> solved(std::array<Vector, 3> a, Vector b) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t r = k + 1; r < 3; ++r)
+      if (std::abs(a[r][k]) > std::abs(a[pivot][k])) pivot = r;
+    if (std::abs(a[pivot][k]) < 1e-9) return std::nullopt;
+    std::swap(a[k], a[pivot]);
+    std::swap(b[k], b[pivot]);
+    for (std::size_t r = k + 1; r < 3; ++r) {
+      const double f = a[r][k] / a[k][k];
+      for (std::size_t c = k; c < 3; ++c) a[r][c] -= f * a[k][c];
+      b[r] -= f * b[k];
+    }
+  }
+  for (std::size_t k = 3; k-- > 0;) {
+    for (std::size_t c = k + 1; c < 3; ++c) b[k] -= a[k][c] * b[c];
+    b[k] /= a[k][k];
+  }
+  return b;
+}
+
+/// Three arcs from a pose: steps each, and what their end has to satisfy.
+struct Stretch {
+  Pose from;
+  std::array<int, 3> steps;
+
+  Pose end(const Vector& u) const {
+    Pose pose = from;
+    for (std::size_t k = 0; k < 3; ++k) pose = after_arc(pose, u[k], steps[k]);
+    return pose;
+  }
+};
+
+/// Controls for which `miss` vanishes, all in [-1, 1].
+template <typename Miss>
+std::optional<Vector> controls_for(Miss miss, Vector u) {
+  constexpr double kStep = 1e-6;
+  for (int i = 0; i < kIterations; ++i) {
+    const Vector now = miss(u);
+    if (std::max({std::abs(now[0]), std::abs(now[1]), std::abs(now[2])}) < kSame) {
+      const bool allowed = std::ranges::all_of(u, [](double c) { return c >= -1 && c <= 1; });
+      return allowed ? std::optional(u) : std::nullopt;
+    }
+    std::array<Vector, 3> slope;
+    for (std::size_t c = 0; c < 3; ++c) {
+      Vector v = u;
+      v[c] += kStep;
+      const Vector then = miss(v);
+      for (std::size_t r = 0; r < 3; ++r) slope[r][c] = (then[r] - now[r]) / kStep;
+    }
+    const std::optional<Vector> step = solved(slope, now);
+    if (!step) return std::nullopt;
+    for (std::size_t k = 0; k < 3; ++k) u[k] -= (*step)[k];
+    if (std::ranges::any_of(u, [](double c) { return !(std::abs(c) < 4); })) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+class Shortcuts {
+ public:
+  Shortcuts(const Pose& from, const Plan& plan, const Obstacles& obstacles, double slack)
+      : from_(from), plan_(plan), obstacles_(obstacles), slack_(slack) {}
+
+  Plan run() {
+    for (int round = 0; round < kRounds; ++round) {
+      const std::size_t before = plan_.controls.size();
+      for (auto length = static_cast<double>(before); length >= kLeast; length *= kShrink)
+        pass(static_cast<std::size_t>(length));
+      if (plan_.controls.size() == before) break;
+    }
+    return plan_;
+  }
+
+ private:
+  void pass(std::size_t length) {
+    const std::size_t stride = std::max<std::size_t>(1, length / 4);
+    for (std::size_t i = 0; i + length <= plan_.controls.size(); i += stride)
+      while (i + length <= plan_.controls.size() && shortened(i, i + length)) {}
+    if (length <= plan_.controls.size())
+      while (plan_.controls.size() >= length && end_shortened(plan_.controls.size() - length)) {}
+  }
+
+  const Pose& before(std::size_t i) const { return i == 0 ? from_ : plan_.poses[i - 1]; }
+
+  static double nearest_turn(double angle) {
+    return std::remainder(angle, 2 * std::acos(-1.0));
+  }
+
+  bool shortened(std::size_t i, std::size_t j) {
+    const Pose target = plan_.poses[j - 1];
+    const auto least = static_cast<int>(std::ceil(std::hypot(target.x - before(i).x, target.y - before(i).y) / kForward));
+    const int steps = static_cast<int>(j - i);
+    for (const int saved : {steps / 4, 4, 1})
+      if (saved > 0 && steps - saved >= std::max(least, 3) && replaced(i, j, steps - saved, [&](const Pose& end, const Vector&) {
+            return Vector{end.x - target.x, end.y - target.y, nearest_turn(end.heading - target.heading)};
+          }))
+        return true;
+    return false;
+  }
+
+  bool end_shortened(std::size_t i) {
+    const Point goal = obstacles_.course().goal;
+    const int steps = static_cast<int>(plan_.controls.size() - i) - 1;
+    for (const double side : kSides)
+      if (steps >= 3 && replaced(i, plan_.controls.size(), steps, [&](const Pose& end, const Vector& u) {
+            const double c = std::cos(end.heading), s = std::sin(end.heading), dx = goal.x - end.x, dy = goal.y - end.y;
+            return Vector{c * dx + s * dy - kHalfLength + 2 * kMargin, c * dy - s * dx - side, 3 * (u[1] - u[2])};
+          }))
+        return true;
+    return false;
+  }
+
+  template <typename Miss>
+  bool replaced(std::size_t i, std::size_t j, int steps, Miss miss) {
+    for (const auto& [first, second] : kSplits) {
+      const int a = std::max(1, static_cast<int>(first * steps)), b = std::max(1, static_cast<int>(second * steps));
+      const Stretch stretch{before(i), {a, b, steps - a - b}};
+      if (stretch.steps[2] < 1) continue;
+      const auto found =
+          controls_for([&](const Vector& u) { return miss(stretch.end(u), u); }, guess(i, j, stretch.steps));
+      if (found && put(i, j, stretch, *found)) return true;
+    }
+    return false;
+  }
+
+  Vector guess(std::size_t i, std::size_t j, const std::array<int, 3>& steps) const {
+    Vector u{};
+    const double scale = static_cast<double>(j - i) / (steps[0] + steps[1] + steps[2]);
+    double at = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto begin = i + static_cast<std::size_t>(at);
+      at += steps[k] * scale;
+      const auto end = std::min(j, i + static_cast<std::size_t>(at));
+      for (std::size_t c = begin; c < end; ++c) u[k] += std::max(plan_.controls[c], -1.0);
+      u[k] = std::clamp(u[k] / std::max<double>(1, static_cast<double>(end - begin)), -1.0, 1.0);
+    }
+    return u;
+  }
+
+  /// Takes the stretch when it and what follows is clear.
+  bool put(std::size_t i, std::size_t j, const Stretch& stretch, const Vector& u) {
+    std::vector<double> controls;
+    for (std::size_t k = 0; k < 3; ++k) controls.insert(controls.end(), static_cast<std::size_t>(stretch.steps[k]), u[k]);
+    Pose pose = stretch.from;
+    for (const double control : controls) {
+      const Pose to = stepped(pose, control);
+      if (!obstacles_.is_clear(pose, control, to, slack_)) return false;
+      pose = to;
+    }
+    controls.insert(controls.begin(), plan_.controls.begin(), plan_.controls.begin() + static_cast<std::ptrdiff_t>(i));
+    controls.insert(controls.end(), plan_.controls.begin() + static_cast<std::ptrdiff_t>(j), plan_.controls.end());
+    std::optional<Plan> plan = replayed(from_, controls, obstacles_, slack_);
+    if (!plan || plan->controls.size() >= plan_.controls.size()) return false;
+    plan_ = std::move(*plan);
+    return true;
+  }
+
+  Pose from_;
+  Plan plan_;
+  const Obstacles& obstacles_;
+  double slack_;
+};
+
+}  // namespace
+
+Plan with_shortcuts(const Pose& from, const Plan& plan, const Obstacles& obstacles, double slack) {
+  return Shortcuts(from, plan, obstacles, slack).run();
+}
+
+std::optional<Plan> replayed(const Pose& from, const std::vector<double>& controls, const Obstacles& obstacles,
+                             double slack) {
+  Plan plan;
+  Pose pose = from;
+  for (const double control : controls) {
+    const Pose to = stepped(pose, control);
+    if (!obstacles.is_clear(pose, control, to, slack)) return std::nullopt;
+    plan.controls.push_back(control);
+    plan.poses.push_back(pose = to);
+    if (at_goal(pose, obstacles.course(), -kMargin)) return plan;
+  }
+  return std::nullopt;
+}
+
+}  // namespace taut::car::detail
