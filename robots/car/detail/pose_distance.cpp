@@ -17,6 +17,8 @@ constexpr double kArc = kUnit / kTurn;  // steps of an arc to the next heading
 constexpr std::int32_t kNever = std::numeric_limits<std::int32_t>::max();
 constexpr double kCircumscribed = 1.803;  // half the car's diagonal: with so much room every heading is free
 
+constexpr int kFarthest = 5;  // raster cells that a move spans
+
 int wrapped(int heading) { return (heading + kHeadings) % kHeadings; }
 
 /// Short raster vectors close to the headings of the first eighth.
@@ -74,7 +76,8 @@ class PoseDistance::Queue {
 PoseDistance::PoseDistance(const Obstacles& obstacles, const DiscDistance& disc, Point goal)
     : columns_(obstacles.course().width * kRaster), rows_(obstacles.course().height * kRaster) {
   lay_moves();
-  find_free(obstacles, disc);
+  for (int j = 0; j < rows_; ++j)
+    for (int i = 0; i < columns_; ++i) free_.push_back(free_headings(i, j, obstacles, disc));
   cost_.assign(free_.size() * kHeadings, kNever);
   Queue queue;
   for (int j = std::max(0, raster(goal.y - 2)); j <= std::min(rows_ - 1, raster(goal.y + 2)); ++j)
@@ -93,7 +96,10 @@ void PoseDistance::lay_moves() {
     const int x = static_cast<int>(std::lround(dx)), y = static_cast<int>(std::lround(dy));
     const double way = std::hypot(dx, dy), rounded = std::hypot(x, y);
     const double scale = way == 0 ? 1 : rounded / way;  // no speed is gained by rounding
-    const Move move{x, y, turn, std::max(1, static_cast<int>(std::lround(cost * scale * kParts)))};
+    Move move{x, y, turn, std::max(1, static_cast<int>(std::lround(cost * scale * kParts))), {}};
+    for (int k = 1, n = std::max(std::abs(x), std::abs(y)); k < n; ++k)
+      move.between.push_back({static_cast<int>(std::lround(1.0 * k * x / n)), static_cast<int>(std::lround(1.0 * k * y / n)),
+                              2 * k > n ? turn : 0});
     moves_[static_cast<std::size_t>(h)].push_back(move);
     moves_into_[static_cast<std::size_t>(wrapped(h + turn))].push_back(move);
   };
@@ -113,20 +119,21 @@ void PoseDistance::lay_moves() {
   }
 }
 
-void PoseDistance::find_free(const Obstacles& obstacles, const DiscDistance& disc) {
-  free_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_), 0);
-  for (int j = 0; j < rows_; ++j)
-    for (int i = 0; i < columns_; ++i) {
-      const Point p{middle(i), middle(j)};
-      if (!disc.reaches(p)) continue;
-      std::uint32_t& bits = free_[static_cast<std::size_t>(j * columns_ + i)];
-      if (obstacles.room(p) > kCircumscribed) {
-        bits = ~0U;
-        continue;
-      }
-      for (int h = 0; h < kHeadings; ++h)
-        if (obstacles.is_free({p.x, p.y, h * kUnit}, -kTableSlack)) bits |= 1U << h;
-    }
+std::uint32_t PoseDistance::free_headings(int i, int j, const Obstacles& obstacles, const DiscDistance& disc) const {
+  const Point p{middle(i), middle(j)};
+  if (!disc.reaches(p)) return 0;
+  if (obstacles.room(p) > kCircumscribed) return ~0U;
+  std::uint32_t bits = 0;
+  for (int h = 0; h < kHeadings; ++h)
+    if (obstacles.is_free({p.x, p.y, h * kUnit}, -kTableSlack)) bits |= 1U << h;
+  return bits;
+}
+
+/// From and to are in the raster, hence what lies between.
+bool PoseDistance::is_passable(int i, int j, int h, const Move& move) const {
+  return std::ranges::all_of(move.between, [&](const std::array<int, 3>& by) {
+    return (free_[static_cast<std::size_t>((j + by[1]) * columns_ + i + by[0])] >> wrapped(h + by[2])) & 1;
+  });
 }
 
 template <typename Visit>
@@ -137,7 +144,7 @@ void PoseDistance::each_before(State s, Visit visit) const {
     const int x = i - m.dx, y = j - m.dy;
     if (x < 0 || y < 0 || x >= columns_ || y >= rows_) continue;
     const State before = static_cast<State>((y * columns_ + x) * kHeadings + wrapped(h - m.turn));
-    if (is_free(before)) visit(before, m.cost);
+    if (is_free(before) && is_passable(x, y, wrapped(h - m.turn), m)) visit(before, m.cost);
   }
 }
 
@@ -149,7 +156,7 @@ void PoseDistance::each_after(State s, Visit visit) const {
     const int x = i + m.dx, y = j + m.dy;
     if (x < 0 || y < 0 || x >= columns_ || y >= rows_) continue;
     const State after = static_cast<State>((y * columns_ + x) * kHeadings + wrapped(h + m.turn));
-    if (is_free(after)) visit(after, m.cost);
+    if (is_free(after) && is_passable(i, j, h, m)) visit(after, m.cost);
   }
 }
 
@@ -202,24 +209,23 @@ std::vector<PoseDistance::State> PoseDistance::unsettle(Queue& queue, const std:
   return lost;
 }
 
+/// Takes the new closed cells' poses from what is free; the states that may have leant on one: themselves, and those a move away.
 std::vector<PoseDistance::State> PoseDistance::shut(const Obstacles& obstacles, const DiscDistance& disc) {
-  std::vector<State> closed;
-  const std::vector<std::uint32_t> were = free_;
+  std::vector<std::uint8_t> near(free_.size());
   for (int j = 0; j < rows_; ++j)
     for (int i = 0; i < columns_; ++i) {
-      const auto cell = static_cast<std::size_t>(j * columns_ + i);
-      const Point p{middle(i), middle(j)};
-      std::uint32_t& bits = free_[cell];
-      if (bits == 0) continue;
-      if (!disc.reaches(p)) bits = 0;
-      if (obstacles.room(p) <= kCircumscribed)
-        for (int h = 0; h < kHeadings; ++h)
-          if ((bits >> h) & 1 && !obstacles.is_free({p.x, p.y, h * kUnit}, -kTableSlack)) bits &= ~(1U << h);
-      for (int h = 0; h < kHeadings; ++h)
-        if (((were[cell] & ~bits) >> h) & 1 && cost_[cell * kHeadings + static_cast<std::size_t>(h)] != kNever)
-          closed.push_back(static_cast<State>(cell * kHeadings + static_cast<std::size_t>(h)));
+      std::uint32_t& bits = free_[static_cast<std::size_t>(j * columns_ + i)];
+      const std::uint32_t were = bits;
+      if (were != 0) bits &= free_headings(i, j, obstacles, disc);
+      if (bits == were) continue;
+      for (int y = std::max(0, j - kFarthest); y <= std::min(rows_ - 1, j + kFarthest); ++y)
+        for (int x = std::max(0, i - kFarthest); x <= std::min(columns_ - 1, i + kFarthest); ++x)
+          near[static_cast<std::size_t>(y * columns_ + x)] = 1;
     }
-  return closed;
+  std::vector<State> states;
+  for (State s = 0; s < cost_.size(); ++s)
+    if (near[s / kHeadings] && cost_[s] != kNever) states.push_back(s);
+  return states;
 }
 
 double PoseDistance::steps_from(const Pose& pose) const {

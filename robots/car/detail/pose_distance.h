@@ -32,11 +32,12 @@ class PoseDistance {
   using State = std::uint32_t;
   struct Move {
     int dx, dy, turn, cost;
+    std::vector<std::array<int, 3>> between;  ///< cells passed over, from its begin, and the turn there
   };
   class Queue;
 
   void lay_moves();
-  void find_free(const Obstacles& obstacles, const DiscDistance& disc);
+  std::uint32_t free_headings(int i, int j, const Obstacles& obstacles, const DiscDistance& disc) const;
   std::vector<State> shut(const Obstacles& obstacles, const DiscDistance& disc);
   std::vector<State> unsettle(Queue& queue, const std::vector<std::int32_t>& old);
   void spread(Queue& queue);
@@ -44,6 +45,7 @@ class PoseDistance {
   void each_before(State s, Visit visit) const;
   template <typename Visit>
   void each_after(State s, Visit visit) const;
+  bool is_passable(int i, int j, int h, const Move& move) const;
   bool is_free(State s) const { return (free_[s / kTableHeadings] >> (s % kTableHeadings)) & 1; }
 
   int columns_ = 0, rows_ = 0;

@@ -14,10 +14,10 @@ using Vector = std::array<double, 3>;
 constexpr double kSame = 1e-11;      // two poses, when their differences are below it
 constexpr int kIterations = 12;      // of Newton's method
 constexpr std::size_t kLeast = 8;    // steps of a stretch
-constexpr double kShrink = 0.75;     // a stretch's length from one round to the next
-constexpr int kRounds = 4;
+constexpr double kShrink = 0.85;     // a stretch's length from one round to the next
+constexpr int kRounds = 8;
 constexpr std::array<double, 5> kSides{0, 0.5, -0.5, 0.95, -0.95};  // where the goal comes to lie across the car
-constexpr std::array<std::array<double, 2>, 4> kSplits{{{1 / 3.0, 1 / 3.0}, {0.2, 0.6}, {0.15, 0.35}, {0.5, 0.35}}};
+constexpr std::array<std::array<double, 2>, 9> kSplits{{{1 / 3.0, 1 / 3.0}, {0.2, 0.6}, {0.15, 0.35}, {0.5, 0.35},{.1,.8},{.1,.1},{.8,.1},{.1,.5},{.4,.5}}};
 
 /// The pose after `steps` steps with one control: what stepped() gives, in one go.
 Pose after_arc(const Pose& from, double control, int steps) {
@@ -102,7 +102,7 @@ class Shortcuts {
 
  private:
   void pass(std::size_t length) {
-    const std::size_t stride = std::max<std::size_t>(1, length / 4);
+    const std::size_t stride = std::max<std::size_t>(1, length / 10);
     for (std::size_t i = 0; i + length <= plan_.controls.size(); i += stride)
       while (i + length <= plan_.controls.size() && shortened(i, i + length)) {}
     if (length <= plan_.controls.size())
