@@ -12,19 +12,13 @@ namespace {
 using Vector = std::array<double, 3>;
 
 constexpr double kSame = 1e-11;      // two poses, when their differences are below it
-constexpr int kIterations = 12;      // of Newton's method
+constexpr int kIterations = 7;       // of Newton's method
+constexpr double kAstray = 2;        // a control beyond it will not come back to 1
 constexpr std::size_t kLeast = 8;    // steps of a stretch
 constexpr double kShrink = 0.85;     // a stretch's length from one round to the next
 constexpr int kRounds = 8;
 constexpr std::array<double, 5> kSides{0, 0.5, -0.5, 0.95, -0.95};  // where the goal comes to lie across the car
 constexpr std::array<std::array<double, 2>, 9> kSplits{{{1 / 3.0, 1 / 3.0}, {0.2, 0.6}, {0.15, 0.35}, {0.5, 0.35},{.1,.8},{.1,.1},{.8,.1},{.1,.5},{.4,.5}}};
-
-/// The pose after `steps` steps with one control: what stepped() gives, in one go.
-Pose after_arc(const Pose& from, double control, int steps) {
-  const double length = kForward * steps, turn = kTurn * control * steps, middle = from.heading + turn / 2;
-  const double chord = std::abs(turn) < 1e-6 ? length : length * std::sin(turn / 2) / (turn / 2);
-  return {from.x + chord * std::cos(middle), from.y + chord * std::sin(middle), from.heading + turn};
-}
 
 /// Solves a x = b by elimination; nothing when it is (nearly) singular.
 std::optional<Vector> solved(std::array<Vector, 3> a, Vector b) {
@@ -48,39 +42,62 @@ std::optional<Vector> solved(std::array<Vector, 3> a, Vector b) {
   return b;
 }
 
-/// Three arcs from a pose: steps each, and what their end has to satisfy.
+/// A value with its slopes in the three controls.
+struct Varying {
+  double value = 0;
+  Vector slope{};
+};
+
+struct VaryingPose {
+  Varying x, y, heading;
+};
+
+/// Three arcs from a pose, some steps each.
 struct Stretch {
   Pose from;
   std::array<int, 3> steps;
 
-  Pose end(const Vector& u) const {
-    Pose pose = from;
-    for (std::size_t k = 0; k < 3; ++k) pose = after_arc(pose, u[k], steps[k]);
-    return pose;
+  /// Where controls lead: what stepped() gives, in one go.
+  VaryingPose end(const Vector& u) const {
+    Pose at = from;
+    VaryingPose end;
+    std::array<Point, 3> after;  // each arc
+    std::array<Point, 3> bent;   // slope of the arc's own chord in its turn
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double length = kForward * steps[k], half = kTurn * u[k] * steps[k] / 2, middle = at.heading + half;
+      const bool straight = std::abs(half) < 1e-4;
+      const double sine = std::sin(half), share = straight ? 1 - half * half / 6 : sine / half;
+      const double share_slope = straight ? -half / 3 : (std::cos(half) - share) / half;
+      const double c = length * std::cos(middle), s = length * std::sin(middle);
+      bent[k] = {(share_slope * c - share * s) / 2, (share_slope * s + share * c) / 2};
+      at = {at.x + share * c, at.y + share * s, at.heading + 2 * half};
+      after[k] = {at.x, at.y};
+    }
+    end.x.value = at.x, end.y.value = at.y, end.heading.value = at.heading;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double turn = kTurn * steps[k];  // the rest turns around the arc's end
+      end.x.slope[k] = turn * (bent[k].x - (at.y - after[k].y));
+      end.y.slope[k] = turn * (bent[k].y + (at.x - after[k].x));
+      end.heading.slope[k] = turn;
+    }
+    return end;
   }
 };
 
-/// Controls for which `miss` vanishes, all in [-1, 1].
+/// Controls for which `miss`, three Varyings, vanishes, all in [-1, 1].
 template <typename Miss>
 std::optional<Vector> controls_for(Miss miss, Vector u) {
-  constexpr double kStep = 1e-6;
   for (int i = 0; i < kIterations; ++i) {
-    const Vector now = miss(u);
-    if (std::max({std::abs(now[0]), std::abs(now[1]), std::abs(now[2])}) < kSame) {
+    const std::array<Varying, 3> now = miss(u);
+    if (std::max({std::abs(now[0].value), std::abs(now[1].value), std::abs(now[2].value)}) < kSame) {
       const bool allowed = std::ranges::all_of(u, [](double c) { return c >= -1 && c <= 1; });
       return allowed ? std::optional(u) : std::nullopt;
     }
-    std::array<Vector, 3> slope;
-    for (std::size_t c = 0; c < 3; ++c) {
-      Vector v = u;
-      v[c] += kStep;
-      const Vector then = miss(v);
-      for (std::size_t r = 0; r < 3; ++r) slope[r][c] = (then[r] - now[r]) / kStep;
-    }
-    const std::optional<Vector> step = solved(slope, now);
+    const std::optional<Vector> step =
+        solved({now[0].slope, now[1].slope, now[2].slope}, {now[0].value, now[1].value, now[2].value});
     if (!step) return std::nullopt;
     for (std::size_t k = 0; k < 3; ++k) u[k] -= (*step)[k];
-    if (std::ranges::any_of(u, [](double c) { return !(std::abs(c) < 4); })) return std::nullopt;
+    if (std::ranges::any_of(u, [](double c) { return !(std::abs(c) < kAstray); })) return std::nullopt;
   }
   return std::nullopt;
 }
@@ -111,17 +128,28 @@ class Shortcuts {
 
   const Pose& before(std::size_t i) const { return i == 0 ? from_ : plan_.poses[i - 1]; }
 
+  /// Straight, or bent all the way: nothing is shorter.
+  bool is_one_arc(std::size_t i, std::size_t j) const {
+    const double u = plan_.controls[i];
+    return u != kReverse && std::all_of(plan_.controls.begin() + static_cast<std::ptrdiff_t>(i),
+                                        plan_.controls.begin() + static_cast<std::ptrdiff_t>(j),
+                                        [u](double c) { return c == u; });
+  }
+
   static double nearest_turn(double angle) {
     return std::remainder(angle, 2 * std::acos(-1.0));
   }
 
   bool shortened(std::size_t i, std::size_t j) {
+    if (is_one_arc(i, j)) return false;
     const Pose target = plan_.poses[j - 1];
     const auto least = static_cast<int>(std::ceil(std::hypot(target.x - before(i).x, target.y - before(i).y) / kForward));
     const int steps = static_cast<int>(j - i);
     for (const int saved : {steps / 4, 4, 1})
-      if (saved > 0 && steps - saved >= std::max(least, 3) && replaced(i, j, steps - saved, [&](const Pose& end, const Vector&) {
-            return Vector{end.x - target.x, end.y - target.y, nearest_turn(end.heading - target.heading)};
+      if (saved > 0 && steps - saved >= std::max(least, 3) && replaced(i, j, steps - saved, [&](VaryingPose end, const Vector&) {
+            end.x.value -= target.x, end.y.value -= target.y;
+            end.heading.value = nearest_turn(end.heading.value - target.heading);
+            return std::array<Varying, 3>{end.x, end.y, end.heading};
           }))
         return true;
     return false;
@@ -131,12 +159,24 @@ class Shortcuts {
     const Point goal = obstacles_.course().goal;
     const int steps = static_cast<int>(plan_.controls.size() - i) - 1;
     for (const double side : kSides)
-      if (steps >= 3 && replaced(i, plan_.controls.size(), steps, [&](const Pose& end, const Vector& u) {
-            const double c = std::cos(end.heading), s = std::sin(end.heading), dx = goal.x - end.x, dy = goal.y - end.y;
-            return Vector{c * dx + s * dy - kHalfLength + 2 * kMargin, c * dy - s * dx - side, 3 * (u[1] - u[2])};
+      if (steps >= 3 && replaced(i, plan_.controls.size(), steps, [&](const VaryingPose& end, const Vector& u) {
+            return miss_of_goal(end, goal, side, u);
           }))
         return true;
     return false;
+  }
+
+  /// The goal at the car's front, `side` across; the last two arcs are one.
+  static std::array<Varying, 3> miss_of_goal(const VaryingPose& end, Point goal, double side, const Vector& u) {
+    const double c = std::cos(end.heading.value), s = std::sin(end.heading.value);
+    const double dx = goal.x - end.x.value, dy = goal.y - end.y.value, along = c * dx + s * dy, across = c * dy - s * dx;
+    std::array<Varying, 3> miss{{{along - kHalfLength + 2 * kMargin}, {across - side}, {u[1] - u[2], {0, 1, -1}}}};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double x = end.x.slope[k], y = end.y.slope[k], h = end.heading.slope[k];
+      miss[0].slope[k] = across * h - c * x - s * y;
+      miss[1].slope[k] = s * x - c * y - along * h;
+    }
+    return miss;
   }
 
   template <typename Miss>
