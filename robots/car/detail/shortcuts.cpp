@@ -105,10 +105,10 @@ std::optional<Vector> controls_for(Miss miss, Vector u) {
 class Shortcuts {
  public:
   Shortcuts(const Pose& from, const Plan& plan, const Obstacles& obstacles, double slack)
-      : from_(from), plan_(plan), obstacles_(obstacles), slack_(slack) {}
+      : from_(from), plan_(plan), obstacles_(obstacles), slack_(slack), changed_(plan.controls.size()) {}
 
   Plan run() {
-    for (int round = 0; round < kRounds; ++round) {
+    for (round_ = 0; round_ < kRounds; ++round_) {
       const std::size_t before = plan_.controls.size();
       for (auto length = static_cast<double>(before); length >= kLeast; length *= kShrink)
         pass(static_cast<std::size_t>(length));
@@ -122,8 +122,7 @@ class Shortcuts {
     const std::size_t stride = std::max<std::size_t>(1, length / 10);
     for (std::size_t i = 0; i + length <= plan_.controls.size(); i += stride)
       while (i + length <= plan_.controls.size() && shortened(i, i + length)) {}
-    if (length <= plan_.controls.size())
-      while (plan_.controls.size() >= length && end_shortened(plan_.controls.size() - length)) {}
+    while (plan_.controls.size() >= length && end_shortened(plan_.controls.size() - length)) {}
   }
 
   const Pose& before(std::size_t i) const { return i == 0 ? from_ : plan_.poses[i - 1]; }
@@ -136,26 +135,37 @@ class Shortcuts {
                                         [u](double c) { return c == u; });
   }
 
+  /// Has anything changed since the last round but one?
+  bool is_new(std::size_t i, std::size_t j) const {
+    return std::any_of(changed_.begin() + static_cast<std::ptrdiff_t>(i), changed_.begin() + static_cast<std::ptrdiff_t>(j),
+                       [&](int round) { return round + 1 >= round_; });
+  }
+
   static double nearest_turn(double angle) {
     return std::remainder(angle, 2 * std::acos(-1.0));
   }
 
   bool shortened(std::size_t i, std::size_t j) {
-    if (is_one_arc(i, j)) return false;
+    if (is_one_arc(i, j) || !is_new(i, j)) return false;
     const Pose target = plan_.poses[j - 1];
     const auto least = static_cast<int>(std::ceil(std::hypot(target.x - before(i).x, target.y - before(i).y) / kForward));
     const int steps = static_cast<int>(j - i);
-    for (const int saved : {steps / 4, 4, 1})
-      if (saved > 0 && steps - saved >= std::max(least, 3) && replaced(i, j, steps - saved, [&](VaryingPose end, const Vector&) {
-            end.x.value -= target.x, end.y.value -= target.y;
-            end.heading.value = nearest_turn(end.heading.value - target.heading);
-            return std::array<Varying, 3>{end.x, end.y, end.heading};
-          }))
-        return true;
-    return false;
+    const auto miss = [&](VaryingPose end, const Vector&) {
+      end.x.value -= target.x, end.y.value -= target.y;
+      end.heading.value = nearest_turn(end.heading.value - target.heading);
+      return std::array<Varying, 3>{end.x, end.y, end.heading};
+    };
+    // What cannot be shortened by one step cannot by more.
+    int saved = 0;
+    for (int more = 1; steps - saved - more >= std::max(least, 3); more *= 2) {
+      if (!replaced(i, j - static_cast<std::size_t>(saved), steps - saved - more, miss)) break;
+      saved += more;
+    }
+    return saved > 0;
   }
 
   bool end_shortened(std::size_t i) {
+    if (!is_new(i, plan_.controls.size())) return false;
     const Point goal = obstacles_.course().goal;
     const int steps = static_cast<int>(plan_.controls.size() - i) - 1;
     for (const double side : kSides)
@@ -216,11 +226,15 @@ class Shortcuts {
       if (!obstacles_.is_clear(pose, control, to, slack_)) return false;
       pose = to;
     }
+    const std::size_t end = i + controls.size();
     controls.insert(controls.begin(), plan_.controls.begin(), plan_.controls.begin() + static_cast<std::ptrdiff_t>(i));
     controls.insert(controls.end(), plan_.controls.begin() + static_cast<std::ptrdiff_t>(j), plan_.controls.end());
     std::optional<Plan> plan = replayed(from_, controls, obstacles_, slack_);
     if (!plan || plan->controls.size() >= plan_.controls.size()) return false;
     plan_ = std::move(*plan);
+    const auto at = changed_.begin() + static_cast<std::ptrdiff_t>(i);
+    changed_.insert(changed_.erase(at, at + static_cast<std::ptrdiff_t>(j - i)), end - i, round_);
+    changed_.resize(plan_.controls.size(), round_);  // the goal may come sooner
     return true;
   }
 
@@ -228,6 +242,8 @@ class Shortcuts {
   Plan plan_;
   const Obstacles& obstacles_;
   double slack_;
+  std::vector<int> changed_;  ///< in which round, a control each
+  int round_ = 0;
 };
 
 }  // namespace
