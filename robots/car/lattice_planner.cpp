@@ -14,6 +14,7 @@ namespace taut::car {
 
 namespace {
 
+constexpr std::size_t kMostKnown = 64;  // sets of closed roadblocks whose estimates are kept: some 3 MB each on a map of 50 x 50
 constexpr double kNear = 3;  // more than half the car's diagonal, half a square's and a step
 
 /// From coarse to fine: the next one is asked only when there is no way in the former.
@@ -40,36 +41,62 @@ struct LatticePlanner::Impl {
     detail::PoseDistance distance;
   };
 
+  /// A way and what was closed when it was planned.
+  struct Way {
+    Plan plan;
+    RoadblockSet shut;
+  };
+
+  struct Place {
+    std::vector<Way> ways;
+    std::vector<RoadblockSet> hopeless;
+  };
+
   const Known& known(RoadblockSet closed) {
     auto at = by_closed.find(closed);
-    if (at == by_closed.end()) {
-      detail::Obstacles obstacles(course, closed, reading);
-      detail::DiscDistance disc(obstacles, course.goal);
-      detail::PoseDistance distance(obstacles, disc, course.goal);
-      at = by_closed.emplace(closed, Known{std::move(obstacles), std::move(disc), std::move(distance)}).first;
-    }
+    if (at != by_closed.end()) return at->second;
+    if (by_closed.size() >= kMostKnown) by_closed.clear();
+    detail::Obstacles obstacles(course, closed, reading);
+    detail::DiscDistance disc(obstacles, course.goal);
+    const Known* before = nullptr;  // with the most of these closed
+    for (const auto& [shut, known] : by_closed)
+      if ((shut & ~closed) == 0) before = &known;
+    detail::PoseDistance distance = before ? detail::PoseDistance(before->distance, before->obstacles, obstacles, disc)
+                                           : detail::PoseDistance(obstacles, disc, course.goal);
+    at = by_closed.emplace(closed, Known{std::move(obstacles), std::move(disc), std::move(distance)}).first;
     return at->second;
   }
 
-  /// Of what was adopted from there: what is clear with `closed`, the best of all when its own obstacles were among them.
-  std::optional<Plan> adopted(const Pose& from, RoadblockSet closed, bool& is_best) {
-    std::optional<Plan> best;
-    is_best = false;
-    for (const Tail& tail : tails[{from.x, from.y, from.heading}]) {
-      std::optional<Plan> plan = detail::replayed(from, tail.controls, known(closed).obstacles, kMargin);
-      if (!plan || is_best || (best && best->controls.size() <= plan->controls.size())) continue;
-      best = std::move(plan);
-      is_best = (tail.shut & ~closed) == 0;
+  /// Of the ways known from there: the shortest that is clear with `closed`. The best of all when what it was planned around is among that.
+  std::optional<Plan> known_way(const Place& place, const Pose& from, RoadblockSet closed, bool& is_best) {
+    std::optional<Plan> shortest;
+    for (const Way& way : place.ways) {
+      if (shortest && shortest->controls.size() <= way.plan.controls.size()) continue;
+      if (!is_clear(way.plan, from, closed & ~way.shut)) continue;
+      shortest = way.plan;
+      is_best = is_best || (way.shut & ~closed) == 0;
     }
-    return best;
+    return shortest;
+  }
+
+  bool is_clear(const Plan& plan, const Pose& from, RoadblockSet closed) const {
+    for (std::size_t b = 0; b < course.roadblocks.size(); ++b)
+      if ((closed >> b) & 1 && crosses(from, plan, course.roadblocks[b], reading)) return false;
+    return true;
   }
 
   std::optional<Plan> found(const Pose& from, RoadblockSet closed) {
+    Place& place = places[{from.x, from.y, from.heading}];
+    if (std::ranges::any_of(place.hopeless, [&](RoadblockSet shut) { return (shut & ~closed) == 0; })) return std::nullopt;
     bool is_best = false;
-    std::optional<Plan> tail = adopted(from, closed, is_best);
-    if (is_best) return tail;
-    std::optional<Plan> plan = search(from, closed);
-    if (tail && (!plan || tail->controls.size() <= plan->controls.size())) return tail;
+    std::optional<Plan> plan = known_way(place, from, closed, is_best);
+    if (is_best) return plan;
+    if (std::optional<Plan> other = search(from, closed); other && (!plan || other->controls.size() < plan->controls.size()))
+      plan = std::move(other);
+    if (plan)
+      place.ways.push_back({*plan, closed});
+    else
+      place.hopeless.push_back(closed);
     return plan;
   }
 
@@ -87,13 +114,8 @@ struct LatticePlanner::Impl {
   const Course& course;
   WallReading reading;
   std::map<RoadblockSet, Known> by_closed;
-  struct Tail {
-    std::vector<double> controls;
-    RoadblockSet shut;
-  };
-
   std::map<std::tuple<double, double, double, RoadblockSet>, std::optional<Plan>> kept;
-  std::map<std::tuple<double, double, double>, std::vector<Tail>> tails;
+  std::map<std::tuple<double, double, double>, Place> places;
   std::size_t expanded = 0;
   std::size_t plans = 0;
 };
@@ -112,9 +134,15 @@ const Plan* LatticePlanner::plan(const Pose& from, RoadblockSet closed) {
 
 void LatticePlanner::adopt(const Plan& plan, std::size_t steps, RoadblockSet shut) {
   const Pose& there = plan.poses[steps - 1];
-  std::vector<Impl::Tail>& tails = impl_->tails[{there.x, there.y, there.heading}];
-  if (std::ranges::any_of(tails, [&](const Impl::Tail& tail) { return tail.shut == shut; })) return;
-  tails.push_back({{plan.controls.begin() + static_cast<std::ptrdiff_t>(steps), plan.controls.end()}, shut});
+  std::vector<Impl::Way>& ways = impl_->places[{there.x, there.y, there.heading}].ways;
+  if (std::ranges::any_of(ways, [&](const Impl::Way& way) { return way.shut == shut; })) return;
+  const auto by = static_cast<std::ptrdiff_t>(steps);
+  ways.push_back({{{plan.controls.begin() + by, plan.controls.end()}, {plan.poses.begin() + by, plan.poses.end()}}, shut});
+}
+
+std::optional<double> LatticePlanner::estimate(const Pose& from, RoadblockSet closed) {
+  const double steps = impl_->known(closed).distance.steps_from(from);
+  return steps == detail::PoseDistance::kFar ? std::nullopt : std::optional(steps);
 }
 
 const Course& LatticePlanner::course() const { return impl_->course; }

@@ -45,6 +45,9 @@ class LatticePlanner {
   /// and gives none that is longer.
   void adopt(const Plan& plan, std::size_t steps, RoadblockSet shut);
 
+  /// About the steps of a plan, without a search (within some percent, mostly less): nothing where the coarse lattice of the estimate knows no way.
+  std::optional<double> estimate(const Pose& from, RoadblockSet closed);
+
   const Course& course() const;
   WallReading reading() const;
   std::size_t expanded() const;  ///< states, in all plans so far

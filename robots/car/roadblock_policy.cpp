@@ -13,6 +13,9 @@ namespace {
 
 constexpr std::size_t kMostWays = 64;  // to choose from in one place
 
+constexpr int kMostTold = 6;               // unknown roadblocks for whose outcomes bounds are made
+constexpr double kTrust = 0.98;            // in estimates, as bounds
+
 /// A way to choose: followed for `steps`, where `seen` comes into sight. Without a sight it leads to the goal.
 struct Way {
   const Plan* plan = nullptr;
@@ -36,8 +39,9 @@ struct RoadblockPolicy::Impl {
   Choice value(const Pose& from, RoadblockSet open, RoadblockSet closed) {
     const std::tuple key{from.x, from.y, from.heading, open, closed};
     if (const auto at = known.find(key); at != known.end()) return at->second;
+    if (const auto at = guessed.find(key); at != guessed.end()) return at->second;
     const Choice choice = decided(from, open, closed);
-    if (choice.exact) known.emplace(key, choice);
+    (choice.exact ? known : guessed).emplace(key, choice);
     return choice;
   }
 
@@ -64,7 +68,6 @@ struct RoadblockPolicy::Impl {
     std::set<RoadblockSet> asked{0};
     std::vector<RoadblockSet> avoid{0};
     std::set<std::pair<std::size_t, std::tuple<double, double, double>>> places;
-    const bool hopeless_is_possible = from_start(closed | unknown(open, closed)) == nullptr;
     for (std::size_t i = 0; i < avoid.size() && i < kMostWays; ++i) {
       const RoadblockSet avoided = avoid[i];
       if (i > 0 && is_spent()) break;
@@ -79,8 +82,7 @@ struct RoadblockPolicy::Impl {
       Way way = way_along(*plan, closed | avoided, unknown(open, closed));
       const Pose& end = plan->poses.empty() ? from : plan->poses[way.steps - 1];
       if (!places.insert({way.steps, {end.x, end.y, end.heading}}).second) continue;
-      way.bound = static_cast<double>(way.steps);
-      if (way.seen != 0 && !hopeless_is_possible) way.bound += least_from(way, closed);
+      way.bound = static_cast<double>(way.steps) + (way.seen == 0 ? 0 : least_from(end, open, closed));
       found.push_back(way);
     }
     std::ranges::stable_sort(found, {}, [](const Way& w) { return std::pair(w.seen != 0, w.bound); });
@@ -93,10 +95,18 @@ struct RoadblockPolicy::Impl {
     return {&plan, shut, plan.poses.size(), 0, 0};
   }
 
-  double least_from(const Way& way, RoadblockSet closed) {
-    planner.adopt(*way.plan, way.steps, way.shut);
-    const Plan* rest = planner.plan(way.plan->poses[way.steps - 1], closed);
-    return rest ? static_cast<double>(rest->controls.size()) : kStranded;
+  /// What even somebody needs from there who is told everything: the mean, or the maximum, of estimates over all outcomes. Where there is no way, nothing.
+  double least_from(const Pose& there, RoadblockSet open, RoadblockSet closed) {
+    const RoadblockSet rest = unknown(open, closed);
+    if (std::popcount(rest) > kMostTold) return 0;
+    double least = 0;
+    for (RoadblockSet now_open = rest;; now_open = (now_open - 1) & rest) {
+      if (const double p = probability(now_open, rest); p > 0)
+        if (const auto steps = planner.estimate(there, closed | (rest & ~now_open)))
+          least = aim == Aim::expected ? least + p * kTrust * *steps : std::max(least, kTrust * *steps);
+      if (now_open == 0) break;
+    }
+    return least;
   }
 
   Choice along(const Way& way, RoadblockSet open, RoadblockSet closed) {
@@ -131,7 +141,7 @@ struct RoadblockPolicy::Impl {
   Aim aim;
   std::size_t searches;
   std::size_t most_plans = 0;
-  std::map<std::tuple<double, double, double, RoadblockSet, RoadblockSet>, Choice> known;
+  std::map<std::tuple<double, double, double, RoadblockSet, RoadblockSet>, Choice> known, guessed;  ///< the latter for one choice
 };
 
 RoadblockPolicy::RoadblockPolicy(LatticePlanner& planner, Aim aim, std::size_t searches)
@@ -141,6 +151,7 @@ RoadblockPolicy::~RoadblockPolicy() = default;
 
 RoadblockPolicy::Choice RoadblockPolicy::choose(const Pose& from, RoadblockSet open, RoadblockSet closed) {
   impl_->most_plans = impl_->planner.plans() + impl_->searches;
+  impl_->guessed.clear();
   return impl_->value(from, open, closed);
 }
 

@@ -10,13 +10,15 @@ namespace taut::car::detail {
 
 namespace {
 
-constexpr int kParts = 8;  // of a step, in costs
+constexpr int kParts = 4;  // of a step, in costs
 constexpr int kHeadings = PoseDistance::kTableHeadings;
 constexpr double kUnit = 2 * std::numbers::pi / kHeadings;
 constexpr double kArc = kUnit / kTurn;  // steps of an arc to the next heading
-constexpr std::int32_t kNever = std::numeric_limits<std::int32_t>::max();
+constexpr std::int32_t kNever = std::numeric_limits<std::uint16_t>::max();  // and what costs more, 16 thousand steps
 constexpr double kCircumscribed = 1.803;  // half the car's diagonal: with so much room every heading is free
 
+constexpr double kMostLost = 0.1;  // of all states: beyond that a repair takes longer than a new search
+constexpr int kTouch = 3 * kRaster;  // raster cells from a closed cell to where the car may touch it, and more
 constexpr int kFarthest = 5;  // raster cells that a move spans
 
 int wrapped(int heading) { return (heading + kHeadings) % kHeadings; }
@@ -43,6 +45,13 @@ class PoseDistance::Queue {
   void push(std::int32_t cost, State s) {
     ring_[static_cast<std::size_t>(cost) % kRing].push_back(s);
     ++in_ring_;
+  }
+
+  /// Within run(): it ends.
+  void stop() {
+    for (std::vector<State>& states : ring_) states.clear();
+    seeds_.clear();
+    in_ring_ = 0;
   }
 
   /// Before run(): at any cost.
@@ -89,6 +98,7 @@ PoseDistance::PoseDistance(const Obstacles& obstacles, const DiscDistance& disc,
         queue.seed(0, s);
       }
   spread(queue);
+  settled_ = static_cast<std::size_t>(std::ranges::count_if(cost_, [](std::int32_t cost) { return cost != kNever; }));
 }
 
 void PoseDistance::lay_moves() {
@@ -163,38 +173,43 @@ void PoseDistance::each_after(State s, Visit visit) const {
 void PoseDistance::spread(Queue& queue) {
   queue.run([&](std::int32_t cost, State s) {
     if (cost_[s] != cost) return;
-    ++settled_;
     each_before(s, [&](State before, int by) {
       if (cost + by >= cost_[before]) return;
-      cost_[before] = cost + by;
+      cost_[before] = static_cast<std::uint16_t>(cost + by);
       queue.push(cost + by, before);
     });
   });
 }
 
-PoseDistance::PoseDistance(const PoseDistance& before, const Obstacles& obstacles, const DiscDistance& disc)
+PoseDistance::PoseDistance(const PoseDistance& before, const Obstacles& before_obstacles, const Obstacles& obstacles,
+                           const DiscDistance& disc)
     : PoseDistance(before) {
-  settled_ = 0;
   Queue queue;
-  for (const State s : shut(obstacles, disc)) queue.seed(cost_[s], s);
+  for (const State s : shut(before_obstacles, obstacles, disc)) queue.seed(cost_[s], s);
   const std::vector<State> lost = unsettle(queue, before.cost_);
+  if (static_cast<double>(lost.size()) > kMostLost * static_cast<double>(settled_)) {
+    *this = PoseDistance(obstacles, disc, obstacles.course().goal);
+    return;
+  }
   Queue again;
   for (const State s : lost) {
     std::int32_t best = kNever;
     each_after(s, [&](State after, int by) {
-      if (cost_[after] != kNever) best = std::min(best, cost_[after] + by);
+      if (cost_[after] != kNever) best = std::min<std::int32_t>(best, cost_[after] + by);
     });
     if (best != kNever) again.seed(best, s);
   }
-  again.each_seed([&](std::int32_t cost, State s) { cost_[s] = cost; });
+  again.each_seed([&](std::int32_t cost, State s) { cost_[s] = static_cast<std::uint16_t>(cost); });
   spread(again);
 }
 
 /// By old costs: when a state is looked at, all that it could lean on is decided.
-std::vector<PoseDistance::State> PoseDistance::unsettle(Queue& queue, const std::vector<std::int32_t>& old) {
+std::vector<PoseDistance::State> PoseDistance::unsettle(Queue& queue, const std::vector<std::uint16_t>& old) {
   std::vector<State> lost;
+  const auto most = static_cast<std::size_t>(kMostLost * static_cast<double>(settled_));
   queue.run([&](std::int32_t cost, State s) {
     if (cost_[s] == kNever) return;
+    if (lost.size() > most) return queue.stop();
     if (is_free(s)) {
       bool leans = cost == 0;
       each_after(s, [&](State after, int by) { leans = leans || (cost_[after] != kNever && old[after] + by == cost); });
@@ -209,22 +224,33 @@ std::vector<PoseDistance::State> PoseDistance::unsettle(Queue& queue, const std:
   return lost;
 }
 
+template <typename Visit>
+void PoseDistance::each_cell_around(int i, int j, int reach, Visit visit) const {
+  for (int y = std::max(0, j - reach); y <= std::min(rows_ - 1, j + reach); ++y)
+    for (int x = std::max(0, i - reach); x <= std::min(columns_ - 1, i + reach); ++x) visit(x, y);
+}
+
 /// Takes the new closed cells' poses from what is free; the states that may have leant on one: themselves, and those a move away.
-std::vector<PoseDistance::State> PoseDistance::shut(const Obstacles& obstacles, const DiscDistance& disc) {
-  std::vector<std::uint8_t> near(free_.size());
+std::vector<PoseDistance::State> PoseDistance::shut(const Obstacles& before, const Obstacles& obstacles,
+                                                    const DiscDistance& disc) {
+  std::vector<std::uint8_t> touched(free_.size()), near(free_.size());
+  const Course& course = obstacles.course();
+  for (int y = 1; y <= course.height; ++y)
+    for (int x = 1; x <= course.width; ++x)
+      if (obstacles.is_closed({x, y}) && !before.is_closed({x, y}))
+        each_cell_around(raster(x), raster(y), kTouch, [&](int i, int j) { touched[at(i, j)] = 1; });
   for (int j = 0; j < rows_; ++j)
     for (int i = 0; i < columns_; ++i) {
-      std::uint32_t& bits = free_[static_cast<std::size_t>(j * columns_ + i)];
+      std::uint32_t& bits = free_[at(i, j)];
       const std::uint32_t were = bits;
-      if (were != 0) bits &= free_headings(i, j, obstacles, disc);
-      if (bits == were) continue;
-      for (int y = std::max(0, j - kFarthest); y <= std::min(rows_ - 1, j + kFarthest); ++y)
-        for (int x = std::max(0, i - kFarthest); x <= std::min(columns_ - 1, i + kFarthest); ++x)
-          near[static_cast<std::size_t>(y * columns_ + x)] = 1;
+      if (were == 0) continue;
+      bits &= touched[at(i, j)] ? free_headings(i, j, obstacles, disc) : disc.reaches({middle(i), middle(j)}) ? ~0U : 0;
+      if (bits != were) each_cell_around(i, j, kFarthest, [&](int x, int y) { near[at(x, y)] = 1; });
     }
   std::vector<State> states;
-  for (State s = 0; s < cost_.size(); ++s)
-    if (near[s / kHeadings] && cost_[s] != kNever) states.push_back(s);
+  for (std::size_t cell = 0; cell < near.size(); ++cell)
+    for (std::size_t s = cell * kHeadings; near[cell] && s < (cell + 1) * kHeadings; ++s)
+      if (cost_[s] != kNever) states.push_back(static_cast<State>(s));
   return states;
 }
 

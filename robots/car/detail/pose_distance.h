@@ -16,13 +16,13 @@ class PoseDistance {
  public:
   PoseDistance(const Obstacles& obstacles, const DiscDistance& disc, Point goal);
 
-  /// The same goal with more cells closed: only what went through them is searched again. `before` had a subset of the closed cells.
-  PoseDistance(const PoseDistance& before, const Obstacles& obstacles, const DiscDistance& disc);
+  /// The same goal with more cells closed: only what went through them is searched again, as long as that is the faster (up to a tenth of all states). The
+  /// estimates are those of one made anew. `before` had a subset of the closed cells.
+  PoseDistance(const PoseDistance& before, const Obstacles& before_obstacles, const Obstacles& obstacles,
+               const DiscDistance& disc);
 
   /// Steps, between the nearest headings; kFar where the lattice knows no way (the car may).
   double steps_from(const Pose& pose) const;
-
-  std::size_t settled() const { return settled_; }  ///< states that got a value when this was made
 
   static constexpr double kFar = 1e9;
   static constexpr int kTableHeadings = 32;
@@ -37,14 +37,19 @@ class PoseDistance {
   class Queue;
 
   void lay_moves();
+  template <typename Visit>
+  void each_cell_around(int i, int j, int reach, Visit visit) const;
   std::uint32_t free_headings(int i, int j, const Obstacles& obstacles, const DiscDistance& disc) const;
-  std::vector<State> shut(const Obstacles& obstacles, const DiscDistance& disc);
-  std::vector<State> unsettle(Queue& queue, const std::vector<std::int32_t>& old);
+  std::vector<State> shut(const Obstacles& before, const Obstacles& obstacles, const DiscDistance& disc);
+  std::vector<State> unsettle(Queue& queue, const std::vector<std::uint16_t>& old);
   void spread(Queue& queue);
   template <typename Visit>
   void each_before(State s, Visit visit) const;
   template <typename Visit>
   void each_after(State s, Visit visit) const;
+  std::size_t at(int i, int j) const {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i);
+  }
   bool is_passable(int i, int j, int h, const Move& move) const;
   bool is_free(State s) const { return (free_[s / kTableHeadings] >> (s % kTableHeadings)) & 1; }
 
@@ -52,8 +57,8 @@ class PoseDistance {
   std::array<std::vector<Move>, kTableHeadings> moves_;  ///< from each heading
   std::array<std::vector<Move>, kTableHeadings> moves_into_;
   std::vector<std::uint32_t> free_;  ///< of raster cells, a bit a heading
-  std::vector<std::int32_t> cost_;   ///< in 1/kParts steps
-  std::size_t settled_ = 0;
+  std::vector<std::uint16_t> cost_;  ///< in 1/kParts steps
+  std::size_t settled_ = 0;  ///< states with a value, when last made anew
 };
 
 }  // namespace taut::car::detail
