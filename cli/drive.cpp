@@ -122,7 +122,7 @@ class TimedDriver : public car::Driver {
     return control;
   }
   int replans() const override { return driver_->replans(); }
-  double first() const { return first_; }                   ///< the first plan, milliseconds
+  double first() const { return first_; }                  ///< the first plan, milliseconds
   double slowest_later() const { return slowest_later_; }  ///< the slowest decision after it
 
  private:
@@ -156,8 +156,8 @@ nlohmann::ordered_json json_of(const Result& result, const car::Course& course, 
 std::size_t bits_width(const car::Course& course) { return std::max<std::size_t>(course.roadblocks.size(), 4); }
 
 std::string heading(const car::Course& course) {
-  return fmt::format("{:>6}  {:<{}}  {:<9}  {:>6}  {:>7}  {:>8}  {:>9}\n", "sample", "open", bits_width(course), "outcome",
-                     "steps", "replans", "first ms", "replan ms");
+  return fmt::format("{:>6}  {:<{}}  {:<9}  {:>6}  {:>7}  {:>8}  {:>9}\n", "sample", "open", bits_width(course),
+                     "outcome", "steps", "replans", "first ms", "replan ms");
 }
 
 std::string row(const Result& result, const car::Course& course) {
@@ -173,7 +173,8 @@ std::string summary(const std::vector<Result>& results) {
   std::string text = fmt::format("reached {} of {} ({:.0f} %)", reached, results.size(),
                                  100.0 * static_cast<double>(reached) / static_cast<double>(results.size()));
   if (reached != 0)
-    text += fmt::format(", mean {:.1f} steps, worst {}", static_cast<double>(steps) / static_cast<double>(reached), worst);
+    text +=
+        fmt::format(", mean {:.1f} steps, worst {}", static_cast<double>(steps) / static_cast<double>(reached), worst);
   return text + "\n";
 }
 
@@ -192,11 +193,10 @@ void write_results(const DriveOptions& options, const car::Course& course, const
                    const std::vector<Result>& results) {
   const car::Drive& last = results.back().drive;
   if (!options.svg.empty())
-    write_file(options.svg,
-               drive_svg(course, last, options.walls, options.animate,
-                         fmt::format("{}, sample {}: {}, {} steps, {} replans", title_of(name),
-                                     results.back().sample.number, car::name(last.outcome), last.controls.size(),
-                                     last.replans)));
+    write_file(options.svg, drive_svg(course, last, options.walls, options.animate,
+                                      fmt::format("{}, sample {}: {}, {} steps, {} replans", title_of(name),
+                                                  results.back().sample.number, car::name(last.outcome),
+                                                  last.controls.size(), last.replans)));
   auto json = nlohmann::ordered_json::array();
   std::string table = heading(course);
   for (const Result& result : results) {

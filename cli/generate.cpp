@@ -58,8 +58,7 @@ constexpr std::array<std::string_view, 3> kKinds{"biased", "backtracker", "roadb
 
 Kind kind_of(const std::string& text) {
   const auto at = std::ranges::find(kKinds, text);
-  if (at == kKinds.end())
-    throw CLI::ValidationError("--kind: '" + text + "' is not biased, backtracker or roadblocks");
+  if (at == kKinds.end()) throw CLI::ValidationError("--kind: '" + text + "' is not biased, backtracker or roadblocks");
   return static_cast<Kind>(at - kKinds.begin());
 }
 
@@ -96,8 +95,8 @@ void add_options(CLI::App& app, GenerateOptions& options) {
 GridMaze maze_of(const GenerateOptions& options) {
   const auto [width, height] = options.size;
   const std::uint64_t seed = options.common.seed;
-  GridMaze maze =
-      options.kind == Kind::biased ? generate_biased_maze(height, width, seed) : generate_backtracker(width, height, seed);
+  GridMaze maze = options.kind == Kind::biased ? generate_biased_maze(height, width, seed)
+                                               : generate_backtracker(width, height, seed);
   if (options.loops > 0) open_walls(maze, options.loops, seed);
   const auto formats_of_mice = {Format::cell_values, Format::maz, Format::num};
   if (!maze.goal.empty() && std::ranges::find(formats_of_mice, options.format) != formats_of_mice.end())
@@ -107,8 +106,9 @@ GridMaze maze_of(const GenerateOptions& options) {
 
 // The command that makes the same file again.
 std::string recipe(const GenerateOptions& options) {
-  std::string text = fmt::format("taut generate --size {}x{} --kind {} --seed {}", options.size.width,
-                                 options.size.height, kKinds[static_cast<std::size_t>(options.kind)], options.common.seed);
+  std::string text =
+      fmt::format("taut generate --size {}x{} --kind {} --seed {}", options.size.width, options.size.height,
+                  kKinds[static_cast<std::size_t>(options.kind)], options.common.seed);
   if (options.kind == Kind::roadblocks)
     return text + fmt::format(" --roadblocks {} --samples {}", options.roadblocks, options.samples);
   if (options.loops > 0) text += " --loops " + number_text(options.loops);

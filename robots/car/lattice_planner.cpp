@@ -14,7 +14,8 @@ namespace taut::car {
 
 namespace {
 
-constexpr std::size_t kMostKnown = 64;  // sets of closed roadblocks whose estimates are kept: some 3 MB each on a map of 50 x 50
+constexpr std::size_t kMostKnown =
+    64;                      // sets of closed roadblocks whose estimates are kept: some 3 MB each on a map of 50 x 50
 constexpr double kNear = 3;  // more than half the car's diagonal, half a square's and a step
 
 /// From coarse to fine: the next one is asked only when there is no way in the former.
@@ -87,11 +88,13 @@ struct LatticePlanner::Impl {
 
   std::optional<Plan> found(const Pose& from, RoadblockSet closed) {
     Place& place = places[{from.x, from.y, from.heading}];
-    if (std::ranges::any_of(place.hopeless, [&](RoadblockSet shut) { return (shut & ~closed) == 0; })) return std::nullopt;
+    if (std::ranges::any_of(place.hopeless, [&](RoadblockSet shut) { return (shut & ~closed) == 0; }))
+      return std::nullopt;
     bool is_best = false;
     std::optional<Plan> plan = known_way(place, from, closed, is_best);
     if (is_best) return plan;
-    if (std::optional<Plan> other = search(from, closed); other && (!plan || other->controls.size() < plan->controls.size()))
+    if (std::optional<Plan> other = search(from, closed);
+        other && (!plan || other->controls.size() < plan->controls.size()))
       plan = std::move(other);
     if (plan)
       place.ways.push_back({*plan, closed});
@@ -105,8 +108,7 @@ struct LatticePlanner::Impl {
     if (!what.disc.reaches({from.x, from.y})) return std::nullopt;
     ++plans;
     for (const detail::Lattice& lattice : kLattices)
-      if (const auto plan =
-              detail::lattice_search(what.obstacles, what.disc, what.distance, lattice, from, expanded))
+      if (const auto plan = detail::lattice_search(what.obstacles, what.disc, what.distance, lattice, from, expanded))
         return detail::with_shortcuts(from, *plan, what.obstacles, lattice.slack);
     return std::nullopt;
   }
@@ -137,7 +139,8 @@ void LatticePlanner::adopt(const Plan& plan, std::size_t steps, RoadblockSet shu
   std::vector<Impl::Way>& ways = impl_->places[{there.x, there.y, there.heading}].ways;
   if (std::ranges::any_of(ways, [&](const Impl::Way& way) { return way.shut == shut; })) return;
   const auto by = static_cast<std::ptrdiff_t>(steps);
-  ways.push_back({{{plan.controls.begin() + by, plan.controls.end()}, {plan.poses.begin() + by, plan.poses.end()}}, shut});
+  ways.push_back(
+      {{{plan.controls.begin() + by, plan.controls.end()}, {plan.poses.begin() + by, plan.poses.end()}}, shut});
 }
 
 std::optional<double> LatticePlanner::estimate(const Pose& from, RoadblockSet closed) {

@@ -12,8 +12,8 @@ namespace taut::car {
 
 namespace {
 
-constexpr int kSlot = 15;           // cells of a slot, at least
-constexpr int kLeastRoom = 6;       // a side of a room
+constexpr int kSlot = 15;                                       // cells of a slot, at least
+constexpr int kLeastRoom = 6;                                   // a side of a room
 constexpr std::array<int, 7> kLaneWidths{2, 2, 2, 3, 3, 4, 6};  // open cells: wall points are one more apart
 
 struct Room {
@@ -27,8 +27,9 @@ struct Lane {
 
 void require_range(const char* what, int value, int least, int most) {
   if (value < least || value > most)
-    throw InputError({}, 0, std::string(what) + " " + std::to_string(value) + " is not " + std::to_string(least) + " to " +
-                                std::to_string(most));
+    throw InputError({}, 0,
+                     std::string(what) + " " + std::to_string(value) + " is not " + std::to_string(least) + " to " +
+                         std::to_string(most));
 }
 
 class Generator {
@@ -103,10 +104,12 @@ class Generator {
     const int width = kLaneWidths[draws_.below(static_cast<std::uint32_t>(kLaneWidths.size()))];
     Lane lane{{}, along_x};
     if (along_x) {
-      const int lo = std::max(a.top, b.top), hi = std::min(a.bottom, b.bottom) - width + 1, y = within(lo, std::max(lo, hi));
+      const int lo = std::max(a.top, b.top), hi = std::min(a.bottom, b.bottom) - width + 1,
+                y = within(lo, std::max(lo, hi));
       lane.room = {a.right + 1, y, b.left - 1, y + width - 1};
     } else {
-      const int lo = std::max(a.left, b.left), hi = std::min(a.right, b.right) - width + 1, x = within(lo, std::max(lo, hi));
+      const int lo = std::max(a.left, b.left), hi = std::min(a.right, b.right) - width + 1,
+                x = within(lo, std::max(lo, hi));
       lane.room = {x, a.bottom + 1, x + width - 1, b.top - 1};
     }
     clear(lane.room);
@@ -195,8 +198,11 @@ RoadMap generate_road_map(const RoadMapRecipe& recipe) {
 
 std::string road_map_text(const RoadMap& map, const std::string& remark) {
   const Course& course = map.course;
-  std::vector<std::string> rows(static_cast<std::size_t>(course.height), std::string(static_cast<std::size_t>(course.width), '.'));
-  const auto put = [&](Cell c, char what) { rows[static_cast<std::size_t>(c.y - 1)][static_cast<std::size_t>(c.x - 1)] = what; };
+  std::vector<std::string> rows(static_cast<std::size_t>(course.height),
+                                std::string(static_cast<std::size_t>(course.width), '.'));
+  const auto put = [&](Cell c, char what) {
+    rows[static_cast<std::size_t>(c.y - 1)][static_cast<std::size_t>(c.x - 1)] = what;
+  };
   for (int y = 1; y <= course.height; ++y)
     for (int x = 1; x <= course.width; ++x)
       if (course.is_wall({x, y})) put({x, y}, '#');

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t kMostWays = 64;  // to choose from in one place
 
-constexpr int kMostTold = 6;               // unknown roadblocks for whose outcomes bounds are made
-constexpr double kTrust = 0.98;            // in estimates, as bounds
+constexpr int kMostTold = 6;     // unknown roadblocks for whose outcomes bounds are made
+constexpr double kTrust = 0.98;  // in estimates, as bounds
 
 /// A way to choose: followed for `steps`, where `seen` comes into sight. Without a sight it leads to the goal.
 struct Way {
@@ -75,8 +75,8 @@ struct RoadblockPolicy::Impl {
       if (!plan) continue;
       for (std::size_t b = 0; b < course.roadblocks.size(); ++b) {
         const RoadblockSet block = RoadblockSet{1} << b;
-        if ((unknown(open, closed) & ~avoided & block) && crosses(from, *plan, course.roadblocks[b], planner.reading()) &&
-            asked.insert(avoided | block).second)
+        if ((unknown(open, closed) & ~avoided & block) &&
+            crosses(from, *plan, course.roadblocks[b], planner.reading()) && asked.insert(avoided | block).second)
           avoid.push_back(avoided | block);
       }
       Way way = way_along(*plan, closed | avoided, unknown(open, closed));
@@ -141,7 +141,8 @@ struct RoadblockPolicy::Impl {
   Aim aim;
   std::size_t searches;
   std::size_t most_plans = 0;
-  std::map<std::tuple<double, double, double, RoadblockSet, RoadblockSet>, Choice> known, guessed;  ///< the latter for one choice
+  std::map<std::tuple<double, double, double, RoadblockSet, RoadblockSet>, Choice> known,
+      guessed;  ///< the latter for one choice
 };
 
 RoadblockPolicy::RoadblockPolicy(LatticePlanner& planner, Aim aim, std::size_t searches)

@@ -20,7 +20,8 @@ struct Replay {
 /// Does a rectangle of half sides 1.5 and 1 have an inner point in common with the unit square around `cell`? Some axis separates them or it does.
 inline bool overlaps_square(std::complex<long double> at, long double heading, std::complex<long double> cell) {
   using Complex = std::complex<long double>;
-  const std::array<Complex, 4> axes{1, Complex(0, 1), std::polar(1.0L, heading), std::polar(1.0L, heading) * Complex(0, 1)};
+  const std::array<Complex, 4> axes{1, Complex(0, 1), std::polar(1.0L, heading),
+                                    std::polar(1.0L, heading) * Complex(0, 1)};
   return std::all_of(axes.begin(), axes.end(), [&](Complex axis) {
     const auto along = [&](Complex v) { return std::abs((v * std::conj(axis)).real()); };
     const long double reach = 1.5L * along(axes[2]) + along(axes[3]) + (along(1) + along(Complex(0, 1))) / 2;

@@ -11,8 +11,8 @@
 namespace taut::car::detail {
 
 struct Lattice {
-  int bins = 4;  ///< of positions, to the unit
-  int arc = 4;   ///< steps of an arc, and 128ths of a turn between headings; divides 128
+  int bins = 4;            ///< of positions, to the unit
+  int arc = 4;             ///< steps of an arc, and 128ths of a turn between headings; divides 128
   double slack = kMargin;  ///< kept from what is closed
 };
 

@@ -13,13 +13,13 @@ namespace {
 constexpr int kParts = 4;  // of a step, in costs
 constexpr int kHeadings = PoseDistance::kTableHeadings;
 constexpr double kUnit = 2 * std::numbers::pi / kHeadings;
-constexpr double kArc = kUnit / kTurn;  // steps of an arc to the next heading
+constexpr double kArc = kUnit / kTurn;                                      // steps of an arc to the next heading
 constexpr std::int32_t kNever = std::numeric_limits<std::uint16_t>::max();  // and what costs more, 16 thousand steps
 constexpr double kCircumscribed = 1.803;  // half the car's diagonal: with so much room every heading is free
 
-constexpr double kMostLost = 0.1;  // of all states: beyond that a repair takes longer than a new search
+constexpr double kMostLost = 0.1;    // of all states: beyond that a repair takes longer than a new search
 constexpr int kTouch = 3 * kRaster;  // raster cells from a closed cell to where the car may touch it, and more
-constexpr int kFarthest = 5;  // raster cells that a move spans
+constexpr int kFarthest = 5;         // raster cells that a move spans
 
 int wrapped(int heading) { return (heading + kHeadings) % kHeadings; }
 
@@ -108,8 +108,8 @@ void PoseDistance::lay_moves() {
     const double scale = way == 0 ? 1 : rounded / way;  // no speed is gained by rounding
     Move move{x, y, turn, std::max(1, static_cast<int>(std::lround(cost * scale * kParts))), {}};
     for (int k = 1, n = std::max(std::abs(x), std::abs(y)); k < n; ++k)
-      move.between.push_back({static_cast<int>(std::lround(1.0 * k * x / n)), static_cast<int>(std::lround(1.0 * k * y / n)),
-                              2 * k > n ? turn : 0});
+      move.between.push_back({static_cast<int>(std::lround(1.0 * k * x / n)),
+                              static_cast<int>(std::lround(1.0 * k * y / n)), 2 * k > n ? turn : 0});
     moves_[static_cast<std::size_t>(h)].push_back(move);
     moves_into_[static_cast<std::size_t>(wrapped(h + turn))].push_back(move);
   };
@@ -260,7 +260,8 @@ double PoseDistance::steps_from(const Pose& pose) const {
   const double turns = pose.heading / kUnit, whole = std::floor(turns), part = turns - whole;
   const int h = ((static_cast<int>(whole) % kHeadings) + kHeadings) % kHeadings;
   const std::size_t cell = static_cast<std::size_t>(j * columns_ + i) * kHeadings;
-  const std::int32_t a = cost_[cell + static_cast<std::size_t>(h)], b = cost_[cell + static_cast<std::size_t>(wrapped(h + 1))];
+  const std::int32_t a = cost_[cell + static_cast<std::size_t>(h)],
+                     b = cost_[cell + static_cast<std::size_t>(wrapped(h + 1))];
   if (a == kNever && b == kNever) return kFar;
   if (a == kNever) return static_cast<double>(b) / kParts;
   if (b == kNever) return static_cast<double>(a) / kParts;

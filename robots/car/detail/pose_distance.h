@@ -58,7 +58,7 @@ class PoseDistance {
   std::array<std::vector<Move>, kTableHeadings> moves_into_;
   std::vector<std::uint32_t> free_;  ///< of raster cells, a bit a heading
   std::vector<std::uint16_t> cost_;  ///< in 1/kParts steps
-  std::size_t settled_ = 0;  ///< states with a value, when last made anew
+  std::size_t settled_ = 0;          ///< states with a value, when last made anew
 };
 
 }  // namespace taut::car::detail

@@ -11,14 +11,15 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-constexpr double kSame = 1e-11;      // two poses, when their differences are below it
-constexpr int kIterations = 7;       // of Newton's method
-constexpr double kAstray = 2;        // a control beyond it will not come back to 1
-constexpr std::size_t kLeast = 8;    // steps of a stretch
-constexpr double kShrink = 0.85;     // a stretch's length from one round to the next
+constexpr double kSame = 1e-11;    // two poses, when their differences are below it
+constexpr int kIterations = 7;     // of Newton's method
+constexpr double kAstray = 2;      // a control beyond it will not come back to 1
+constexpr std::size_t kLeast = 8;  // steps of a stretch
+constexpr double kShrink = 0.85;   // a stretch's length from one round to the next
 constexpr int kRounds = 8;
 constexpr std::array<double, 5> kSides{0, 0.5, -0.5, 0.95, -0.95};  // where the goal comes to lie across the car
-constexpr std::array<std::array<double, 2>, 9> kSplits{{{1 / 3.0, 1 / 3.0}, {0.2, 0.6}, {0.15, 0.35}, {0.5, 0.35},{.1,.8},{.1,.1},{.8,.1},{.1,.5},{.4,.5}}};
+constexpr std::array<std::array<double, 2>, 9> kSplits{
+    {{1 / 3.0, 1 / 3.0}, {0.2, 0.6}, {0.15, 0.35}, {0.5, 0.35}, {.1, .8}, {.1, .1}, {.8, .1}, {.1, .5}, {.4, .5}}};
 
 /// Solves a x = b by elimination; nothing when it is (nearly) singular.
 std::optional<Vector> solved(std::array<Vector, 3> a, Vector b) {
@@ -121,8 +122,10 @@ class Shortcuts {
   void pass(std::size_t length) {
     const std::size_t stride = std::max<std::size_t>(1, length / 10);
     for (std::size_t i = 0; i + length <= plan_.controls.size(); i += stride)
-      while (i + length <= plan_.controls.size() && shortened(i, i + length)) {}
-    while (plan_.controls.size() >= length && end_shortened(plan_.controls.size() - length)) {}
+      while (i + length <= plan_.controls.size() && shortened(i, i + length)) {
+      }
+    while (plan_.controls.size() >= length && end_shortened(plan_.controls.size() - length)) {
+    }
   }
 
   const Pose& before(std::size_t i) const { return i == 0 ? from_ : plan_.poses[i - 1]; }
@@ -130,25 +133,25 @@ class Shortcuts {
   /// Straight, or bent all the way: nothing is shorter.
   bool is_one_arc(std::size_t i, std::size_t j) const {
     const double u = plan_.controls[i];
-    return u != kReverse && std::all_of(plan_.controls.begin() + static_cast<std::ptrdiff_t>(i),
-                                        plan_.controls.begin() + static_cast<std::ptrdiff_t>(j),
-                                        [u](double c) { return c == u; });
+    return u != kReverse &&
+           std::all_of(plan_.controls.begin() + static_cast<std::ptrdiff_t>(i),
+                       plan_.controls.begin() + static_cast<std::ptrdiff_t>(j), [u](double c) { return c == u; });
   }
 
   /// Has anything changed since the last round but one?
   bool is_new(std::size_t i, std::size_t j) const {
-    return std::any_of(changed_.begin() + static_cast<std::ptrdiff_t>(i), changed_.begin() + static_cast<std::ptrdiff_t>(j),
+    return std::any_of(changed_.begin() + static_cast<std::ptrdiff_t>(i),
+                       changed_.begin() + static_cast<std::ptrdiff_t>(j),
                        [&](int round) { return round + 1 >= round_; });
   }
 
-  static double nearest_turn(double angle) {
-    return std::remainder(angle, 2 * std::acos(-1.0));
-  }
+  static double nearest_turn(double angle) { return std::remainder(angle, 2 * std::acos(-1.0)); }
 
   bool shortened(std::size_t i, std::size_t j) {
     if (is_one_arc(i, j) || !is_new(i, j)) return false;
     const Pose target = plan_.poses[j - 1];
-    const auto least = static_cast<int>(std::ceil(std::hypot(target.x - before(i).x, target.y - before(i).y) / kForward));
+    const auto least =
+        static_cast<int>(std::ceil(std::hypot(target.x - before(i).x, target.y - before(i).y) / kForward));
     const int steps = static_cast<int>(j - i);
     const auto miss = [&](VaryingPose end, const Vector&) {
       end.x.value -= target.x, end.y.value -= target.y;
@@ -179,7 +182,8 @@ class Shortcuts {
   /// The goal at the car's front, `side` across; the last two arcs are one.
   static std::array<Varying, 3> miss_of_goal(const VaryingPose& end, Point goal, double side, const Vector& u) {
     const double c = std::cos(end.heading.value), s = std::sin(end.heading.value);
-    const double dx = goal.x - end.x.value, dy = goal.y - end.y.value, along = c * dx + s * dy, across = c * dy - s * dx;
+    const double dx = goal.x - end.x.value, dy = goal.y - end.y.value, along = c * dx + s * dy,
+                 across = c * dy - s * dx;
     std::array<Varying, 3> miss{{{along - kHalfLength + 2 * kMargin}, {across - side}, {u[1] - u[2], {0, 1, -1}}}};
     for (std::size_t k = 0; k < 3; ++k) {
       const double x = end.x.slope[k], y = end.y.slope[k], h = end.heading.slope[k];
@@ -219,7 +223,8 @@ class Shortcuts {
   /// Takes the stretch when it and what follows is clear.
   bool put(std::size_t i, std::size_t j, const Stretch& stretch, const Vector& u) {
     std::vector<double> controls;
-    for (std::size_t k = 0; k < 3; ++k) controls.insert(controls.end(), static_cast<std::size_t>(stretch.steps[k]), u[k]);
+    for (std::size_t k = 0; k < 3; ++k)
+      controls.insert(controls.end(), static_cast<std::size_t>(stretch.steps[k]), u[k]);
     Pose pose = stretch.from;
     for (const double control : controls) {
       const Pose to = stepped(pose, control);

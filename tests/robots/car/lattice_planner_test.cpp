@@ -65,7 +65,8 @@ TEST(Shortcuts, PullAWeavingPlanStraightAndGoAroundAPillar) {
     EXPECT_TRUE(detail::replayed(start_of(map), plan.controls, obstacles, kMargin).has_value());
     return static_cast<double>(plan.controls.size());
   };
-  weaving = *detail::replayed(start_of(map), weaving.controls, detail::Obstacles(map.course, 0, WallReading::points), kMargin);
+  weaving = *detail::replayed(start_of(map), weaving.controls, detail::Obstacles(map.course, 0, WallReading::points),
+                              kMargin);
   EXPECT_NEAR(shortened(), 137, 1) << "(27 - 5 - 1.5) / 0.15 straight ahead";
   map.course.walls[map.course.index({19, 14})] = 1;  // in the straight car's side, and beside the weaving one
   EXPECT_LT(shortened(), 145);

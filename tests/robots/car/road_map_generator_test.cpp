@@ -36,10 +36,10 @@ void expect_same_in_second_car(const RoadMap& map, const Drive& run, WallReading
 
 /// Samples with a way for the clairvoyant are reached, the others end with no route.
 void expect_none_lost(const RoadMap& map, WallReading reading) {
-  LatticePlanner honest(map.course, reading), clairvoyant(map.course, reading);
+  LatticePlanner planner(map.course, reading);
   for (const RoadblockSet open : outcomes(map)) {
-    const Drive bound = driven(clairvoyant, open, DriverKind::clairvoyant);
-    const Drive run = driven(honest, open, DriverKind::ours);
+    const Drive bound = driven(planner, open, DriverKind::clairvoyant);
+    const Drive run = driven(planner, open, DriverKind::ours);
     EXPECT_EQ(run.outcome, bound.outcome) << bits_of(open, map.course) << "\n" << road_map_text(map);
     expect_same_in_second_car(map, bound, reading);
     expect_same_in_second_car(map, run, reading);
@@ -77,7 +77,8 @@ TEST(Drive, LosesNoSampleOfGeneratedMazesThatAKnowingDriverReaches) {
   const int mazes = many ? std::atoi(many) : 40, side = many ? 50 : 31, blocks = many ? 5 : 3;
   for (int seed = 1; seed <= mazes; ++seed) {
     SCOPED_TRACE(seed);
-    expect_none_lost(generate_road_map({side, side, blocks, many ? 10 : 2, static_cast<std::uint64_t>(seed)}), WallReading::points);
+    expect_none_lost(generate_road_map({side, side, blocks, many ? 10 : 2, static_cast<std::uint64_t>(seed)}),
+                     WallReading::points);
   }
 }
 

@@ -28,7 +28,8 @@ Driven all_outcomes(LatticePlanner& planner, DriverKind kind, Aim aim) {
   for (RoadblockSet open = 0; open < RoadblockSet{1} << course.roadblocks.size(); ++open) {
     const Drive run = drive(course, open, *make_driver(kind, planner, open, aim), WallReading::points);
     driven.mean += probability(course, open) * static_cast<double>(run.controls.size());
-    if (run.outcome == Outcome::reached) driven.worst = std::max(driven.worst, static_cast<double>(run.controls.size()));
+    if (run.outcome == Outcome::reached)
+      driven.worst = std::max(driven.worst, static_cast<double>(run.controls.size()));
   }
   return driven;
 }
@@ -95,7 +96,8 @@ TEST(RoadblockPolicy, PromisesSomethingBetweenTheWaysOpenAndClosed) {
 TEST(RoadblockPolicy, SaysWhenItsBudgetDidNotSuffice) {
   const RoadMap map = generate_road_map({31, 31, 3, 0, 5});
   LatticePlanner planner(map.course, WallReading::points);
-  const auto choice = RoadblockPolicy(planner, Aim::expected, 2).choose({map.course.start.x, map.course.start.y, 0}, 0, 0);
+  const auto choice =
+      RoadblockPolicy(planner, Aim::expected, 2).choose({map.course.start.x, map.course.start.y, 0}, 0, 0);
   EXPECT_FALSE(choice.exact);
   EXPECT_NE(choice.plan, nullptr);
 }
