@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 #include "support/paths.h"
@@ -41,6 +43,26 @@ TEST_F(DriveProgram, DrawsAndAnimates) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("class=\"closed\""));
   EXPECT_THAT(outcome.out, HasSubstr("<animate attributeName=\"d\""));
+}
+
+TEST_F(DriveProgram, SumsUpAllSamplesAndTakesTimes) {
+  const Outcome outcome = run_taut("drive " + map + " --all --policy worst");
+  EXPECT_THAT(outcome.out, HasSubstr("reached 2 of 2 (100 %), mean"));
+  EXPECT_THAT(outcome.out, HasSubstr("replan ms"));
+  const json result = json::parse(run_taut("drive " + map + " --json -").out)[0];
+  EXPECT_GT(result["first_plan_ms"], 0);
+  EXPECT_GE(result["slowest_replan_ms"], 0);
+  EXPECT_EQ(run_taut("drive " + map + " --policy lucky").code, 2);
+}
+
+TEST_F(DriveProgram, DrivesWhatGenerateMakes) {
+  std::stringstream kept;
+  kept << std::ifstream(data_dir() / "car" / "rooms_31x31.txt").rdbuf();
+  const Outcome made = run_taut("generate --kind roadblocks --size 31x31 --roadblocks 3 --seed 18 --samples 8");
+  EXPECT_EQ(made.out, kept.str()) << "as data/README.md says";
+  EXPECT_THAT(run_taut("drive - --all", made.out).out, HasSubstr("reached 6 of 8"));
+  EXPECT_EQ(run_taut("generate --kind roadblocks --size 9").code, 2);
+  EXPECT_EQ(run_taut("generate --kind roadblocks --size 31 --roadblocks 27").code, 2);
 }
 
 TEST_F(DriveProgram, EndsWithItsCode) {
