@@ -55,10 +55,10 @@ std::size_t most_samples(TreeKind kind) {
   switch (kind) {
     case TreeKind::rrt:
     case TreeKind::rrt_field: return 300'000;
-    case TreeKind::rrt_star:
+    case TreeKind::rrt_star: return 40'000;
     case TreeKind::rrt_connect: break;
   }
-  return 30'000;
+  return 100'000;
 }
 
 }  // namespace taut::car

@@ -15,7 +15,8 @@ using Complex = std::complex<double>;
 constexpr double kCircle = 2 * std::numbers::pi;
 constexpr double kNothing = 1e-9;      // an angle not worth a step
 constexpr double kLongestTurn = 4.72;  // three quarters of a circle
-constexpr int kRounds = 12;            // of the fixed point below
+constexpr int kRounds = 8;             // of the fixed point below
+constexpr double kSettled = 1e-4;      // it has come to rest: what is left is part of the error
 constexpr int kSpotBack = 3;           // steps back of a turn on the spot
 
 int whole_steps(double angle) { return static_cast<int>((std::abs(angle) + kNothing) / kTurn); }
@@ -25,25 +26,34 @@ double fraction(double angle) {
   return std::abs(rest) < kNothing ? 0 : rest;
 }
 
-/// The shift of one step, with what goes before it on the spot.
-Complex step_shift(double heading, double turn, bool on_the_spot) {
-  if (turn == 0) return 0;
+/// The shift of one step of arc.
+Complex arc_shift(double heading, double turn) {
   const Pose end = stepped({0, 0, heading}, turn / kTurn);
-  return Complex(end.x, end.y) - (on_the_spot ? std::polar(kForward, heading) : Complex(0));
+  return {end.x, end.y};
 }
 
-/// Of `n` such steps, each turned by the one before: a geometric series.
+Complex spot_shift(double heading, double turn) { return arc_shift(heading, turn) - std::polar(kForward, heading); }
+
+/// Of `n` whole steps: geometric series, since each shift is the one before, turned.
 Complex series_shift(double heading, int n, double turn, bool on_the_spot) {
+  const auto series = [](Complex first, int terms, double by) {
+    return terms == 0 ? Complex(0) : first * (std::polar(1.0, terms * by) - 1.0) / (std::polar(1.0, by) - 1.0);
+  };
   if (n == 0) return 0;
-  return step_shift(heading, turn, on_the_spot) * (std::polar(1.0, n * turn) - 1.0) / (std::polar(1.0, turn) - 1.0);
+  if (!on_the_spot) return series(arc_shift(heading, turn), n, turn);
+  const Complex pair = spot_shift(heading, turn) + arc_shift(heading + turn, turn) - std::polar(kForward, heading + 2 * turn);
+  return series(pair, n / 2, 2 * turn) + (n % 2 == 0 ? Complex(0) : spot_shift(heading + (n - 1) * turn, turn));
 }
 
 Complex shift_of(const Turn& turn, double heading) {
   const double step = std::copysign(kTurn, turn.angle), rest = fraction(turn.angle);
   const int n = whole_steps(turn.angle);
-  if (turn.fraction_first)
-    return step_shift(heading, rest, turn.on_the_spot) + series_shift(heading + rest, n, step, turn.on_the_spot);
-  return series_shift(heading, n, step, turn.on_the_spot) + step_shift(heading + n * step, rest, turn.on_the_spot);
+  const auto fraction_shift = [&](double from) {
+    if (rest == 0) return Complex(0);
+    return turn.on_the_spot ? spot_shift(from, rest) : arc_shift(from, rest);
+  };
+  if (turn.fraction_first) return fraction_shift(heading) + series_shift(heading + rest, n, step, turn.on_the_spot);
+  return series_shift(heading, n, step, turn.on_the_spot) + fraction_shift(heading + n * step);
 }
 
 enum class Kind : std::uint8_t { left, right, spot };
@@ -68,7 +78,7 @@ std::optional<Steering> steering(const Pose& from, const Pose& to, Kind first, K
     way.last = turn_of(last, to.heading - heading, true);
     straight = between - shift_of(way.first, from.heading) - shift_of(way.last, heading);
     const double next = std::arg(backwards ? -straight : straight);
-    if (std::abs(straight) < kBackward / 2 || std::abs(std::remainder(next - heading, kCircle)) < kNothing) break;
+    if (std::abs(straight) < kBackward / 2 || std::abs(std::remainder(next - heading, kCircle)) < kSettled) break;
     if (i + 1 < kRounds) heading = next;
   }
   const double along = (straight * std::polar(1.0, -heading)).real();
@@ -91,14 +101,15 @@ Point Turn::shift(double heading) const {
 }
 
 void Turn::append_to(std::vector<double>& controls) const {
-  const auto step = [&](double control) {
-    if (on_the_spot) controls.insert(controls.end(), kSpotBack, kReverse);
+  const auto step = [&](double control, bool back_first) {
+    if (on_the_spot && back_first) controls.insert(controls.end(), kSpotBack, kReverse);
     controls.push_back(control);
+    if (on_the_spot && !back_first) controls.insert(controls.end(), kSpotBack, kReverse);
   };
   const double rest = std::clamp(fraction(angle) / kTurn, -1.0, 1.0);
-  if (rest != 0 && fraction_first) step(rest);
-  for (int i = whole_steps(angle); i > 0; --i) step(std::copysign(1.0, angle));
-  if (rest != 0 && !fraction_first) step(rest);
+  if (rest != 0 && fraction_first) step(rest, true);
+  for (int i = 0; i < whole_steps(angle); ++i) step(std::copysign(1.0, angle), i % 2 == 0);
+  if (rest != 0 && !fraction_first) step(rest, true);
 }
 
 std::vector<double> Steering::controls() const {

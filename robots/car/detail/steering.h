@@ -8,7 +8,8 @@
 namespace taut::car::detail {
 
 /// A turn by `angle`, on an arc of the least radius or on the spot (three steps back, one of arc). Whole steps of control 1 and one of less, which
-/// stands where the straight is: at the end, or, with `fraction_first`, at the beginning.
+/// stands where the straight is: at the end, or, with `fraction_first`, at the beginning. Back and arc shift the car sideways by 0.004, arc and back by as much to the other side:
+/// whole turns on the spot come in such pairs, so that it stays where it is.
 struct Turn {
   double angle = 0;
   bool on_the_spot = false;
