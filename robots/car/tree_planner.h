@@ -29,7 +29,8 @@ enum class TreeKind : std::uint8_t { rrt, rrt_field, rrt_star, rrt_connect };
 /// The draws go on from plan to plan: same seed and same questions, same answers.
 class TreePlanner {
  public:
-  TreePlanner(const Course& course, WallReading reading, TreeKind kind, std::uint64_t seed);  ///< `course` must outlive it
+  TreePlanner(const Course& course, WallReading reading, TreeKind kind,
+              std::uint64_t seed);  ///< `course` must outlive it
   ~TreePlanner();
   TreePlanner(const TreePlanner&) = delete;
   TreePlanner& operator=(const TreePlanner&) = delete;

@@ -12,9 +12,9 @@ namespace taut::car {
 namespace {
 
 constexpr double kEighth = std::numbers::pi / 4;
-constexpr double kSpare = 0.3;    // of the goal in the car
-constexpr double kRoomy = 2.2;    // the car turns on the spot whatever is farther
-constexpr double kIdle = 2;       // a control that moves nothing
+constexpr double kSpare = 0.3;  // of the goal in the car
+constexpr double kRoomy = 2.2;  // the car turns on the spot whatever is farther
+constexpr double kIdle = 2;     // a control that moves nothing
 
 /// The poses of an action driven from the origin, the controls between them.
 struct Trace {
@@ -26,7 +26,9 @@ Trace trace_of(int heading, Action action, double length) {
   Trace trace;
   switch (action) {
     case Action::straight: trace.controls.assign(static_cast<std::size_t>(std::lround(length / kForward)), 0.0); break;
-    case Action::back: trace.controls.assign(static_cast<std::size_t>(std::lround(length / kBackward)), kReverse); break;
+    case Action::back:
+      trace.controls.assign(static_cast<std::size_t>(std::lround(length / kBackward)), kReverse);
+      break;
     case Action::turn_plus: detail::Turn{kEighth, true, false}.append_to(trace.controls); break;
     case Action::turn_minus: detail::Turn{-kEighth, true, false}.append_to(trace.controls); break;
   }
@@ -53,7 +55,8 @@ double clutter(Point p, const detail::Obstacles& obstacles) {
   for (int y = static_cast<int>(std::floor(p.y - 1)); y <= static_cast<int>(std::ceil(p.y + 1)); ++y)
     for (int x = static_cast<int>(std::floor(p.x - 1)); x <= static_cast<int>(std::ceil(p.x + 1)); ++x) {
       const double dx = std::abs(x - p.x), dy = std::abs(y - p.y);
-      if (std::max(dx, dy) < 1.5 && obstacles.is_closed({x, y})) sum += std::min(dx, dy) < 0.5 ? std::numbers::sqrt2 : 1;
+      if (std::max(dx, dy) < 1.5 && obstacles.is_closed({x, y}))
+        sum += std::min(dx, dy) < 0.5 ? std::numbers::sqrt2 : 1;
     }
   return sum;
 }
@@ -89,7 +92,8 @@ void ValueGrid::price(const detail::Obstacles& obstacles, const ValueCosts& cost
         const bool roomy = turns(action) && obstacles.room({at.x, at.y}) > kRoomy;
         if (!roomy && !drives(obstacles, at, trace)) continue;
         const double way = action == Action::back ? 3 * length : length;
-        costs_[static_cast<std::size_t>(action)][s] = turns(action) ? costs.turn : way + around[after(s, action) % plane()];
+        costs_[static_cast<std::size_t>(action)][s] =
+            turns(action) ? costs.turn : way + around[after(s, action) % plane()];
       }
     }
   }

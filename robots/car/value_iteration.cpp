@@ -37,9 +37,10 @@ class Sweeps {
               .min(cost(k, Action::turn_plus) + inner(k + 1))
               .min(cost(k, Action::turn_minus) + inner(k - 1));
       if (grid_.backs())
-        fresh(k).block(1, 1, columns_, rows_) = fresh(k)
-                                                    .block(1, 1, columns_, rows_)
-                                                    .min(cost(k, Action::back) + values(k).block(1 - dx, 1 - dy, columns_, rows_));
+        fresh(k).block(1, 1, columns_, rows_) =
+            fresh(k)
+                .block(1, 1, columns_, rows_)
+                .min(cost(k, Action::back) + values(k).block(1 - dx, 1 - dy, columns_, rows_));
       changed = changed || differ(fresh(k), values(k));
     }
     values_.swap(fresh_);
@@ -76,7 +77,9 @@ class Sweeps {
   Plane& values(int k) { return values_[wrapped(k)]; }
   Plane& fresh(int k) { return fresh_[wrapped(k)]; }
   Eigen::Block<Plane> inner(int k) { return values(k).block(1, 1, columns_, rows_); }
-  const Costs& cost(int k, Action action) const { return costs_[wrapped(k) * kActions.size() + static_cast<std::size_t>(action)]; }
+  const Costs& cost(int k, Action action) const {
+    return costs_[wrapped(k) * kActions.size() + static_cast<std::size_t>(action)];
+  }
 
   bool row_in_place(int k, Eigen::Index j) {
     const auto [dx, dy] = step(k);

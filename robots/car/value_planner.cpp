@@ -15,15 +15,15 @@ namespace taut::car {
 namespace {
 
 constexpr double kEighth = std::numbers::pi / 4;
-constexpr double kJoin = 1.5;          // how far the first state may be
-constexpr double kMostAside = 0.4;     // a leg's heading off its eighth, radians
-constexpr int kMostShut = 500;         // actions taken away in one plan
+constexpr double kJoin = 1.5;       // how far the first state may be
+constexpr double kMostAside = 0.4;  // a leg's heading off its eighth, radians
+constexpr int kMostShut = 500;      // actions taken away in one plan
 constexpr int kRounds = 8;
 
 /// Turns, then straight moves of one heading, ahead or back.
 struct Leg {
   std::vector<std::pair<std::size_t, Action>> turns, moves;
-  int turned = 0;        ///< in eighths
+  int turned = 0;  ///< in eighths
   bool back() const { return !moves.empty() && moves.front().second == Action::back; }
   std::size_t last = 0;  ///< the state where it ends
 };
@@ -106,7 +106,8 @@ class Follower {
   /// The action of the leg that was under way after so many steps.
   static Culprit culprit_of(const Leg& leg, std::size_t done, std::size_t turning, std::size_t going) {
     const auto at = [&](const auto& actions, std::size_t step, std::size_t steps) {
-      const auto [state, action] = actions[std::min(actions.size() - 1, step * actions.size() / std::max<std::size_t>(steps, 1))];
+      const auto [state, action] =
+          actions[std::min(actions.size() - 1, step * actions.size() / std::max<std::size_t>(steps, 1))];
       return Culprit{state, action};
     };
     if (leg.moves.empty() || (done < turning && !leg.turns.empty())) return at(leg.turns, done, turning);
@@ -157,8 +158,10 @@ struct ValuePlanner::Impl {
       Plan plan;
       const auto culprit = Follower(room(closed), *grid, *values, from).follow(*state, plan);
       if (!culprit) return plan;
-      if (culprit->action) grid->shut(culprit->state, *culprit->action);
-      else grid->shut_goal(culprit->state);
+      if (culprit->action)
+        grid->shut(culprit->state, *culprit->action);
+      else
+        grid->shut_goal(culprit->state);
     }
     return std::nullopt;
   }
@@ -178,7 +181,8 @@ ValuePlanner::~ValuePlanner() = default;
 
 Attempt ValuePlanner::plan(const Pose& from, RoadblockSet closed) {
   if (!impl_->room(closed).distance().reaches({from.x, from.y})) return {std::nullopt, true};
-  for (const auto& [per_unit, backs] : {std::pair{1, false}, std::pair{2, false}, std::pair{4, false}, std::pair{4, true}})
+  for (const auto& [per_unit, backs] :
+       {std::pair{1, false}, std::pair{2, false}, std::pair{4, false}, std::pair{4, true}})
     if (auto plan = impl_->planned(from, closed, per_unit, backs)) return {std::move(plan), false};
   return {};
 }

@@ -19,7 +19,8 @@ namespace taut::car {
 ///  3. No plan: `proven_none` only when not even a disc inside the car gets through; the discretisation knows no arcs, so that otherwise it is merely out of its depth.
 class ValuePlanner {
  public:
-  ValuePlanner(const Course& course, WallReading reading, double turn_cost = ValueCosts{}.turn);  ///< `course` must outlive it
+  ValuePlanner(const Course& course, WallReading reading,
+               double turn_cost = ValueCosts{}.turn);  ///< `course` must outlive it
   ~ValuePlanner();
   ValuePlanner(const ValuePlanner&) = delete;
   ValuePlanner& operator=(const ValuePlanner&) = delete;

@@ -19,7 +19,7 @@ class PoseIndex {
 
   void insert(const Pose& pose, std::uint32_t which);
   void erase(const Pose& pose, std::uint32_t which);
-  std::uint32_t nearest(const Pose& pose) const;  ///< precondition: not empty
+  std::uint32_t nearest(const Pose& pose) const;                           ///< precondition: not empty
   std::vector<std::uint32_t> nearest(const Pose& pose, unsigned n) const;  ///< at most n, by distance, then by number
 
  private:

@@ -41,7 +41,8 @@ Complex series_shift(double heading, int n, double turn, bool on_the_spot) {
   };
   if (n == 0) return 0;
   if (!on_the_spot) return series(arc_shift(heading, turn), n, turn);
-  const Complex pair = spot_shift(heading, turn) + arc_shift(heading + turn, turn) - std::polar(kForward, heading + 2 * turn);
+  const Complex pair =
+      spot_shift(heading, turn) + arc_shift(heading + turn, turn) - std::polar(kForward, heading + 2 * turn);
   return series(pair, n / 2, 2 * turn) + (n % 2 == 0 ? Complex(0) : spot_shift(heading + (n - 1) * turn, turn));
 }
 

@@ -29,7 +29,9 @@ class TreeRoom {
   const Course& course() const { return obstacles_.course(); }
   const DiscDistance& distance() const { return distance_; }
 
-  bool is_clear(const Pose& from, double control, const Pose& to) const { return obstacles_.is_clear(from, control, to); }
+  bool is_clear(const Pose& from, double control, const Pose& to) const {
+    return obstacles_.is_clear(from, control, to);
+  }
   bool stands_clear(const Pose& pose) const;
   bool is_goal(const Pose& pose) const { return at_goal(pose, course(), -0.001); }
 
