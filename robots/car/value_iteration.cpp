@@ -2,46 +2,43 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cstdlib>
 #include <cstring>
 
 namespace taut::car {
 
 namespace {
 
-using Plane = Eigen::ArrayXXd;
-using Costs = Eigen::Map<const Plane>;
+using Array = Eigen::ArrayXd;
+using Eigen::Index;
 
-/// A plane of values a heading, column by column along x, with a border of kNever; and the same of costs, without.
+/// A plane of values for each heading, row by row with a border of kNever all around, so that a step is an offset.
 class Sweeps {
  public:
-  explicit Sweeps(const ValueGrid& grid) : grid_(grid), columns_(grid.columns()), rows_(grid.rows()) {
-    for (int k = 0; k < ValueGrid::kHeadings; ++k) {
-      values_.push_back(Plane::Constant(columns_ + 2, rows_ + 2, ValueGrid::kNever));
-      for (int j = 0; j < rows_; ++j)
-        for (int i = 0; i < columns_; ++i)
-          if (grid.is_goal(grid.index(i, j, k))) values_.back()(i + 1, j + 1) = 0;
-      for (const Action action : kActions)
-        costs_.emplace_back(grid.costs(action).data() + grid.index(0, 0, k), columns_, rows_);
-    }
-    fresh_ = values_;
-    line_.resize(columns_);
+  Sweeps(const ValueGrid& grid, Sweeping sweeping)
+      : grid_(grid), columns_(grid.columns()), rows_(grid.rows()), stride_(columns_ + 2), line_(columns_) {
+    const Array never = Array::Constant(stride_ * (rows_ + 2), ValueGrid::kNever);
+    values_.assign(ValueGrid::kHeadings, never);
+    for (int k = 0; k < ValueGrid::kHeadings; ++k)
+      for (int j = 0; j < grid.rows(); ++j)
+        for (int i = 0; i < grid.columns(); ++i)
+          if (grid.is_goal(grid.index(i, j, k))) value(k)(row(j) + i) = 0;
+    if (sweeping == Sweeping::at_once) widen(never);
   }
 
   bool at_once() {
     bool changed = false;
+    const Index begin = row(0), size = stride_ * rows_ - 2;  // from the first point to the last
     for (int k = 0; k < ValueGrid::kHeadings; ++k) {
-      const auto [dx, dy] = step(k);
-      fresh(k).block(1, 1, columns_, rows_) =
-          inner(k)
-              .min(cost(k, Action::straight) + values(k).block(1 + dx, 1 + dy, columns_, rows_))
-              .min(cost(k, Action::turn_plus) + inner(k + 1))
-              .min(cost(k, Action::turn_minus) + inner(k - 1));
-      if (grid_.backs())
-        fresh(k).block(1, 1, columns_, rows_) =
-            fresh(k)
-                .block(1, 1, columns_, rows_)
-                .min(cost(k, Action::back) + values(k).block(1 - dx, 1 - dy, columns_, rows_));
-      changed = changed || differ(fresh(k), values(k));
+      auto fresh = fresh_[static_cast<std::size_t>(k)].segment(begin, size);
+      const auto on = [&](const Array& plane, Index offset) { return plane.segment(begin + offset, size); };
+      fresh = on(value(k), 0)
+                  .min(on(cost(k, Action::straight), 0) + on(value(k), step(k)))
+                  .min(on(cost(k, Action::turn_plus), 0) + on(value(k + 1), 0))
+                  .min(on(cost(k, Action::turn_minus), 0) + on(value(k - 1), 0));
+      if (grid_.backs()) fresh = fresh.min(on(cost(k, Action::back), 0) + on(value(k), -step(k)));
+      changed = changed || differ(fresh.data(), value(k).data() + begin, size);
     }
     values_.swap(fresh_);
     return changed;
@@ -51,8 +48,8 @@ class Sweeps {
     bool changed = false;
     for (int n = 0; n < ValueGrid::kHeadings; ++n) {
       const int k = upwards ? n : ValueGrid::kHeadings - 1 - n;
-      const Eigen::Index dy = step(k)[1];
-      for (Eigen::Index m = 0; m < rows_; ++m) changed |= row_in_place(k, dy > 0 ? rows_ - 1 - m : m);
+      const bool down = ValueGrid::kSteps[static_cast<std::size_t>(k)][1] > 0;
+      for (Index m = 0; m < rows_; ++m) changed |= row_in_place(k, down ? rows_ - 1 - m : m);
     }
     return changed;
   }
@@ -60,66 +57,79 @@ class Sweeps {
   std::vector<double> result() const {
     std::vector<double> all(grid_.size());
     for (int k = 0; k < ValueGrid::kHeadings; ++k)
-      Eigen::Map<Plane>(all.data() + grid_.index(0, 0, k), columns_, rows_) =
-          values_[static_cast<std::size_t>(k)].block(1, 1, columns_, rows_);
+      for (int j = 0; j < grid_.rows(); ++j)
+        std::copy_n(values_[static_cast<std::size_t>(k)].data() + row(j), columns_, all.data() + grid_.index(0, j, k));
     return all;
   }
 
  private:
-  static std::array<int, 2> step(int k) { return ValueGrid::kSteps[static_cast<std::size_t>(k)]; }
   static std::size_t wrapped(int k) {
     return static_cast<std::size_t>((k + ValueGrid::kHeadings) % ValueGrid::kHeadings);
   }
-  static bool differ(const Plane& a, const Plane& b) {
-    return std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(double)) != 0;
+  static bool differ(const double* a, const double* b, Index size) {
+    return std::memcmp(a, b, static_cast<std::size_t>(size) * sizeof(double)) != 0;
   }
 
-  Plane& values(int k) { return values_[wrapped(k)]; }
-  Plane& fresh(int k) { return fresh_[wrapped(k)]; }
-  Eigen::Block<Plane> inner(int k) { return values(k).block(1, 1, columns_, rows_); }
-  const Costs& cost(int k, Action action) const {
-    return costs_[wrapped(k) * kActions.size() + static_cast<std::size_t>(action)];
+  /// Costs in the same layout: then a whole plane is updated as one array, borders and all.
+  void widen(const Array& never) {
+    fresh_ = values_;
+    costs_.assign(kActions.size() * ValueGrid::kHeadings, never);
+    for (int k = 0; k < ValueGrid::kHeadings; ++k)
+      for (const Action action : kActions)
+        for (int j = 0; j < grid_.rows(); ++j)
+          std::copy_n(cost_row(k, action, j).data(), columns_, cost(k, action).data() + row(j));
   }
 
-  bool row_in_place(int k, Eigen::Index j) {
-    const auto [dx, dy] = step(k);
-    auto row = values(k).col(j + 1).segment(1, columns_);
-    line_ = row.min(cost(k, Action::turn_plus).col(j) + values(k + 1).col(j + 1).segment(1, columns_))
-                .min(cost(k, Action::turn_minus).col(j) + values(k - 1).col(j + 1).segment(1, columns_));
-    straight_in_place(k, j, Action::straight, dx, dy);
-    if (grid_.backs()) straight_in_place(k, j, Action::back, -dx, -dy);
-    if (std::memcmp(line_.data(), row.data(), static_cast<std::size_t>(columns_) * sizeof(double)) == 0) return false;
-    row = line_;
+  Eigen::Map<const Array> cost_row(int k, Action action, Index j) const {
+    return {grid_.costs(action).data() + grid_.index(0, static_cast<int>(j), static_cast<int>(wrapped(k))), columns_};
+  }
+  Array& value(int k) { return values_[wrapped(k)]; }
+  Array& cost(int k, Action action) { return costs_[wrapped(k) * kActions.size() + static_cast<std::size_t>(action)]; }
+  Index row(Index j) const { return (j + 1) * stride_ + 1; }
+  Index step(int k) const {
+    const auto [dx, dy] = ValueGrid::kSteps[static_cast<std::size_t>(k)];
+    return dy * stride_ + dx;
+  }
+
+  bool row_in_place(int k, Index j) {
+    const Index at = row(j);
+    auto values = value(k).segment(at, columns_);
+    line_ = values.min(cost_row(k, Action::turn_plus, j) + value(k + 1).segment(at, columns_))
+                .min(cost_row(k, Action::turn_minus, j) + value(k - 1).segment(at, columns_));
+    straight_in_place(k, j, Action::straight, step(k));
+    if (grid_.backs()) straight_in_place(k, j, Action::back, -step(k));
+    if (!differ(line_.data(), values.data(), columns_)) return false;
+    values = line_;
     return true;
   }
 
-  void straight_in_place(int k, Eigen::Index j, Action action, int dx, int dy) {
-    if (dy != 0)
-      line_ = line_.min(cost(k, action).col(j) + values(k).col(j + 1 + dy).segment(1 + dx, columns_));
+  void straight_in_place(int k, Index j, Action action, Index by) {
+    if (std::abs(by) == 1)
+      along(cost_row(k, action, j).data(), by > 0);
     else
-      along(cost(k, action).col(j).data(), dx);
+      line_ = line_.min(cost_row(k, action, j) + value(k).segment(row(j) + by, columns_));
   }
 
   /// Within a row each value waits for the one ahead of it.
-  void along(const double* costs, int dx) {
+  void along(const double* costs, bool rightwards) {
     double ahead = ValueGrid::kNever;
-    for (Eigen::Index m = 0; m < columns_; ++m) {
-      const Eigen::Index i = dx > 0 ? columns_ - 1 - m : m;
+    for (Index m = 0; m < columns_; ++m) {
+      const Index i = rightwards ? columns_ - 1 - m : m;
       line_(i) = ahead = std::min(line_(i), costs[i] + ahead);
     }
   }
 
   const ValueGrid& grid_;
-  Eigen::Index columns_, rows_;
-  std::vector<Plane> values_, fresh_;
-  std::vector<Costs> costs_;
-  Eigen::ArrayXd line_;
+  Index columns_, rows_, stride_;
+  std::vector<Array> values_;
+  std::vector<Array> fresh_, costs_;  ///< for at_once()
+  Array line_;
 };
 
 }  // namespace
 
 Values value_iteration(const ValueGrid& grid, Sweeping sweeping) {
-  Sweeps sweeps(grid);
+  Sweeps sweeps(grid, sweeping);
   Values values;
   bool changed = true;
   while (changed) {
