@@ -1,7 +1,5 @@
 #include <taut/robots/car/detail/growth.h>
 
-#include <ranges>
-
 #include <taut/robots/car/detail/pose_index.h>
 #include <taut/robots/car/detail/steering.h>
 
@@ -30,9 +28,9 @@ std::optional<Pose> Growth::end_of_clear(const Pose& node, std::span<const doubl
     return way.poses.back();
   }
   Pose at = node;
-  for (const double control : controls | std::views::reverse) {
-    const Pose before = unstepped(at, control);
-    if (!room_.stands_clear(before) || !room_.is_clear(before, control, at)) return std::nullopt;
+  for (auto control = controls.rbegin(); control != controls.rend(); ++control) {
+    const Pose before = unstepped(at, *control);
+    if (!room_.stands_clear(before) || !room_.is_clear(before, *control, at)) return std::nullopt;
     at = before;
   }
   return at;
@@ -51,7 +49,7 @@ Pose Growth::end_of(const Pose& node, std::span<const double> controls) const {
   if (time_ == Time::forwards)
     for (const double control : controls) at = stepped(at, control);
   else
-    for (const double control : controls | std::views::reverse) at = unstepped(at, control);
+    for (auto control = controls.rbegin(); control != controls.rend(); ++control) at = unstepped(at, *control);
   return at;
 }
 

@@ -88,7 +88,7 @@ std::optional<Steering> steering(const Pose& from, const Pose& to, Kind first, K
   if (std::max(std::abs(way.first.angle), std::abs(way.last.angle)) > kLongestTurn) return std::nullopt;
   way.ahead = backwards ? 0 : (units + 2) / 3;
   way.back = backwards ? -units : 3 * way.ahead - units;
-  way.error = std::abs(straight - std::polar(units * kBackward, heading));
+  way.error = std::abs(straight - units * kBackward * std::polar(1.0, heading));
   return way.error <= kLanding ? std::optional(way) : std::nullopt;
 }
 
