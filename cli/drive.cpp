@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <taut/cli/command.h>
@@ -32,6 +33,7 @@ struct DriveOptions {
   std::string bits;
   car::DriverKind planner = car::DriverKind::ours;
   const car::Peer* peer = nullptr;  ///< instead
+  car::Aim aim = car::Aim::expected;
   car::WallReading walls = car::WallReading::points;
   std::string svg, json;
   bool animate = false;
@@ -56,6 +58,12 @@ void choose_planner(const std::string& word, DriveOptions& options) {
 
 std::string planner_name(const DriveOptions& options) {
   return std::string(options.peer ? options.peer->name : car::name(options.planner));
+}
+
+car::Aim aim_of(const std::string& word) {
+  if (word == "expected") return car::Aim::expected;
+  if (word == "worst") return car::Aim::worst;
+  throw CLI::ValidationError("--policy: '" + word + "' is not expected or worst");
 }
 
 car::WallReading walls_of(const std::string& word) {
@@ -84,6 +92,10 @@ void add_options(CLI::App& app, DriveOptions& options) {
          "ours (default), optimist, pessimist, clairvoyant (knows the sample: a bound); to compare with: rrt, "
          "rrt-field, "
          "rrt-star, rrt-connect (with --seed), value-iteration")
+      ->type_name("NAME");
+  app.add_option_function<std::string>(
+         "--policy", [&options](const std::string& word) { options.aim = aim_of(word); },
+         "What the planner ours makes least: expected (default) or worst steps over what may be learnt")
       ->type_name("NAME");
   app.add_option_function<std::string>(
          "--walls", [&options](const std::string& word) { options.walls = walls_of(word); },
@@ -116,9 +128,38 @@ std::vector<car::Sample> chosen_samples(const DriveOptions& options, const car::
   return {{0, car::roadblocks_of(std::string(map.course.roadblocks.size(), '1'), map.course)}};
 }
 
+/// Takes the time of another driver's decisions.
+class TimedDriver : public car::Driver {
+ public:
+  explicit TimedDriver(std::unique_ptr<car::Driver> driver) : driver_(std::move(driver)) {}
+
+  std::optional<double> next(const car::ObservedMap& map, const car::Pose& pose) override {
+    const Stopwatch watch;
+    const std::optional<double> control = driver_->next(map, pose);
+    const double ms = 1000 * watch.seconds();
+    if (asked_++ == 0)
+      first_ = ms;
+    else
+      slowest_later_ = std::max(slowest_later_, ms);
+    return control;
+  }
+  int replans() const override { return driver_->replans(); }
+  bool gave_up() const override { return driver_->gave_up(); }
+  double first() const { return first_; }                  ///< the first plan, milliseconds
+  double slowest_later() const { return slowest_later_; }  ///< the slowest decision after it
+
+ private:
+  std::unique_ptr<car::Driver> driver_;
+  int asked_ = 0;
+  double first_ = 0, slowest_later_ = 0;
+};
+
 struct Result {
   car::Sample sample;
   car::Drive drive;
+  double first_plan = 0, slowest_replan = 0;  // milliseconds
+  std::size_t steps() const { return drive.controls.size(); }
+  bool reached() const { return drive.outcome == car::Outcome::reached; }
 };
 
 nlohmann::ordered_json json_of(const Result& result, const car::Course& course, const DriveOptions& options) {
@@ -126,19 +167,40 @@ nlohmann::ordered_json json_of(const Result& result, const car::Course& course, 
                               {"planner", planner_name(options)},
                               {"seed", options.common.seed},
                               {"open", car::bits_of(result.sample.open, course)},
-                              {"reached", result.drive.outcome == car::Outcome::reached},
+                              {"reached", result.reached()},
                               {"outcome", car::name(result.drive.outcome)},
-                              {"steps", result.drive.controls.size()},
+                              {"steps", result.steps()},
                               {"collisions", result.drive.outcome == car::Outcome::collision ? 1 : 0},
-                              {"replans", result.drive.replans}};
+                              {"replans", result.drive.replans},
+                              {"first_plan_ms", result.first_plan},
+                              {"slowest_replan_ms", result.slowest_replan}};
   if (options.controls) json["controls"] = result.drive.controls;
   return json;
 }
 
+std::size_t bits_width(const car::Course& course) { return std::max<std::size_t>(course.roadblocks.size(), 4); }
+
+std::string heading(const car::Course& course) {
+  return fmt::format("{:>6}  {:<{}}  {:<9}  {:>6}  {:>7}  {:>8}  {:>9}\n", "sample", "open", bits_width(course),
+                     "outcome", "steps", "replans", "first ms", "replan ms");
+}
+
 std::string row(const Result& result, const car::Course& course) {
-  return fmt::format("{:>6}  {:<{}}  {:<9}  {:>6}  {:>7}\n", result.sample.number,
-                     car::bits_of(result.sample.open, course), std::max<std::size_t>(course.roadblocks.size(), 4),
-                     car::name(result.drive.outcome), result.drive.controls.size(), result.drive.replans);
+  return fmt::format("{:>6}  {:<{}}  {:<9}  {:>6}  {:>7}  {:>8.1f}  {:>9.1f}\n", result.sample.number,
+                     car::bits_of(result.sample.open, course), bits_width(course), car::name(result.drive.outcome),
+                     result.steps(), result.drive.replans, result.first_plan, result.slowest_replan);
+}
+
+std::string summary(const std::vector<Result>& results) {
+  std::size_t reached = 0, steps = 0, worst = 0;
+  for (const Result& result : results)
+    if (result.reached()) ++reached, steps += result.steps(), worst = std::max(worst, result.steps());
+  std::string text = fmt::format("reached {} of {} ({:.0f} %)", reached, results.size(),
+                                 100.0 * static_cast<double>(reached) / static_cast<double>(results.size()));
+  if (reached != 0)
+    text +=
+        fmt::format(", mean {:.1f} steps, worst {}", static_cast<double>(steps) / static_cast<double>(reached), worst);
+  return text + "\n";
 }
 
 // A collision is a defect of the driver: it never enters what it does not know to be free.
@@ -163,11 +225,11 @@ ValueLayer last_values(const car::Course& course, const car::Drive& drive, car::
   return value_layer(*planner.grid(), *planner.values(), 1, legend_row(course));
 }
 
-std::string picture_of(const Result& result, const car::Course& course, const DriveOptions& options,
+std::string picture_of(const car::Drive& drive, const car::Course& course, const DriveOptions& options,
                        const std::string& title) {
   const bool values = options.show_values || planner_name(options) == "value-iteration";
-  const ValueLayer layer = values ? last_values(course, result.drive, options.walls) : ValueLayer{};
-  return drive_svg(course, result.drive, options.walls, options.animate, title, values ? &layer : nullptr);
+  const ValueLayer layer = values ? last_values(course, drive, options.walls) : ValueLayer{};
+  return drive_svg(course, drive, options.walls, options.animate, title, values ? &layer : nullptr);
 }
 
 /// Trees draw anew for each sample; a sample drives the same alone and among all.
@@ -175,7 +237,26 @@ std::unique_ptr<car::Driver> driver_for(const car::Sample& sample, const car::Co
                                         car::LatticePlanner& planner, const DriveOptions& options) {
   if (options.peer)
     return options.peer->make(course, options.walls, options.common.seed + static_cast<std::uint64_t>(sample.number));
-  return car::make_driver(options.planner, planner, sample.open);
+  return car::make_driver(options.planner, planner, sample.open, options.aim);
+}
+
+void write_results(const DriveOptions& options, const car::Course& course, const std::string& name,
+                   const std::vector<Result>& results) {
+  const car::Drive& last = results.back().drive;
+  if (!options.svg.empty())
+    write_file(options.svg, picture_of(last, course, options,
+                                       fmt::format("{}, sample {}: {}, {} steps, {} replans", title_of(name),
+                                                   results.back().sample.number, car::name(last.outcome),
+                                                   last.controls.size(), last.replans)));
+  auto json = nlohmann::ordered_json::array();
+  std::string table = heading(course);
+  for (const Result& result : results) {
+    json.push_back(json_of(result, course, options));
+    table += row(result, course);
+  }
+  write_file(options.json, json.dump(2) + "\n");
+  if (options.all) table += summary(results);
+  if (!options.quiet && options.svg != "-" && options.json != "-") print(table);
 }
 
 int run(const DriveOptions& options) {
@@ -187,28 +268,16 @@ int run(const DriveOptions& options) {
   car::require_start_free(map.course, options.walls, name);
   begin_stage("drive");
   car::LatticePlanner planner(map.course, options.walls);
-  auto results = nlohmann::ordered_json::array();
-  std::string table =
-      fmt::format("{:>6}  {:<{}}  {:<9}  {:>6}  {:>7}\n", "sample", "open",
-                  std::max<std::size_t>(map.course.roadblocks.size(), 4), "outcome", "steps", "replans");
-  std::string picture;
-  int code = kFound;
+  std::vector<Result> results;
   for (const car::Sample& sample : chosen_samples(options, map, name)) {
-    const auto driver = driver_for(sample, map.course, planner, options);
-    const Result result{sample, car::drive(map.course, sample.open, *driver, options.walls)};
-    code = std::max<int>(code, code_of(result.drive.outcome));
-    results.push_back(json_of(result, map.course, options));
-    table += row(result, map.course);
-    if (!options.svg.empty())
-      picture =
-          picture_of(result, map.course, options,
-                     fmt::format("{}, sample {}: {}, {} steps, {} replans", title_of(name), sample.number,
-                                 car::name(result.drive.outcome), result.drive.controls.size(), result.drive.replans));
+    TimedDriver driver(driver_for(sample, map.course, planner, options));
+    car::Drive drive = car::drive(map.course, sample.open, driver, options.walls);
+    results.push_back({sample, std::move(drive), driver.first(), driver.slowest_later()});
   }
   finish();
-  write_file(options.svg, picture);
-  write_file(options.json, results.dump(2) + "\n");
-  if (!options.quiet && options.svg != "-" && options.json != "-") print(table);
+  write_results(options, map.course, name, results);
+  int code = kFound;
+  for (const Result& result : results) code = std::max<int>(code, code_of(result.drive.outcome));
   return code;
 }
 

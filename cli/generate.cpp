@@ -2,8 +2,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cstdint>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include <taut/cli/command.h>
@@ -14,6 +17,7 @@
 #include <taut/geometry/errors.h>
 #include <taut/geometry/maze_generator.h>
 #include <taut/io/write_world.h>
+#include <taut/robots/car/road_map_generator.h>
 
 namespace taut::cli {
 
@@ -24,9 +28,13 @@ struct Size {
   int height = 0;
 };
 
+enum class Kind : std::uint8_t { biased, backtracker, roadblocks };
+
 struct GenerateOptions {
   Size size;
-  bool biased = true;
+  Kind kind = Kind::biased;
+  int roadblocks = 4;
+  int samples = 10;
   double loops = 0;
   Format format = Format::segments;
   std::string file = "-";
@@ -46,10 +54,13 @@ Size size_of(const std::string& text) {
   return {number(std::string_view(text).substr(0, by)), number(std::string_view(text).substr(by + 1))};
 }
 
-bool biased_of(const std::string& text) {
-  if (text != "biased" && text != "backtracker")
-    throw CLI::ValidationError("--kind: '" + text + "' is not biased or backtracker");
-  return text == "biased";
+constexpr std::array<std::string_view, 3> kKinds{"biased", "backtracker", "roadblocks"};
+
+Kind kind_of(const std::string& text) {
+  const auto at = std::ranges::find(kKinds, text);
+  if (at == kKinds.end())
+    throw CLI::ValidationError("--kind: '" + text + "' is not biased, backtracker or roadblocks");
+  return static_cast<Kind>(at - kKinds.begin());
 }
 
 double loops_of(const std::string& text) {
@@ -67,9 +78,12 @@ void add_options(CLI::App& app, GenerateOptions& options) {
         ->group("Maze");
   };
   add("--size", options.size, size_of, "WxH", "Width and height in cells, or one number for both")->required();
-  add("--kind", options.biased, biased_of, "NAME",
+  add("--kind", options.kind, kind_of, "NAME",
       "biased (default): a spanning tree of varied texture, open at two corners; backtracker: long corridors, closed, "
-      "goal top right");
+      "goal top right; roadblocks: rooms and narrow lanes for taut drive");
+  app.add_option("--roadblocks", options.roadblocks, "With --kind roadblocks: how many, at most (default: 4)")
+      ->group("Maze");
+  app.add_option("--samples", options.samples, "With --kind roadblocks: how many (default: 10)")->group("Maze");
   add("--loops", options.loops, loops_of, "SHARE", "Take down this share of the inner walls, 0 to 1 (default: 0)");
   add("--format", options.format, format_of, "NAME",
       "segments (default), drawing, cells, maz, num, wkt, geojson; in cells, maz and num the goal is the room in the "
@@ -83,7 +97,7 @@ GridMaze maze_of(const GenerateOptions& options) {
   const auto [width, height] = options.size;
   const std::uint64_t seed = options.common.seed;
   GridMaze maze =
-      options.biased ? generate_biased_maze(height, width, seed) : generate_backtracker(width, height, seed);
+      options.kind == Kind::biased ? generate_biased_maze(height, width, seed) : generate_backtracker(width, height, seed);
   if (options.loops > 0) open_walls(maze, options.loops, seed);
   const auto formats_of_mice = {Format::cell_values, Format::maz, Format::num};
   if (!maze.goal.empty() && std::ranges::find(formats_of_mice, options.format) != formats_of_mice.end())
@@ -94,17 +108,25 @@ GridMaze maze_of(const GenerateOptions& options) {
 // The command that makes the same file again.
 std::string recipe(const GenerateOptions& options) {
   std::string text = fmt::format("taut generate --size {}x{} --kind {} --seed {}", options.size.width,
-                                 options.size.height, options.biased ? "biased" : "backtracker", options.common.seed);
+                                 options.size.height, kKinds[static_cast<std::size_t>(options.kind)], options.common.seed);
+  if (options.kind == Kind::roadblocks)
+    return text + fmt::format(" --roadblocks {} --samples {}", options.roadblocks, options.samples);
   if (options.loops > 0) text += " --loops " + number_text(options.loops);
   return text;
 }
 
 std::string bytes_of(const GenerateOptions& options) {
+  if (options.kind == Kind::roadblocks) {
+    const auto [width, height] = options.size;
+    return car::road_map_text(
+        car::generate_road_map({width, height, options.roadblocks, options.samples, options.common.seed}),
+        recipe(options));
+  }
   auto maze = std::make_shared<const GridMaze>(maze_of(options));
   const World world = world_of(std::move(maze));
   if (options.format != Format::segments) return write_world(world, options.format);
   // The source of the biased mazes has cell centres at whole numbers.
-  return write_segments(world, {recipe(options), options.biased ? Point{0.5, 0.5} : Point{}});
+  return write_segments(world, {recipe(options), options.kind == Kind::biased ? Point{0.5, 0.5} : Point{}});
 }
 
 int run(const GenerateOptions& options) {

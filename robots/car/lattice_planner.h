@@ -16,6 +16,9 @@ struct Plan {
   std::vector<Pose> poses;
 };
 
+/// Does the plan, followed from there, meet the roadblock if it is closed, or pass it by less than kMargin?
+bool crosses(const Pose& from, const Plan& plan, const Roadblock& block, WallReading reading);
+
 /// Plans with the closed roadblocks known.
 ///
 ///  1. Headings are multiples of 2 pi / 128, which the control kLatticeTurn changes by one each step. Primitives: straight ahead, arcs to both sides, straight
@@ -38,6 +41,15 @@ class LatticePlanner {
   /// The controls from `from`, whose heading is taken as the nearest on the lattice. Null when there is no way; valid as long as the planner.
   const Plan* plan(const Pose& from, RoadblockSet closed);
 
+  /// A way that is known: `plan`, found with `shut` closed, from its pose after `steps` steps on. From there plan() searches no other where that is the best for sure,
+  /// and gives none that is longer.
+  void adopt(const Plan& plan, std::size_t steps, RoadblockSet shut);
+
+  /// About the steps of a plan, without a search (within some percent, mostly less): nothing where the coarse lattice of the estimate knows no way.
+  std::optional<double> estimate(const Pose& from, RoadblockSet closed);
+
+  const Course& course() const;
+  WallReading reading() const;
   std::size_t expanded() const;  ///< states, in all plans so far
   std::size_t plans() const;     ///< searches so far
 

@@ -6,6 +6,7 @@
 
 #include <taut/robots/car/detail/disc_distance.h>
 #include <taut/robots/car/detail/steering.h>
+#include <taut/robots/car/lattice_planner.h>
 
 namespace taut::car {
 
@@ -14,7 +15,6 @@ namespace {
 constexpr double kEighth = std::numbers::pi / 4;
 constexpr double kSpare = 0.3;  // of the goal in the car
 constexpr double kRoomy = 2.2;  // the car turns on the spot whatever is farther
-constexpr double kIdle = 2;     // a control that moves nothing
 
 /// The poses of an action driven from the origin, the controls between them.
 struct Trace {
@@ -41,7 +41,7 @@ bool drives(const detail::Obstacles& obstacles, const Pose& from, const Trace& t
   Pose at = from;
   for (std::size_t i = 0; i < trace.poses.size(); ++i) {
     const Pose to{from.x + trace.poses[i].x, from.y + trace.poses[i].y, trace.poses[i].heading};
-    if (!obstacles.is_clear(at, trace.controls[i], to)) return false;
+    if (!obstacles.is_clear(at, trace.controls[i], to, kMargin)) return false;
     at = to;
   }
   return true;
@@ -73,12 +73,12 @@ ValueGrid::ValueGrid(const Course& course, RoadblockSet closed, WallReading read
   const detail::Obstacles obstacles(course, closed, reading);
   price(obstacles, costs);
   for (std::size_t s = 0; s < size(); ++s)
-    goal_[s] = covers(pose(s), course.goal, -kSpare) && obstacles.is_clear(pose(s), kIdle, pose(s));
+    goal_[s] = covers(pose(s), course.goal, -kSpare) && obstacles.is_free(pose(s), kMargin);
 }
 
 void ValueGrid::price(const detail::Obstacles& obstacles, const ValueCosts& costs) {
   std::vector<std::uint8_t> stands(size());
-  for (std::size_t s = 0; s < size(); ++s) stands[s] = obstacles.is_clear(pose(s), kIdle, pose(s));
+  for (std::size_t s = 0; s < size(); ++s) stands[s] = obstacles.is_free(pose(s), kMargin);
   std::vector<double> around(plane());
   for (std::size_t s = 0; s < plane(); ++s) around[s] = clutter({pose(s).x, pose(s).y}, obstacles);
   for (int k = 0; k < kHeadings; ++k) {

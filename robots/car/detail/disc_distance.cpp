@@ -13,12 +13,9 @@ namespace taut::car::detail {
 namespace {
 
 constexpr double kHalfDiagonal = 0.5 * std::numbers::sqrt2 / kRaster;
+constexpr double kCircumscribed = 1.803;              // more than half the car's diagonal
 constexpr double kReach = 1.5 * std::numbers::sqrt2;  // more than half the car's diagonal, and a step
 constexpr int kRoomSeen = 3;                          // cells around which room is measured
-
-/// The raster: cell (0, 0) begins at (0.5, 0.5), so that the grid's unit squares are kRaster cells wide.
-int raster(double v) { return static_cast<int>(std::floor((v - 0.5) * kRaster)); }
-double middle(int i) { return 0.5 + (i + 0.5) / kRaster; }
 
 double distance_to(Cell c, Point p, WallReading reading) {
   const double half = reading == WallReading::squares ? 0.5 : 0;
@@ -56,27 +53,32 @@ double Obstacles::room(Point p) const {
   return room_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(i)];
 }
 
-bool Obstacles::is_clear(const Pose& from, double control, const Pose& to) const {
-  const double free = room({to.x, to.y});
-  if (free > kReach) return true;
-  const double slack = kMargin;
-  const int left = static_cast<int>(std::ceil(to.x - 2.5)), right = static_cast<int>(std::floor(to.x + 2.5));
-  const int top = static_cast<int>(std::ceil(to.y - 2.5)), bottom = static_cast<int>(std::floor(to.y + 2.5));
-  if (reading_ == WallReading::squares) {
-    for (int y = top; y <= bottom; ++y)
-      for (int x = left; x <= right; ++x)
-        if (is_closed({x, y}) && meets(from, control, {x, y}, reading_, slack)) return false;
-    return true;
-  }
-  const double c = std::cos(to.heading), s = std::sin(to.heading);
-  for (int y = std::max(top, 1); y <= std::min(bottom, course_->height); ++y)
-    for (int x = std::max(left, 1); x <= std::min(right, course_->width); ++x) {
-      if (!closed_[course_->index({x, y})]) continue;
-      const double dx = x - to.x, dy = y - to.y;
-      if (std::abs(c * dx + s * dy) <= kHalfLength + slack && std::abs(c * dy - s * dx) <= kHalfWidth + slack)
-        return false;
-    }
+template <typename Test>
+bool Obstacles::none_near(Point p, double reach, Test test) const {
+  const int left = std::max(1, static_cast<int>(std::ceil(p.x - reach)));
+  const int right = std::min(course_->width, static_cast<int>(std::floor(p.x + reach)));
+  const int top = std::max(1, static_cast<int>(std::ceil(p.y - reach)));
+  const int bottom = std::min(course_->height, static_cast<int>(std::floor(p.y + reach)));
+  for (int y = top; y <= bottom; ++y)
+    for (int x = left; x <= right; ++x)
+      if (closed_[course_->index({x, y})] && test(Cell{x, y})) return false;
   return true;
+}
+
+bool Obstacles::is_clear(const Pose& from, double control, const Pose& to, double slack) const {
+  if (room({to.x, to.y}) > kReach) return true;
+  if (reading_ == WallReading::points) return is_free(to, slack);
+  return none_near({to.x, to.y}, 2.7, [&](Cell c) { return meets(from, control, c, reading_, slack); });
+}
+
+bool Obstacles::is_free(const Pose& pose, double slack) const {
+  if (reading_ == WallReading::squares)
+    return none_near({pose.x, pose.y}, 2.6, [&](Cell cell) { return touches(pose, cell, reading_, slack); });
+  const double c = std::cos(pose.heading), s = std::sin(pose.heading);
+  return none_near({pose.x, pose.y}, kCircumscribed + slack, [&](Cell cell) {
+    const double dx = cell.x - pose.x, dy = cell.y - pose.y;
+    return std::abs(c * dx + s * dy) <= kHalfLength + slack && std::abs(c * dy - s * dx) <= kHalfWidth + slack;
+  });
 }
 
 namespace {

@@ -10,6 +10,8 @@ namespace taut::car::detail {
 namespace {
 
 constexpr double kUnit = 2 * std::numbers::pi / kLatticeHeadings;
+constexpr double kTrust = 1.05;            // the estimate is mostly a little low
+constexpr int kLost = 64;                  // steps, where the estimate knows no way
 constexpr double kInscribed = 1.0 - 0.36;  // room below it: not even the disc fits
 
 struct Primitive {
@@ -103,10 +105,13 @@ class Buckets {
 
 class Search {
  public:
-  Search(const Obstacles& obstacles, const DiscDistance& distance, const Lattice& lattice, const Pose& from)
+  Search(const Obstacles& obstacles, const DiscDistance& disc, const PoseDistance& distance, const Lattice& lattice,
+         const Pose& from)
       : obstacles_(obstacles),
+        disc_(disc),
         distance_(distance),
         from_(from),
+        slack_(lattice.slack),
         primitives_(primitives(lattice)),
         bins_(obstacles.course(), lattice) {
     lay_steps();
@@ -138,7 +143,7 @@ class Search {
   }
 
   bool is_clear(const Pose& from, double control, const Pose& to) const {
-    return obstacles_.room({to.x, to.y}) > kInscribed && obstacles_.is_clear(from, control, to);
+    return obstacles_.room({to.x, to.y}) > kInscribed && obstacles_.is_clear(from, control, to, slack_);
   }
 
   void extend(std::uint32_t parent, const Node& node, std::size_t which) {
@@ -150,7 +155,7 @@ class Search {
       if (!is_clear(at, p.controls[i], to)) return;
       at = to;
       const int cost = node.cost + static_cast<int>(i) + 1;
-      if (distance_.steps_from({to.x, to.y}) == 0 && at_goal(to, obstacles_.course(), -kMargin)) {
+      if (disc_.steps_from({to.x, to.y}) == 0 && at_goal(to, obstacles_.course(), -kMargin)) {
         push({to.x, to.y, cost, parent, 0, static_cast<std::uint8_t>(which), static_cast<std::uint8_t>(i + 1), true});
         return;
       }
@@ -161,7 +166,7 @@ class Search {
   }
 
   void push(const Node& node) {
-    const int ahead = node.arrived ? 0 : distance_.steps_from({node.x, node.y});
+    const int ahead = node.arrived ? 0 : steps_ahead(node);
     if (ahead == DiscDistance::kFar) return;
     const auto index = static_cast<std::uint32_t>(nodes_.size());
     if (!node.arrived) {
@@ -171,6 +176,13 @@ class Search {
     }
     nodes_.push_back(node);
     open_.push(node.cost + ahead, index);
+  }
+
+  int steps_ahead(const Node& node) const {
+    const int disc = disc_.steps_from({node.x, node.y});
+    if (disc == DiscDistance::kFar) return disc;
+    const double steps = distance_.steps_from({node.x, node.y, from_.heading + node.heading * kUnit});
+    return steps == PoseDistance::kFar ? disc + kLost : std::max(disc, static_cast<int>(kTrust * steps));
   }
 
   Plan plan_to(std::uint32_t last) const {
@@ -188,8 +200,10 @@ class Search {
   }
 
   const Obstacles& obstacles_;
-  const DiscDistance& distance_;
+  const DiscDistance& disc_;
+  const PoseDistance& distance_;
   Pose from_;
+  double slack_;
   std::vector<Primitive> primitives_;
   std::vector<std::vector<Pose>> steps_;
   std::vector<Node> nodes_;
@@ -199,9 +213,9 @@ class Search {
 
 }  // namespace
 
-std::optional<Plan> lattice_search(const Obstacles& obstacles, const DiscDistance& distance, const Lattice& lattice,
-                                   const Pose& from, std::size_t& expanded) {
-  return Search(obstacles, distance, lattice, from).run(expanded);
+std::optional<Plan> lattice_search(const Obstacles& obstacles, const DiscDistance& disc, const PoseDistance& distance,
+                                   const Lattice& lattice, const Pose& from, std::size_t& expanded) {
+  return Search(obstacles, disc, distance, lattice, from).run(expanded);
 }
 
 }  // namespace taut::car::detail

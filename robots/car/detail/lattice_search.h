@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <taut/robots/car/detail/disc_distance.h>
+#include <taut/robots/car/detail/pose_distance.h>
 #include <taut/robots/car/lattice_planner.h>
 
 namespace taut::car::detail {
@@ -12,10 +13,11 @@ namespace taut::car::detail {
 struct Lattice {
   int bins = 4;  ///< of positions, to the unit
   int arc = 4;   ///< steps of an arc, and 128ths of a turn between headings; divides 128
+  double slack = kMargin;  ///< kept from what is closed
 };
 
 /// A*. Adds to `expanded`.
-std::optional<Plan> lattice_search(const Obstacles& obstacles, const DiscDistance& distance, const Lattice& lattice,
-                                   const Pose& from, std::size_t& expanded);
+std::optional<Plan> lattice_search(const Obstacles& obstacles, const DiscDistance& disc, const PoseDistance& distance,
+                                   const Lattice& lattice, const Pose& from, std::size_t& expanded);
 
 }  // namespace taut::car::detail

@@ -7,12 +7,9 @@ namespace taut::car::detail {
 
 namespace {
 
-constexpr double kIdle = 2;  // a control that moves nothing
 constexpr double kFieldStep = 1.0 / kRaster;
 
 }  // namespace
-
-bool TreeRoom::stands_clear(const Pose& pose) const { return obstacles_.is_clear(pose, kIdle, pose); }
 
 Stretch TreeRoom::driven(const Pose& from, std::span<const double> controls) const {
   Stretch way;

@@ -8,6 +8,7 @@
 
 #include <taut/geometry/detail/draws.h>
 #include <taut/robots/car/detail/disc_distance.h>
+#include <taut/robots/car/lattice_planner.h>
 
 namespace taut::car::detail {
 
@@ -30,9 +31,9 @@ class TreeRoom {
   const DiscDistance& distance() const { return distance_; }
 
   bool is_clear(const Pose& from, double control, const Pose& to) const {
-    return obstacles_.is_clear(from, control, to);
+    return obstacles_.is_clear(from, control, to, kMargin);
   }
-  bool stands_clear(const Pose& pose) const;
+  bool stands_clear(const Pose& pose) const { return obstacles_.is_free(pose, kMargin); }
   bool is_goal(const Pose& pose) const { return at_goal(pose, course(), -0.001); }
 
   /// Drives until a step is not clear or the goal is reached. Precondition: `from` stands clear.

@@ -1,0 +1,270 @@
+#include <taut/robots/car/detail/pose_distance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace taut::car::detail {
+
+namespace {
+
+constexpr int kParts = 4;  // of a step, in costs
+constexpr int kHeadings = PoseDistance::kTableHeadings;
+constexpr double kUnit = 2 * std::numbers::pi / kHeadings;
+constexpr double kArc = kUnit / kTurn;  // steps of an arc to the next heading
+constexpr std::int32_t kNever = std::numeric_limits<std::uint16_t>::max();  // and what costs more, 16 thousand steps
+constexpr double kCircumscribed = 1.803;  // half the car's diagonal: with so much room every heading is free
+
+constexpr double kMostLost = 0.1;  // of all states: beyond that a repair takes longer than a new search
+constexpr int kTouch = 3 * kRaster;  // raster cells from a closed cell to where the car may touch it, and more
+constexpr int kFarthest = 5;  // raster cells that a move spans
+
+int wrapped(int heading) { return (heading + kHeadings) % kHeadings; }
+
+/// Short raster vectors close to the headings of the first eighth.
+constexpr std::array<std::array<int, 2>, 5> kAhead{{{1, 0}, {5, 1}, {5, 2}, {3, 2}, {1, 1}}};
+
+std::array<int, 2> ahead(int heading) {
+  const int quarter = heading / (kHeadings / 4), rest = heading % (kHeadings / 4);
+  auto [x, y] = kAhead[static_cast<std::size_t>(std::min(rest, kHeadings / 4 - rest))];
+  if (rest > kHeadings / 8) std::swap(x, y);
+  for (int i = 0; i < quarter; ++i) {
+    std::swap(x, y);
+    x = -x;
+  }
+  return {x, y};
+}
+
+}  // namespace
+
+/// States by cost, in a ring of buckets that is longer than twice the dearest move.
+class PoseDistance::Queue {
+ public:
+  void push(std::int32_t cost, State s) {
+    ring_[static_cast<std::size_t>(cost) % kRing].push_back(s);
+    ++in_ring_;
+  }
+
+  /// Within run(): it ends.
+  void stop() {
+    for (std::vector<State>& states : ring_) states.clear();
+    seeds_.clear();
+    in_ring_ = 0;
+  }
+
+  /// Before run(): at any cost.
+  void seed(std::int32_t cost, State s) { seeds_.emplace_back(cost, s); }
+
+  template <typename Visit>
+  void each_seed(Visit visit) const {
+    for (const auto& [cost, s] : seeds_) visit(cost, s);
+  }
+
+  /// Calls visit(cost, state) by rising cost; it may push what is dearer, by one move.
+  template <typename Visit>
+  void run(Visit visit) {
+    std::ranges::sort(seeds_, std::greater<>());
+    for (std::int32_t cost = 0; in_ring_ != 0 || !seeds_.empty(); ++cost) {
+      if (in_ring_ == 0) cost = seeds_.back().first;
+      for (; !seeds_.empty() && seeds_.back().first <= cost; seeds_.pop_back()) push(cost, seeds_.back().second);
+      const std::vector<State> states = std::exchange(ring_[static_cast<std::size_t>(cost) % kRing], {});
+      in_ring_ -= states.size();
+      for (const State s : states) visit(cost, s);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kRing = 512;
+  std::array<std::vector<State>, kRing> ring_;
+  std::size_t in_ring_ = 0;
+  std::vector<std::pair<std::int32_t, State>> seeds_;
+};
+
+PoseDistance::PoseDistance(const Obstacles& obstacles, const DiscDistance& disc, Point goal)
+    : columns_(obstacles.course().width * kRaster), rows_(obstacles.course().height * kRaster) {
+  lay_moves();
+  for (int j = 0; j < rows_; ++j)
+    for (int i = 0; i < columns_; ++i) free_.push_back(free_headings(i, j, obstacles, disc));
+  cost_.assign(free_.size() * kHeadings, kNever);
+  Queue queue;
+  for (int j = std::max(0, raster(goal.y - 2)); j <= std::min(rows_ - 1, raster(goal.y + 2)); ++j)
+    for (int i = std::max(0, raster(goal.x - 2)); i <= std::min(columns_ - 1, raster(goal.x + 2)); ++i)
+      for (int h = 0; h < kHeadings; ++h) {
+        const State s = static_cast<State>((j * columns_ + i) * kHeadings + h);
+        if (!is_free(s) || !covers({middle(i), middle(j), h * kUnit}, goal, 0.5 / kRaster)) continue;
+        cost_[s] = 0;
+        queue.seed(0, s);
+      }
+  spread(queue);
+  settled_ = static_cast<std::size_t>(std::ranges::count_if(cost_, [](std::int32_t cost) { return cost != kNever; }));
+}
+
+void PoseDistance::lay_moves() {
+  const auto add = [&](int h, double dx, double dy, int turn, double cost) {
+    const int x = static_cast<int>(std::lround(dx)), y = static_cast<int>(std::lround(dy));
+    const double way = std::hypot(dx, dy), rounded = std::hypot(x, y);
+    const double scale = way == 0 ? 1 : rounded / way;  // no speed is gained by rounding
+    Move move{x, y, turn, std::max(1, static_cast<int>(std::lround(cost * scale * kParts))), {}};
+    for (int k = 1, n = std::max(std::abs(x), std::abs(y)); k < n; ++k)
+      move.between.push_back({static_cast<int>(std::lround(1.0 * k * x / n)), static_cast<int>(std::lround(1.0 * k * y / n)),
+                              2 * k > n ? turn : 0});
+    moves_[static_cast<std::size_t>(h)].push_back(move);
+    moves_into_[static_cast<std::size_t>(wrapped(h + turn))].push_back(move);
+  };
+  const double chord = 2 * (kForward / kTurn) * std::sin(kUnit / 2) * kRaster;
+  for (int h = 0; h < kHeadings; ++h) {
+    const auto [x, y] = ahead(h);
+    const double steps = std::hypot(x, y) / kRaster / kForward;
+    add(h, x, y, 0, steps);
+    add(h, -x, -y, 0, steps * kForward / kBackward);
+    for (const int turn : {1, -1}) {
+      const double middle_of_arc = (h + 0.5 * turn) * kUnit, dx = chord * std::cos(middle_of_arc),
+                   dy = chord * std::sin(middle_of_arc);
+      add(h, dx, dy, turn, kArc);
+      add(h, 0, 0, turn, 4 * kArc);
+      add(h, -dx, -dy, turn, 7 * kArc);
+    }
+  }
+}
+
+std::uint32_t PoseDistance::free_headings(int i, int j, const Obstacles& obstacles, const DiscDistance& disc) const {
+  const Point p{middle(i), middle(j)};
+  if (!disc.reaches(p)) return 0;
+  if (obstacles.room(p) > kCircumscribed) return ~0U;
+  std::uint32_t bits = 0;
+  for (int h = 0; h < kHeadings; ++h)
+    if (obstacles.is_free({p.x, p.y, h * kUnit}, -kTableSlack)) bits |= 1U << h;
+  return bits;
+}
+
+/// From and to are in the raster, hence what lies between.
+bool PoseDistance::is_passable(int i, int j, int h, const Move& move) const {
+  return std::ranges::all_of(move.between, [&](const std::array<int, 3>& by) {
+    return (free_[static_cast<std::size_t>((j + by[1]) * columns_ + i + by[0])] >> wrapped(h + by[2])) & 1;
+  });
+}
+
+template <typename Visit>
+void PoseDistance::each_before(State s, Visit visit) const {
+  const int cell = static_cast<int>(s / kHeadings), i = cell % columns_, j = cell / columns_;
+  const int h = static_cast<int>(s % kHeadings);
+  for (const Move& m : moves_into_[static_cast<std::size_t>(h)]) {
+    const int x = i - m.dx, y = j - m.dy;
+    if (x < 0 || y < 0 || x >= columns_ || y >= rows_) continue;
+    const State before = static_cast<State>((y * columns_ + x) * kHeadings + wrapped(h - m.turn));
+    if (is_free(before) && is_passable(x, y, wrapped(h - m.turn), m)) visit(before, m.cost);
+  }
+}
+
+template <typename Visit>
+void PoseDistance::each_after(State s, Visit visit) const {
+  const int cell = static_cast<int>(s / kHeadings), i = cell % columns_, j = cell / columns_;
+  const int h = static_cast<int>(s % kHeadings);
+  for (const Move& m : moves_[static_cast<std::size_t>(h)]) {
+    const int x = i + m.dx, y = j + m.dy;
+    if (x < 0 || y < 0 || x >= columns_ || y >= rows_) continue;
+    const State after = static_cast<State>((y * columns_ + x) * kHeadings + wrapped(h + m.turn));
+    if (is_free(after) && is_passable(i, j, h, m)) visit(after, m.cost);
+  }
+}
+
+void PoseDistance::spread(Queue& queue) {
+  queue.run([&](std::int32_t cost, State s) {
+    if (cost_[s] != cost) return;
+    each_before(s, [&](State before, int by) {
+      if (cost + by >= cost_[before]) return;
+      cost_[before] = static_cast<std::uint16_t>(cost + by);
+      queue.push(cost + by, before);
+    });
+  });
+}
+
+PoseDistance::PoseDistance(const PoseDistance& before, const Obstacles& before_obstacles, const Obstacles& obstacles,
+                           const DiscDistance& disc)
+    : PoseDistance(before) {
+  Queue queue;
+  for (const State s : shut(before_obstacles, obstacles, disc)) queue.seed(cost_[s], s);
+  const std::vector<State> lost = unsettle(queue, before.cost_);
+  if (static_cast<double>(lost.size()) > kMostLost * static_cast<double>(settled_)) {
+    *this = PoseDistance(obstacles, disc, obstacles.course().goal);
+    return;
+  }
+  Queue again;
+  for (const State s : lost) {
+    std::int32_t best = kNever;
+    each_after(s, [&](State after, int by) {
+      if (cost_[after] != kNever) best = std::min<std::int32_t>(best, cost_[after] + by);
+    });
+    if (best != kNever) again.seed(best, s);
+  }
+  again.each_seed([&](std::int32_t cost, State s) { cost_[s] = static_cast<std::uint16_t>(cost); });
+  spread(again);
+}
+
+/// By old costs: when a state is looked at, all that it could lean on is decided.
+std::vector<PoseDistance::State> PoseDistance::unsettle(Queue& queue, const std::vector<std::uint16_t>& old) {
+  std::vector<State> lost;
+  const auto most = static_cast<std::size_t>(kMostLost * static_cast<double>(settled_));
+  queue.run([&](std::int32_t cost, State s) {
+    if (cost_[s] == kNever) return;
+    if (lost.size() > most) return queue.stop();
+    if (is_free(s)) {
+      bool leans = cost == 0;
+      each_after(s, [&](State after, int by) { leans = leans || (cost_[after] != kNever && old[after] + by == cost); });
+      if (leans) return;
+      lost.push_back(s);
+    }
+    cost_[s] = kNever;
+    each_before(s, [&](State b, int by) {
+      if (cost_[b] != kNever && old[b] == cost + by) queue.push(cost + by, b);
+    });
+  });
+  return lost;
+}
+
+template <typename Visit>
+void PoseDistance::each_cell_around(int i, int j, int reach, Visit visit) const {
+  for (int y = std::max(0, j - reach); y <= std::min(rows_ - 1, j + reach); ++y)
+    for (int x = std::max(0, i - reach); x <= std::min(columns_ - 1, i + reach); ++x) visit(x, y);
+}
+
+/// Takes the new closed cells' poses from what is free; the states that may have leant on one: themselves, and those a move away.
+std::vector<PoseDistance::State> PoseDistance::shut(const Obstacles& before, const Obstacles& obstacles,
+                                                    const DiscDistance& disc) {
+  std::vector<std::uint8_t> touched(free_.size()), near(free_.size());
+  const Course& course = obstacles.course();
+  for (int y = 1; y <= course.height; ++y)
+    for (int x = 1; x <= course.width; ++x)
+      if (obstacles.is_closed({x, y}) && !before.is_closed({x, y}))
+        each_cell_around(raster(x), raster(y), kTouch, [&](int i, int j) { touched[at(i, j)] = 1; });
+  for (int j = 0; j < rows_; ++j)
+    for (int i = 0; i < columns_; ++i) {
+      std::uint32_t& bits = free_[at(i, j)];
+      const std::uint32_t were = bits;
+      if (were == 0) continue;
+      bits &= touched[at(i, j)] ? free_headings(i, j, obstacles, disc) : disc.reaches({middle(i), middle(j)}) ? ~0U : 0;
+      if (bits != were) each_cell_around(i, j, kFarthest, [&](int x, int y) { near[at(x, y)] = 1; });
+    }
+  std::vector<State> states;
+  for (std::size_t cell = 0; cell < near.size(); ++cell)
+    for (std::size_t s = cell * kHeadings; near[cell] && s < (cell + 1) * kHeadings; ++s)
+      if (cost_[s] != kNever) states.push_back(static_cast<State>(s));
+  return states;
+}
+
+double PoseDistance::steps_from(const Pose& pose) const {
+  const int i = raster(pose.x), j = raster(pose.y);
+  if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return kFar;
+  const double turns = pose.heading / kUnit, whole = std::floor(turns), part = turns - whole;
+  const int h = ((static_cast<int>(whole) % kHeadings) + kHeadings) % kHeadings;
+  const std::size_t cell = static_cast<std::size_t>(j * columns_ + i) * kHeadings;
+  const std::int32_t a = cost_[cell + static_cast<std::size_t>(h)], b = cost_[cell + static_cast<std::size_t>(wrapped(h + 1))];
+  if (a == kNever && b == kNever) return kFar;
+  if (a == kNever) return static_cast<double>(b) / kParts;
+  if (b == kNever) return static_cast<double>(a) / kParts;
+  return (a + part * (b - a)) / kParts;
+}
+
+}  // namespace taut::car::detail
