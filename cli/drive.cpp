@@ -19,6 +19,8 @@
 #include <taut/geometry/errors.h>
 #include <taut/io/read_world.h>
 #include <taut/robots/car/drivers.h>
+#include <taut/robots/car/peers.h>
+#include <taut/robots/car/value_planner.h>
 
 namespace taut::cli {
 
@@ -30,18 +32,32 @@ struct DriveOptions {
   bool all = false;
   std::string bits;
   car::DriverKind planner = car::DriverKind::ours;
+  const car::Peer* peer = nullptr;  ///< instead
   car::Aim aim = car::Aim::expected;
   car::WallReading walls = car::WallReading::points;
   std::string svg, json;
   bool animate = false;
+  bool show_values = false;
   bool controls = false;
   bool quiet = false;
   CommonOptions common;
 };
 
-car::DriverKind planner_of(const std::string& word) {
-  if (const auto kind = car::driver_named(word)) return *kind;
-  throw CLI::ValidationError("--planner: '" + word + "' is not ours, optimist, pessimist or clairvoyant");
+std::string planner_names() {
+  std::string names = "ours, optimist, pessimist, clairvoyant";
+  for (const car::Peer& peer : car::peers()) names += ", " + std::string(peer.name);
+  return names;
+}
+
+void choose_planner(const std::string& word, DriveOptions& options) {
+  const auto kind = car::driver_named(word);
+  options.peer = car::peer_named(word);
+  if (!kind && !options.peer) throw CLI::ValidationError("--planner: '" + word + "' is none of " + planner_names());
+  if (kind) options.planner = *kind;
+}
+
+std::string planner_name(const DriveOptions& options) {
+  return std::string(options.peer ? options.peer->name : car::name(options.planner));
 }
 
 car::Aim aim_of(const std::string& word) {
@@ -63,6 +79,7 @@ void require_consistent(const DriveOptions& options) {
     throw CLI::ValidationError("only one of --svg and --json can have standard output");
   if (!options.svg.empty() && options.all) throw CLI::ValidationError("--svg draws one drive: give --sample I");
   if (options.animate && options.svg.empty()) throw CLI::ValidationError("--animate needs --svg");
+  if (options.show_values && options.svg.empty()) throw CLI::ValidationError("--show-values needs --svg");
 }
 
 void add_options(CLI::App& app, DriveOptions& options) {
@@ -71,8 +88,10 @@ void add_options(CLI::App& app, DriveOptions& options) {
   app.add_flag("--all", options.all, "Drive all samples of the file");
   app.add_option("--open", options.bits, "Drive with these roadblocks open, as 101 for A and C")->type_name("BITS");
   app.add_option_function<std::string>(
-         "--planner", [&options](const std::string& word) { options.planner = planner_of(word); },
-         "ours (default), optimist, pessimist, clairvoyant (knows the sample: a bound)")
+         "--planner", [&options](const std::string& word) { choose_planner(word, options); },
+         "ours (default), optimist, pessimist, clairvoyant (knows the sample: a bound); to compare with: rrt, "
+         "rrt-field, "
+         "rrt-star, rrt-connect (with --seed), value-iteration")
       ->type_name("NAME");
   app.add_option_function<std::string>(
          "--policy", [&options](const std::string& word) { options.aim = aim_of(word); },
@@ -85,6 +104,9 @@ void add_options(CLI::App& app, DriveOptions& options) {
       ->type_name("NAME");
   app.add_option("--svg", options.svg, "Draw the drive; - is standard output")->type_name("FILE")->group("Output");
   app.add_flag("--animate", options.animate, "Let the car drive in the picture")->group("Output");
+  app.add_flag("--show-values", options.show_values,
+               "Draw the surface and the arrows of value iteration; --planner value-iteration does")
+      ->group("Output");
   app.add_option("--json", options.json, "An array of results, one a sample; - is standard output")
       ->type_name("FILE")
       ->group("Output");
@@ -122,6 +144,7 @@ class TimedDriver : public car::Driver {
     return control;
   }
   int replans() const override { return driver_->replans(); }
+  bool gave_up() const override { return driver_->gave_up(); }
   double first() const { return first_; }                  ///< the first plan, milliseconds
   double slowest_later() const { return slowest_later_; }  ///< the slowest decision after it
 
@@ -139,8 +162,10 @@ struct Result {
   bool reached() const { return drive.outcome == car::Outcome::reached; }
 };
 
-nlohmann::ordered_json json_of(const Result& result, const car::Course& course, bool controls) {
+nlohmann::ordered_json json_of(const Result& result, const car::Course& course, const DriveOptions& options) {
   nlohmann::ordered_json json{{"sample", result.sample.number},
+                              {"planner", planner_name(options)},
+                              {"seed", options.common.seed},
                               {"open", car::bits_of(result.sample.open, course)},
                               {"reached", result.reached()},
                               {"outcome", car::name(result.drive.outcome)},
@@ -149,7 +174,7 @@ nlohmann::ordered_json json_of(const Result& result, const car::Course& course, 
                               {"replans", result.drive.replans},
                               {"first_plan_ms", result.first_plan},
                               {"slowest_replan_ms", result.slowest_replan}};
-  if (controls) json["controls"] = result.drive.controls;
+  if (options.controls) json["controls"] = result.drive.controls;
   return json;
 }
 
@@ -183,24 +208,50 @@ ExitCode code_of(car::Outcome outcome) {
   switch (outcome) {
     case car::Outcome::reached: return kFound;
     case car::Outcome::no_route: return kNone;
-    case car::Outcome::limit: return kStopped;
+    case car::Outcome::limit:
+    case car::Outcome::gave_up: return kStopped;
     case car::Outcome::collision: break;
   }
   return kInternal;
+}
+
+/// With what was known at the end, as a driver along values would plan from the start.
+ValueLayer last_values(const car::Course& course, const car::Drive& drive, car::WallReading walls) {
+  car::RoadblockSet closed = 0;
+  for (const auto& [steps, seen] : drive.sights) closed |= seen & ~drive.open;
+  car::ValuePlanner planner(course, walls);
+  planner.plan(drive.poses.front(), closed);
+  if (!planner.grid()) return {};
+  return value_layer(*planner.grid(), *planner.values(), 1, legend_row(course));
+}
+
+std::string picture_of(const car::Drive& drive, const car::Course& course, const DriveOptions& options,
+                       const std::string& title) {
+  const bool values = options.show_values || planner_name(options) == "value-iteration";
+  const ValueLayer layer = values ? last_values(course, drive, options.walls) : ValueLayer{};
+  return drive_svg(course, drive, options.walls, options.animate, title, values ? &layer : nullptr);
+}
+
+/// Trees draw anew for each sample; a sample drives the same alone and among all.
+std::unique_ptr<car::Driver> driver_for(const car::Sample& sample, const car::Course& course,
+                                        car::LatticePlanner& planner, const DriveOptions& options) {
+  if (options.peer)
+    return options.peer->make(course, options.walls, options.common.seed + static_cast<std::uint64_t>(sample.number));
+  return car::make_driver(options.planner, planner, sample.open, options.aim);
 }
 
 void write_results(const DriveOptions& options, const car::Course& course, const std::string& name,
                    const std::vector<Result>& results) {
   const car::Drive& last = results.back().drive;
   if (!options.svg.empty())
-    write_file(options.svg, drive_svg(course, last, options.walls, options.animate,
-                                      fmt::format("{}, sample {}: {}, {} steps, {} replans", title_of(name),
-                                                  results.back().sample.number, car::name(last.outcome),
-                                                  last.controls.size(), last.replans)));
+    write_file(options.svg, picture_of(last, course, options,
+                                       fmt::format("{}, sample {}: {}, {} steps, {} replans", title_of(name),
+                                                   results.back().sample.number, car::name(last.outcome),
+                                                   last.controls.size(), last.replans)));
   auto json = nlohmann::ordered_json::array();
   std::string table = heading(course);
   for (const Result& result : results) {
-    json.push_back(json_of(result, course, options.controls));
+    json.push_back(json_of(result, course, options));
     table += row(result, course);
   }
   write_file(options.json, json.dump(2) + "\n");
@@ -219,7 +270,7 @@ int run(const DriveOptions& options) {
   car::LatticePlanner planner(map.course, options.walls);
   std::vector<Result> results;
   for (const car::Sample& sample : chosen_samples(options, map, name)) {
-    TimedDriver driver(car::make_driver(options.planner, planner, sample.open, options.aim));
+    TimedDriver driver(driver_for(sample, map.course, planner, options));
     car::Drive drive = car::drive(map.course, sample.open, driver, options.walls);
     results.push_back({sample, std::move(drive), driver.first(), driver.slowest_later()});
   }

@@ -24,6 +24,14 @@ constexpr const char* kStyle =
     ".way{fill:none;stroke:#1a4971;stroke-width:.16}.back{fill:none;stroke:#d9822b;stroke-width:.22}.start{fill:#"
     "2b6cb0}.goal{fill:#c2255c}</style>\n";
 
+/// On the surface's blue the way is warm.
+constexpr const char* kValueStyle =
+    "<style>.car{stroke:#e8590c;stroke-opacity:.4;stroke-width:.05}.way{stroke:#e8590c;stroke-width:.26}.back{stroke:#"
+    "f8b500;stroke-width:"
+    ".3}"
+    ".last{fill:#e8590c;fill-opacity:.8;stroke:#fff}.start{fill:#e8590c;stroke:#fff;stroke-width:.15}.goal{stroke:#fff;"
+    "stroke-width:.15}.wall{fill:#868e96}</style>\n";
+
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text)
@@ -43,7 +51,7 @@ class DrivePicture {
  public:
   DrivePicture(const car::Course& course, const car::Drive& drive) : course_(course), drive_(drive) {}
 
-  std::string draw(car::WallReading reading, bool animate, const std::string& title) {
+  std::string draw(car::WallReading reading, bool animate, const std::string& title, const ValueLayer* values) {
     const int width = course_.width + 2, height = course_.height + 5, pixels = 960;
     out_ = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"-0.5 -0.5 {} "
@@ -51,8 +59,14 @@ class DrivePicture {
         pixels, pixels * height / width, width, height, escaped(title));
     out_ += kStyle;
     out_ += fmt::format("<rect class=\"page\" x=\"-0.5\" y=\"-0.5\" width=\"{}\" height=\"{}\"/>\n", width, height);
-    seen();
+    if (values) {
+      out_ += kValueStyle;
+      out_ += values->surface;
+    } else {
+      seen();
+    }
     walls(reading);
+    if (values) out_ += values->arrows + values->legend;
     roadblocks();
     outlines();
     way();
@@ -150,8 +164,8 @@ class DrivePicture {
 }  // namespace
 
 std::string drive_svg(const car::Course& course, const car::Drive& drive, car::WallReading reading, bool animate,
-                      const std::string& title) {
-  return DrivePicture(course, drive).draw(reading, animate, title);
+                      const std::string& title, const ValueLayer* values) {
+  return DrivePicture(course, drive).draw(reading, animate, title, values);
 }
 
 }  // namespace taut::cli

@@ -68,6 +68,7 @@ std::string_view name(Outcome outcome) {
     case Outcome::reached: return "reached";
     case Outcome::no_route: return "no route";
     case Outcome::collision: return "collision";
+    case Outcome::gave_up: return "gave up";
     case Outcome::limit: break;
   }
   return "limit";
@@ -83,7 +84,7 @@ Drive drive(const Course& course, RoadblockSet open, Driver& driver, WallReading
   while (run.outcome == Outcome::limit && run.controls.size() < static_cast<std::size_t>(kLongestDrive)) {
     const std::optional<double> control = driver.next(map, pose);
     if (!control) {
-      run.outcome = Outcome::no_route;
+      run.outcome = driver.gave_up() ? Outcome::gave_up : Outcome::no_route;
       break;
     }
     const bool hit = collides(pose, *control, course, map.all() & ~open, reading);

@@ -59,10 +59,12 @@ class Driver {
   virtual std::optional<double> next(const ObservedMap& map, const Pose& pose) = 0;
   /// How often a plan was given up or chosen anew because of what was seen.
   virtual int replans() const = 0;
+  /// After next() gave nothing: is that unproven, because samples were used up or a discretisation was too coarse?
+  virtual bool gave_up() const { return false; }
 };
 
-enum class Outcome : std::uint8_t { reached, no_route, collision, limit };
-std::string_view name(Outcome outcome);  ///< `reached`, `no route`, `collision`, `limit`
+enum class Outcome : std::uint8_t { reached, no_route, collision, limit, gave_up };
+std::string_view name(Outcome outcome);  ///< `reached`, `no route`, `collision`, `limit`, `gave up`
 
 /// A drive: everything to replay and draw it.
 struct Drive {
@@ -74,7 +76,7 @@ struct Drive {
   int replans = 0;
 };
 
-/// Drives from course.start with heading 0 until the goal is reached (0 steps when it is there already), the car collides, the driver sees no route, or kLongestDrive steps are
+/// Drives from course.start with heading 0 until the goal is reached (0 steps when it is there already), the car collides, the driver sees no route or gives up, or kLongestDrive steps are
 /// done. After each step: collision, then sight, then goal, as the course rules. Precondition: require_start_free.
 Drive drive(const Course& course, RoadblockSet open, Driver& driver, WallReading reading);
 

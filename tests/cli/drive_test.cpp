@@ -65,6 +65,23 @@ TEST_F(DriveProgram, DrivesWhatGenerateMakes) {
   EXPECT_EQ(run_taut("generate --kind roadblocks --size 31 --roadblocks 27").code, 2);
 }
 
+TEST_F(DriveProgram, DrawsTheValueSurfaceAndItsArrows) {
+  const std::string drawn = "drive " + map + " --sample 1 --planner value-iteration --svg -";
+  const Outcome outcome = run_taut(drawn);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("cells to go, best heading"));
+  EXPECT_EQ(outcome.out, run_taut(drawn).out);
+  EXPECT_EQ(run_taut("drive " + map + " --show-values").code, 2);
+}
+
+TEST_F(DriveProgram, NamesItsPlannerAndSeed) {
+  const Outcome outcome = run_taut("drive " + map + " --sample 1 --planner rrt-field --seed 5 --json -");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const json result = json::parse(outcome.out)[0];
+  EXPECT_EQ(result["planner"], "rrt-field");
+  EXPECT_EQ(result["seed"], 5);
+}
+
 TEST_F(DriveProgram, EndsWithItsCode) {
   const std::string box = "start 3 3\ngoal 12 3\ngrid 14 5\n";
   const std::string side(14, '#'), rows = "#.....#......#\n#.....#......#\n#.....#......#\n";
@@ -75,7 +92,7 @@ TEST_F(DriveProgram, EndsWithItsCode) {
   EXPECT_EQ(wall.code, 3);
   EXPECT_THAT(wall.err, HasSubstr("<stdin>: the car at start (2, 2) touches the wall"));
   EXPECT_EQ(run_taut("drive " + map + " --sample 9").code, 3);
-  EXPECT_EQ(run_taut("drive " + map + " --planner rrt").code, 2);
+  EXPECT_EQ(run_taut("drive " + map + " --planner rr").code, 2);
   EXPECT_EQ(run_taut("drive " + map + " --all --svg x.svg").code, 2);
 }
 

@@ -1,0 +1,105 @@
+#include <taut/cli/drive_values.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace taut::cli {
+
+namespace {
+
+using car::ValueGrid;
+
+constexpr int kShades = 64;
+constexpr int kStops = 5;
+
+/// From cream at the goal over sea green to ink.
+std::string shade(int level) {
+  constexpr std::array<std::array<double, 3>, kStops> kColours{
+      {{255, 249, 219}, {178, 222, 190}, {92, 174, 182}, {59, 116, 158}, {52, 58, 106}}};
+  const double at = static_cast<double>(level) / (kShades - 1) * (kStops - 1);
+  const auto i = static_cast<std::size_t>(std::min(static_cast<int>(at), kStops - 2));
+  std::array<int, 3> mixed{};
+  for (std::size_t c = 0; c < 3; ++c)
+    mixed[c] =
+        static_cast<int>(std::lround(std::lerp(kColours[i][c], kColours[i + 1][c], at - static_cast<double>(i))));
+  return fmt::format("#{:02x}{:02x}{:02x}", mixed[0], mixed[1], mixed[2]);
+}
+
+/// The heading of least value at a point, as a state.
+std::optional<std::size_t> best_state(const ValueGrid& grid, const car::Values& values, int i, int j) {
+  std::optional<std::size_t> best;
+  for (int k = 0; k < ValueGrid::kHeadings; ++k)
+    if (const std::size_t s = grid.index(i, j, k); values.of[s] < (best ? values.of[*best] : ValueGrid::kNever))
+      best = s;
+  return best;
+}
+
+std::string arrow(const car::Pose& pose, car::Action action) {
+  if (action == car::Action::turn_plus || action == car::Action::turn_minus)
+    return fmt::format("M{:.2f} {:.2f}a.16 .16 0 1 1 .32 0", pose.x - 0.16, pose.y);
+  const double sign = action == car::Action::back ? -1 : 1;
+  const double c = sign * std::cos(pose.heading), s = sign * std::sin(pose.heading);
+  const auto at = [&](double along, double aside) {
+    return fmt::format("{:.2f} {:.2f}", pose.x + along * c - aside * s, pose.y + along * s + aside * c);
+  };
+  return "M" + at(-0.3, 0) + "L" + at(0.3, 0) + "M" + at(0.1, 0.16) + "L" + at(0.3, 0) + "L" + at(0.1, -0.16);
+}
+
+std::string legend_of(double greatest, double x, double y) {
+  std::string out;
+  constexpr double kWidth = 0.25;
+  for (int level = 0; level < kShades; ++level)
+    out += fmt::format("<rect x=\"{:.2f}\" y=\"{}\" width=\"{}\" height=\".9\" fill=\"{}\"/>", x + 2.6 + level * kWidth,
+                       y, kWidth + 0.02, shade(level));
+  out += fmt::format("\n<text class=\"legend\" x=\"{}\" y=\"{}\">goal</text>", x - 0.6, y + 0.85);
+  out += fmt::format("<text class=\"legend\" x=\"{}\" y=\"{}\">{:.0f} cells to go, best heading</text>\n",
+                     x + 3.2 + kShades * kWidth, y + 0.85, greatest);
+  return out;
+}
+
+}  // namespace
+
+ValueLayer value_layer(const car::ValueGrid& grid, const car::Values& values, double legend_x, double legend_y) {
+  ValueLayer layer;
+  double greatest = 1;
+  std::vector<std::pair<std::size_t, double>> points;
+  for (int j = 0; j < grid.rows(); ++j)
+    for (int i = 0; i < grid.columns(); ++i)
+      if (const auto state = best_state(grid, values, i, j)) {
+        points.emplace_back(*state, values.of[*state]);
+        greatest = std::max(greatest, values.of[*state]);
+        const bool on_cell = i % grid.per_unit() == 0 && j % grid.per_unit() == 0;
+        if (const auto action = best_action(grid, values, *state); action && on_cell)
+          layer.arrows += arrow(grid.pose(*state), *action);
+      }
+  const auto level = [&](std::size_t p) { return static_cast<int>(points[p].second / greatest * (kShades - 1)); };
+  std::map<int, std::string> by_shade;
+  const double side = 1.0 / grid.per_unit();
+  for (std::size_t p = 0, end = 0; p < points.size(); p = end) {  // runs of one shade in a row
+    const car::Pose at = grid.pose(points[p].first);
+    const auto goes_on = [&](std::size_t q) {
+      const car::Pose next = grid.pose(points[q].first);
+      return level(q) == level(p) && next.y == at.y && next.x == at.x + static_cast<double>(q - p) * side;
+    };
+    for (end = p + 1; end < points.size() && goes_on(end);) ++end;
+    by_shade[level(p)] += fmt::format("M{:.3f} {:.3f}h{}v{}H{:.3f}z", at.x - side / 2, at.y - side / 2,
+                                      static_cast<double>(end - p) * side, side, at.x - side / 2);
+  }
+  for (const auto& [shade_level, d] : by_shade)
+    layer.surface +=
+        fmt::format("<path fill=\"{0}\" stroke=\"{0}\" stroke-width=\".02\" d=\"{1}\"/>\n", shade(shade_level), d);
+  layer.arrows = "<path fill=\"none\" stroke=\"#fff\" stroke-width=\".17\" stroke-opacity=\".45\" d=\"" + layer.arrows +
+                 "\"/>\n<path fill=\"none\" stroke=\"#22304a\" stroke-width=\".07\" stroke-opacity=\".75\" d=\"" +
+                 layer.arrows + "\"/>\n";
+  layer.legend = legend_of(greatest / grid.per_unit(), legend_x, legend_y);
+  return layer;
+}
+
+}  // namespace taut::cli
