@@ -10,12 +10,14 @@
 #include <utility>
 
 #include <taut/robots/car/detail/car_space_impl.h>
+#include <taut/robots/car/detail/curve_bound.h>
 
 namespace taut::car::detail {
 
 namespace {
 
 constexpr std::uint32_t kRoot = 0xffffffff;
+constexpr double kNearGoal = 8;              // radii: further off the heading makes little difference
 constexpr std::size_t kBetweenLooks = 256;  // expansions between looks at the clock
 
 struct Node {
@@ -140,6 +142,20 @@ class Search {
   }
   double ahead_of(Point p) const { return geodesic_.from(p); }
 
+  /// The same of a pose: where the goal's heading is given, near it, also without walls.
+  double ahead_at_node(const LatticePose& pose) {
+    const double ahead = ahead_at_node(pose.at);
+    if (!query_.goal_heading || !(ahead < kNearGoal * space_.shape().radius)) return ahead;
+    double least = 1e300;
+    const Pose from{pose.at.x, pose.at.y, heading_angle(pose.heading)};
+    for (const Point goal : query_.goals) {
+      const Pose to{goal.x, goal.y, heading_angle(*query_.goal_heading)};
+      const auto bound = space_.shape().reverse ? reeds_shepp_bound : dubins_bound;
+      least = std::min(least, bound(from, to, space_.shape().radius));
+    }
+    return std::max(ahead, (1 - 1e-9) * least);
+  }
+
   void push(const Node& node) {
     if (!(node.ahead < 1e300)) return;
     const auto index = static_cast<std::uint32_t>(nodes_.size());
@@ -172,7 +188,7 @@ class Search {
       for (const Leg& leg : legs_onto(lattice_, space_.shape(), node.pose)) {
         ++result_.tested;
         if (space_.is_clear(leg))
-          push({leg.to, node.length + curve_of(leg).length(), ahead_at_node(leg.to.at), index, leg.backward, false, true});
+          push({leg.to, node.length + curve_of(leg).length(), ahead_at_node(leg.to), index, leg.backward, false, true});
       }
       return;
     }
@@ -184,7 +200,7 @@ class Search {
                     p.leg.leg().backward};
       const double length = node.length + p.leg.length();
       if (is_known(leg.to, length)) continue;
-      const double ahead = ahead_at_node(leg.to.at);
+      const double ahead = ahead_at_node(leg.to);
       if (!(ahead < 1e300)) continue;
       ++result_.tested;
       if (space_.impl().is_clear(p.leg, leg, near_)) push({leg.to, length, ahead, index, leg.backward, false, true});
