@@ -144,6 +144,7 @@ int run(const DriveOptions& options) {
   const std::string bytes = read_bytes(options.file);
   if (options.world.car)
     return drive_in_world(options.world, bytes, name, {options.svg, options.json, options.animate, options.quiet});
+  require_road_map(bytes, name);
   const car::RoadMap map = car::read_road_map(bytes, name);
   car::require_start_free(map.course, options.walls, name);
   begin_stage("drive");

@@ -281,6 +281,16 @@ class Driver {
   Stopwatch total_;
 };
 
+bool is_road_map(std::string_view bytes) {
+  for (std::size_t at = 0; at < bytes.size();) {
+    const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
+    const std::string_view row = bytes.substr(at, end - at);
+    if (row.starts_with("grid ") || row.starts_with("roadblock ")) return true;
+    at = end + 1;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::string WorldDriveOptions::first() const {
@@ -294,8 +304,8 @@ void add_world_drive_options(CLI::App& app, WorldDriveOptions& options) {
   add_world_options(app, options.world);
   app.add_option_function<std::string>(
          "--car", [&options](const std::string& text) { options.car = car_of(text); },
-         "Drive this car in a world of walls: length=L,width=W,radius=R (of the least turn), rear=B (from the rear axle, which is steered by, to the "
-         "rear end; default: L/4), reverse=no")
+         "Drive this car in a world of walls: length=L,width=W,radius=R (of the least turn), rear=B (from the "
+         "rear axle, whose middle is guided, to the rear end; default: L/4), reverse=no")
       ->type_name("CAR")
       ->group("General car");
   const auto add_end = [&](const char* name, std::optional<DriveEnd>& end, const char* what) {
@@ -316,14 +326,14 @@ void add_world_drive_options(CLI::App& app, WorldDriveOptions& options) {
       ->group("General car");
 }
 
-bool is_road_map(std::string_view bytes) {
-  for (std::size_t at = 0; at < bytes.size();) {
-    const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
-    const std::string_view row = bytes.substr(at, end - at);
-    if (row.starts_with("grid ") || row.starts_with("roadblock ")) return true;
-    at = end + 1;
+void require_road_map(std::string_view bytes, const std::string& name) {
+  if (is_road_map(bytes)) return;
+  try {
+    detect_format(bytes, name);
+  } catch (const InputError&) {
+    return;
   }
-  return false;
+  throw InputError(name, 0, "is no roadblock map but a world; say which car drives there: --car length=L,width=W,radius=R");
 }
 
 int drive_in_world(const WorldDriveOptions& options, std::string_view bytes, const std::string& name, const DriveOutput& output) {

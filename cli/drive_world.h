@@ -39,8 +39,9 @@ struct DriveOutput {
   bool quiet = false;
 };
 
-/// Is it a roadblock map? By a line that begins with the word `grid` or `roadblock`.
-bool is_road_map(std::string_view bytes);
+/// Throws InputError, with what helps, when these bytes are no roadblock map but a world that a general car could drive in. What is neither is left to the reader.
+/// A roadblock map has a line that begins with the word `grid` or `roadblock`.
+void require_road_map(std::string_view bytes, const std::string& name);
 
 /// Plans, checks independently, writes. Gives the exit code.
 int drive_in_world(const WorldDriveOptions& options, std::string_view bytes, const std::string& name, const DriveOutput& output);
