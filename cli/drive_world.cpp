@@ -87,7 +87,8 @@ DriveEnd end_of(const std::string& option, const std::string& text) {
   if (first == std::string::npos) refuse(option, text, kWanted);
   DriveEnd end;
   end.at.x = number_for(option, text.substr(0, first), kWanted);
-  end.at.y = number_for(option, text.substr(first + 1, second == std::string::npos ? second : second - first - 1), kWanted);
+  end.at.y =
+      number_for(option, text.substr(first + 1, second == std::string::npos ? second : second - first - 1), kWanted);
   if (second != std::string::npos) end.degrees = number_for(option, text.substr(second + 1), kWanted);
   return end;
 }
@@ -99,7 +100,9 @@ std::optional<int> heading_of(const std::optional<DriveEnd>& end) {
 
 double degrees_of(int heading) { return car::heading_angle(heading) / kDegree; }
 
-nlohmann::ordered_json json_of(const car::LatticePose& pose) { return {pose.at.x, pose.at.y, degrees_of(pose.heading)}; }
+nlohmann::ordered_json json_of(const car::LatticePose& pose) {
+  return {pose.at.x, pose.at.y, degrees_of(pose.heading)};
+}
 
 /// Straight pieces and arcs, as driven.
 nlohmann::ordered_json segments_json(const std::vector<car::Leg>& legs) {
@@ -196,24 +199,30 @@ class Driver {
   }
 
   std::string given_up_text() const {
-    return fmt::format("no drive found, which proves nothing: {} of {} lattices searched, the last with nodes {} apart and {} headings, {} poses",
-                       drive_.lattices, car::kLattices, number_text(drive_.step), drive_.headings, drive_.expanded);
+    return fmt::format(
+        "no drive found, which proves nothing: {} of {} lattices searched, the last with nodes {} apart and {} "
+        "headings, {} poses",
+        drive_.lattices, car::kLattices, number_text(drive_.step), drive_.headings, drive_.expanded);
   }
 
   std::string line() const {
     if (drive_.status == SearchStatus::none) return "no drive: " + reason_;
     if (drive_.status == SearchStatus::stopped) return given_up_text();
-    return fmt::format("length {:.6f}, at most {} times the shortest on its lattice, no such car drives less than {:.6f}; {}, {}, checked, {}",
-                       drive_.length, number_text(options_.weight), drive_.lower_bound,
-                       count_text(drive_.legs.size(), "leg"), count_text(reversals_of(drive_.legs), "reversal"), seconds_text(seconds_.total));
+    return fmt::format(
+        "length {:.6f}, at most {} times the shortest on its lattice, no such car drives less than {:.6f}; {}, {}, "
+        "checked, {}",
+        drive_.length, number_text(options_.weight), drive_.lower_bound, count_text(drive_.legs.size(), "leg"),
+        count_text(reversals_of(drive_.legs), "reversal"), seconds_text(seconds_.total));
   }
 
   std::string drawing(const car::CarSpace& space) const {
     WorldDrivePicture picture;
     picture.title = title_of(name_);
     picture.facts = drive_.status == SearchStatus::found
-                        ? fmt::format("length {:.6g}, {}, {}", drive_.length, count_text(drive_.legs.size(), "leg"), count_text(reversals_of(drive_.legs), "reversal"))
-                        : drive_.status == SearchStatus::none ? "no drive, proven" : "no drive found";
+                        ? fmt::format("length {:.6g}, {}, {}", drive_.length, count_text(drive_.legs.size(), "leg"),
+                                      count_text(reversals_of(drive_.legs), "reversal"))
+                    : drive_.status == SearchStatus::none ? "no drive, proven"
+                                                          : "no drive found";
     picture.legs = drive_.legs;
     if (drive_.status == SearchStatus::found) picture.start_pose = drive_.start;
     picture.start = query_.start;
@@ -226,8 +235,17 @@ class Driver {
 
   nlohmann::ordered_json head(const char* status) const {
     const car::CarShape& shape = *options_.car;
-    return {{"program", "taut"}, {"version", TAUT_VERSION}, {"source", name_}, {"status", status}, {"reached", drive_.status == SearchStatus::found},
-            {"car", {{"front", shape.front}, {"back", shape.back}, {"half_width", shape.half_width}, {"radius", shape.radius}, {"reverse", shape.reverse}}}};
+    return {{"program", "taut"},
+            {"version", TAUT_VERSION},
+            {"source", name_},
+            {"status", status},
+            {"reached", drive_.status == SearchStatus::found},
+            {"car",
+             {{"front", shape.front},
+              {"back", shape.back},
+              {"half_width", shape.half_width},
+              {"radius", shape.radius},
+              {"reverse", shape.reverse}}}};
   }
 
   nlohmann::ordered_json times() const {
@@ -249,13 +267,20 @@ class Driver {
       json["segments"] = segments_json(drive_.legs);
       auto legs = nlohmann::ordered_json::array();
       for (const car::Leg& leg : drive_.legs)
-        legs.push_back({{"from", json_of(leg.from)}, {"to", json_of(leg.to)}, {"headings", {leg.from.heading, leg.to.heading}}, {"backward", leg.backward}});
+        legs.push_back({{"from", json_of(leg.from)},
+                        {"to", json_of(leg.to)},
+                        {"headings", {leg.from.heading, leg.to.heading}},
+                        {"backward", leg.backward}});
       json["legs"] = std::move(legs);
     } else {
       json["reason"] = drive_.status == SearchStatus::none ? reason_ : given_up_text();
       if (drive_.status == SearchStatus::none) json["barrier"] = barrier_json(barrier_);
     }
-    json["lattice"] = {{"step", drive_.step}, {"headings", drive_.headings}, {"searched", drive_.lattices}, {"expanded", drive_.expanded}, {"tested", drive_.tested}};
+    json["lattice"] = {{"step", drive_.step},
+                       {"headings", drive_.headings},
+                       {"searched", drive_.lattices},
+                       {"expanded", drive_.expanded},
+                       {"tested", drive_.tested}};
     json["seconds"] = times();
     return detail::json_text(json);
   }
@@ -309,11 +334,13 @@ void add_world_drive_options(CLI::App& app, WorldDriveOptions& options) {
       ->type_name("CAR")
       ->group("General car");
   const auto add_end = [&](const char* name, std::optional<DriveEnd>& end, const char* what) {
-    app.add_option_function<std::string>(name, [&end, name](const std::string& text) { end = end_of(name, text); }, what)
+    app.add_option_function<std::string>(
+           name, [&end, name](const std::string& text) { end = end_of(name, text); }, what)
         ->type_name("X,Y[,DEGREES]")
         ->group("General car");
   };
-  add_end("--from", options.from, "Start here, with the nearest of 64 headings (default: where FILE says, any heading)");
+  add_end("--from", options.from,
+          "Start here, with the nearest of 64 headings (default: where FILE says, any heading)");
   add_end("--to", options.to, "Get the middle of the rear axle here, likewise");
   app.add_option_function<std::string>(
          "--weight",
@@ -333,10 +360,12 @@ void require_road_map(std::string_view bytes, const std::string& name) {
   } catch (const InputError&) {
     return;
   }
-  throw InputError(name, 0, "is no roadblock map but a world; say which car drives there: --car length=L,width=W,radius=R");
+  throw InputError(name, 0,
+                   "is no roadblock map but a world; say which car drives there: --car length=L,width=W,radius=R");
 }
 
-int drive_in_world(const WorldDriveOptions& options, std::string_view bytes, const std::string& name, const DriveOutput& output) {
+int drive_in_world(const WorldDriveOptions& options, std::string_view bytes, const std::string& name,
+                   const DriveOutput& output) {
   if (is_road_map(bytes)) throw InputError(name, 0, "is a roadblock map, whose rules fix the car; leave out --car");
   return Driver(options, output, name).run(bytes);
 }

@@ -44,6 +44,7 @@ struct DriveOutput {
 void require_road_map(std::string_view bytes, const std::string& name);
 
 /// Plans, checks independently, writes. Gives the exit code.
-int drive_in_world(const WorldDriveOptions& options, std::string_view bytes, const std::string& name, const DriveOutput& output);
+int drive_in_world(const WorldDriveOptions& options, std::string_view bytes, const std::string& name,
+                   const DriveOutput& output);
 
 }  // namespace taut::cli

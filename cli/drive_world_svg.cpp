@@ -13,9 +13,9 @@ namespace {
 using car::Pose;
 
 constexpr double kPixels = 960;
-constexpr std::size_t kFrames = 1200;     // of an animation, at most
-constexpr double kCarsASecond = 6;        // car lengths
-constexpr double kOutlinesEvery = 1.5;    // car lengths
+constexpr std::size_t kFrames = 1200;   // of an animation, at most
+constexpr double kCarsASecond = 6;      // car lengths
+constexpr double kOutlinesEvery = 1.5;  // car lengths
 
 constexpr const char* kStyle =
     "<style>.page{fill:#fff}.beyond{fill:#b9bec7}.free{fill:#fff}.solid{fill:#b9bec7;stroke:#30343b;stroke-width:1}"
@@ -45,7 +45,8 @@ class Picture {
 
   std::string draw() {
     out_ = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} {1:.0f}\">\n<title>{2}</title>\n{3}",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
+        "{1:.0f}\">\n<title>{2}</title>\n{3}",
         width_, height_ + kLegend, escaped(picture_.title), kStyle);
     out_ += fmt::format("<rect class=\"page\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", width_, height_ + kLegend);
     world();
@@ -55,7 +56,8 @@ class Picture {
     dot("start", picture_.start);
     for (const Point goal : picture_.goals) dot("goal", goal);
     last();
-    out_ += fmt::format("<text class=\"legend\" x=\"{}\" y=\"{:.0f}\">{}: {}</text>\n", kMargin, height_ + 14, escaped(picture_.title), escaped(picture_.facts));
+    out_ += fmt::format("<text class=\"legend\" x=\"{}\" y=\"{:.0f}\">{}: {}</text>\n", kMargin, height_ + 14,
+                        escaped(picture_.title), escaped(picture_.facts));
     return std::move(out_ += "</svg>\n");
   }
 
@@ -84,20 +86,24 @@ class Picture {
   void dot(const char* kind, Point p) {
     const std::string place = at(p);
     const std::size_t blank = place.find(' ');
-    out_ += fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{:.2f}\"/>\n", kind, place.substr(0, blank), place.substr(blank + 1),
-                        std::max(3.0, 0.4 * shape_.half_width * scale_));
+    out_ += fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{:.2f}\"/>\n", kind, place.substr(0, blank),
+                        place.substr(blank + 1), std::max(3.0, 0.4 * shape_.half_width * scale_));
   }
 
   void world() {
-    if (world_.boundary() == Boundary::walled) out_ += fmt::format("<rect class=\"beyond\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", width_, height_);
+    if (world_.boundary() == Boundary::walled)
+      out_ += fmt::format("<rect class=\"beyond\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", width_, height_);
     for (const Area& area : world_.areas()) path("free", polygon(area.polygon), " fill-rule=\"evenodd\"");
     if (world_.boundary() == Boundary::walled)
       for (const Area& area : world_.areas()) path("wall", polygon(area.polygon));
     for (const Area& solid : world_.solids()) path("solid", polygon(solid.polygon), " fill-rule=\"evenodd\"");
     std::string thin;
     for (const Wall& wall : world_.walls()) {
-      if (wall.thickness == 0) thin += line({wall.a, wall.b});
-      else path("wall thick", line({wall.a, wall.b}), fmt::format(" style=\"stroke-width:{:.2f}\"", wall.thickness * scale_));
+      if (wall.thickness == 0)
+        thin += line({wall.a, wall.b});
+      else
+        path("wall thick", line({wall.a, wall.b}),
+             fmt::format(" style=\"stroke-width:{:.2f}\"", wall.thickness * scale_));
     }
     path("wall", thin);
   }
@@ -119,8 +125,10 @@ class Picture {
   std::string outline(const Pose& pose) const {
     const double c = std::cos(pose.heading), s = std::sin(pose.heading);
     Ring corners;
-    for (const auto& [x, y] : std::array<Point, 4>{{{shape_.front, shape_.half_width}, {-shape_.back, shape_.half_width},
-                                                     {-shape_.back, -shape_.half_width}, {shape_.front, -shape_.half_width}}})
+    for (const auto& [x, y] : std::array<Point, 4>{{{shape_.front, shape_.half_width},
+                                                    {-shape_.back, shape_.half_width},
+                                                    {-shape_.back, -shape_.half_width},
+                                                    {shape_.front, -shape_.half_width}}})
       corners.push_back({pose.x + c * x - s * y, pose.y + s * x + c * y});
     return ring(corners);
   }
@@ -157,8 +165,10 @@ class Picture {
     for (std::size_t i = 0; i < poses_.size(); i += every) frames += outline(poses_[i]) + ";";
     frames += outline(poses_.back());
     const double seconds = std::max(2.0, length_ / (shape_.front + shape_.back) / kCarsASecond);
-    out_ += fmt::format("<path class=\"last\" d=\"{}\"><animate attributeName=\"d\" dur=\"{:.2f}s\" repeatCount=\"indefinite\" values=\"{}\"/></path>\n",
-                        outline(poses_.back()), seconds, frames);
+    out_ += fmt::format(
+        "<path class=\"last\" d=\"{}\"><animate attributeName=\"d\" dur=\"{:.2f}s\" repeatCount=\"indefinite\" "
+        "values=\"{}\"/></path>\n",
+        outline(poses_.back()), seconds, frames);
   }
 
   const World& world_;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <queue>
-#include <unordered_map>
 #include <utility>
 
 #include <taut/geometry/detail/text.h>
@@ -12,6 +10,7 @@
 #include <taut/robots/car/detail/car_space_impl.h>
 #include <taut/robots/car/detail/drive_search.h>
 #include <taut/robots/car/detail/geodesic.h>
+#include <taut/robots/car/detail/leg_shortening.h>
 
 namespace taut::car {
 
@@ -34,16 +33,18 @@ std::vector<LatticePose> free_starts(const CarSpace& space, const DriveQuery& qu
   for (const int heading : headings_of(query.heading))
     if (space.is_free({query.start, heading})) free.push_back({query.start, heading});
   if (!free.empty()) return free;
-  throw InputError({}, 0, "the car cannot stand at the start " + taut::detail::text(query.start) +
-                              (query.heading ? " with that heading: a wall is in its way" : ", whatever its heading"));
+  throw InputError({}, 0,
+                   "the car cannot stand at the start " + taut::detail::text(query.start) +
+                       (query.heading ? " with that heading: a wall is in its way" : ", whatever its heading"));
 }
 
 void require_small(const World& world, double step) {
   const Box box = world.box();
   for (const double v : {box.min.x, box.min.y, box.max.x, box.max.y})
     if (!(std::abs(v) < step * (1 << 25)))
-      throw InputError(world.source(), 0,
-                       "is too large for the car's lattice: coordinates must be below " + taut::detail::text(step * (1 << 25)));
+      throw InputError(
+          world.source(), 0,
+          "is too large for the car's lattice: coordinates must be below " + taut::detail::text(step * (1 << 25)));
 }
 
 /// Why not even the disc gets to any goal; nothing when it might.
@@ -69,11 +70,14 @@ void require_goal_free(const CarSpace& space, const DriveQuery& query) {
   if (query.goal_heading) {
     for (const Point goal : query.goals)
       if (space.is_free({goal, *query.goal_heading})) return;
-    throw InputError({}, 0, "the car cannot stand at the goal " + taut::detail::text(query.goals.front()) + " with that heading: a wall is in its way");
+    throw InputError({}, 0,
+                     "the car cannot stand at the goal " + taut::detail::text(query.goals.front()) +
+                         " with that heading: a wall is in its way");
   }
   for (const Point goal : query.goals)
     if (space.space().locate(goal).kind != Location::Kind::outside) return;
-  throw InputError({}, 0, "the goal " + taut::detail::text(query.goals.front()) + " lies in a wall or outside the world");
+  throw InputError({}, 0,
+                   "the goal " + taut::detail::text(query.goals.front()) + " lies in a wall or outside the world");
 }
 
 }  // namespace
@@ -86,7 +90,9 @@ PlannedDrive planned_drive(const CarSpace& space, const DriveQuery& query) {
   require_goal_free(space, query);
   if ((result.barrier = barrier_of(space, query))) {
     if (result.barrier->status == PassageStatus::goal_blocked)
-      throw InputError({}, 0, "the car cannot stand at the goal " + taut::detail::text(query.goals.front()) + ", whatever its heading");
+      throw InputError(
+          {}, 0,
+          "the car cannot stand at the goal " + taut::detail::text(query.goals.front()) + ", whatever its heading");
     result.status = SearchStatus::none;
     return result;
   }
@@ -102,6 +108,11 @@ PlannedDrive planned_drive(const CarSpace& space, const DriveQuery& query) {
     result.headings = kHeadings / lattice.stride;
     const SearchLimits rest{query.limits.expansions - result.expanded, query.limits.seconds - gone.count()};
     detail::search_drive(space, query, starts, lattice, geodesic, rest, result);
+  }
+  if (result.status == SearchStatus::found && query.shorten) {
+    result.legs = detail::shortened(space, std::move(result.legs));
+    result.length = 0;
+    for (const Leg& leg : result.legs) result.length += curve_of(leg).length();
   }
   return result;
 }

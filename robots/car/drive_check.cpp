@@ -212,7 +212,8 @@ std::optional<DriveFault> fault_of(const Leg& leg, std::size_t index, const Free
     const Segment s{wall.a, wall.b};
     if (!is_near(leg, reach, s)) continue;
     if (walls.is_opening(c) ? crosses(leg, s, wall.solid_left) : drive_meets(leg, shape, s))
-      return DriveFault{index, (walls.is_opening(c) ? "leaves through the opening " : "meets the wall ") + taut::detail::text(s), c};
+      return DriveFault{
+          index, (walls.is_opening(c) ? "leaves through the opening " : "meets the wall ") + taut::detail::text(s), c};
   }
   return std::nullopt;
 }
@@ -229,9 +230,8 @@ std::optional<DriveFault> fault_of(std::span<const Leg> legs, const FreeSpace& s
 }
 
 bool drive_meets(const Leg& leg, const CarShape& shape, const Segment& wall) {
-  return std::ranges::any_of(pieces_of(leg), [&](const Piece& piece) {
-    return is_met(lines_of(piece, shape, wall), piece.end);
-  });
+  return std::ranges::any_of(pieces_of(leg),
+                             [&](const Piece& piece) { return is_met(lines_of(piece, shape, wall), piece.end); });
 }
 
 bool stand_meets(const LatticePose& pose, const CarShape& shape, const Segment& wall) {

@@ -13,8 +13,8 @@ namespace taut::car {
 
 /// What was found wrong first.
 struct DriveFault {
-  std::size_t leg = 0;   ///< its index
-  std::string text;      ///< in words: `meets the wall (1, 0)-(1, 2)`
+  std::size_t leg = 0;               ///< its index
+  std::string text;                  ///< in words: `meets the wall (1, 0)-(1, 2)`
   std::uint32_t constraint = kNone;  ///< of the space
 };
 

@@ -24,7 +24,15 @@ struct Word {
 class Words {
  public:
   Words(double d, double a, double b, double snap)
-      : d_(d), a_(a), b_(b), snap_(snap), sa_(std::sin(a)), sb_(std::sin(b)), ca_(std::cos(a)), cb_(std::cos(b)), cab_(std::cos(a - b)) {}
+      : d_(d),
+        a_(a),
+        b_(b),
+        snap_(snap),
+        sa_(std::sin(a)),
+        sb_(std::sin(b)),
+        ca_(std::cos(a)),
+        cb_(std::cos(b)),
+        cab_(std::cos(a - b)) {}
 
   Word of(int index) const {
     switch (index) {

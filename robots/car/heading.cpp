@@ -22,9 +22,9 @@ constexpr std::array<HeadingVector, 9> kOctant{{{48841, 0},
 constexpr std::array<HeadingVector, kHeadings> all_headings() {
   std::array<HeadingVector, kHeadings> all{};
   for (std::size_t h = 0; h < all.size(); ++h)
-    all[h] = h <= 8    ? kOctant[h]
+    all[h] = h <= 8   ? kOctant[h]
              : h < 16 ? HeadingVector{kOctant[16 - h].y, kOctant[16 - h].x}
-                       : HeadingVector{-all[h - 16].y, all[h - 16].x};
+                      : HeadingVector{-all[h - 16].y, all[h - 16].x};
   return all;
 }
 

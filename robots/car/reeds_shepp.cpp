@@ -180,9 +180,11 @@ bool ends_at(const Word& w, const Target& goal) {
 }
 
 /// The word of the formula for the goal as seen with time reversed, mirrored, or from the goal back, brought back to what it means for the goal itself.
-void consider(const Family& family, const Target& goal, bool backwards, bool mirrored, bool reversed, Word& best, double& least) {
+void consider(const Family& family, const Target& goal, bool backwards, bool mirrored, bool reversed, Word& best,
+              double& least) {
   Target g = goal;
-  if (reversed) g = {g.x * std::cos(g.phi) + g.y * std::sin(g.phi), g.x * std::sin(g.phi) - g.y * std::cos(g.phi), g.phi};
+  if (reversed)
+    g = {g.x * std::cos(g.phi) + g.y * std::sin(g.phi), g.x * std::sin(g.phi) - g.y * std::cos(g.phi), g.phi};
   if (backwards) g = {-g.x, g.y, -g.phi};
   if (mirrored) g = {g.x, -g.y, -g.phi};
   std::optional<Word> w = family.formula(g);

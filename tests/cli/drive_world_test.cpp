@@ -46,12 +46,12 @@ TEST_F(DriveWorld, DrawsAndAnimates) {
 }
 
 TEST_F(DriveWorld, SaysWhyThereIsNoDrive) {
-  const Outcome none = run_taut("drive -" + car, "start 1 1\ngoal 5 1\nboundary 0 0 6 4\n0 0 6 0\n6 0 6 4\n6 4 0 4\n0 4 0 0\n3 0 3 3.9\n");
+  const Outcome none = run_taut(
+      "drive -" + car, "start 1 1\ngoal 5 1\nboundary 0 0 6 4\n0 0 6 0\n6 0 6 4\n6 4 0 4\n0 4 0 0\n3 0 3 3.9\n");
   EXPECT_EQ(none.code, 1) << none.err;
   EXPECT_THAT(none.out, HasSubstr("not even the disc of radius 0.1 inside the car gets through"));
-  const Outcome unproven =
-      run_taut("drive - --car length=0.4,width=0.2,radius=9,reverse=no --from 1,1,0",
-               "goal 0.5 3\nboundary 0 0 6 4\n0 0 6 0\n6 0 6 4\n6 4 0 4\n0 4 0 0\n");
+  const Outcome unproven = run_taut("drive - --car length=0.4,width=0.2,radius=9,reverse=no --from 1,1,0",
+                                    "goal 0.5 3\nboundary 0 0 6 4\n0 0 6 0\n6 0 6 4\n6 4 0 4\n0 4 0 0\n");
   EXPECT_EQ(unproven.code, 4) << unproven.err;
   EXPECT_THAT(unproven.out, HasSubstr("which proves nothing"));
 }

@@ -6,7 +6,6 @@
 #include <functional>
 #include <queue>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
 #include <taut/robots/car/detail/car_space_impl.h>
@@ -17,7 +16,7 @@ namespace taut::car::detail {
 namespace {
 
 constexpr std::uint32_t kRoot = 0xffffffff;
-constexpr double kNearGoal = 8;              // radii: further off the heading makes little difference
+constexpr double kNearGoal = 8;             // radii: further off the heading makes little difference
 constexpr std::size_t kBetweenLooks = 256;  // expansions between looks at the clock
 
 struct Node {
@@ -161,7 +160,8 @@ class Search {
     const auto index = static_cast<std::uint32_t>(nodes_.size());
     if (node.on_lattice) {
       bool fresh = false;
-      std::uint32_t& known = known_.at(place_key(node.pose.at) << 6 | static_cast<std::uint64_t>(node.pose.heading), fresh);
+      std::uint32_t& known =
+          known_.at(place_key(node.pose.at) << 6 | static_cast<std::uint64_t>(node.pose.heading), fresh);
       if (!fresh && nodes_[known].length <= node.length) return;
       if (!fresh) nodes_[known].done = true;
       known = index;
@@ -195,9 +195,10 @@ class Search {
     const auto which = static_cast<std::size_t>(node.pose.heading / lattice_.stride);
     space_.impl().walls_near(reach_[which], node.pose.at, near_);
     for (const Primitive& p : primitives_[which]) {
-      const Leg leg{node.pose,
-                    {{node.pose.at.x + p.di * lattice_.step, node.pose.at.y + p.dj * lattice_.step}, p.leg.leg().to.heading},
-                    p.leg.leg().backward};
+      const Leg leg{
+          node.pose,
+          {{node.pose.at.x + p.di * lattice_.step, node.pose.at.y + p.dj * lattice_.step}, p.leg.leg().to.heading},
+          p.leg.leg().backward};
       const double length = node.length + p.leg.length();
       if (is_known(leg.to, length)) continue;
       const double ahead = ahead_at_node(leg.to);
@@ -215,7 +216,8 @@ class Search {
       if (!goals_off_lattice_[i] || std::hypot(goal.x - node.pose.at.x, goal.y - node.pose.at.y) > reach) continue;
       for (const Leg& leg : legs_to(space_.shape(), node.pose, goal, goal_headings_)) {
         ++result_.tested;
-        if (space_.is_clear(leg)) push({leg.to, node.length + curve_of(leg).length(), 0, index, leg.backward, false, false});
+        if (space_.is_clear(leg))
+          push({leg.to, node.length + curve_of(leg).length(), 0, index, leg.backward, false, false});
       }
     }
   }

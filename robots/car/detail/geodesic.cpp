@@ -50,7 +50,8 @@ Geodesic::Geodesic(const World& world, double radius, const std::vector<Point>& 
     const auto [length, v] = open.top();
     open.pop();
     if (length > length_[v]) continue;
-    for (const Roadmap::Vertex w : roadmap.neighbours(v)) reach(w, length + distance(roadmap.point(v), roadmap.point(w)));
+    for (const Roadmap::Vertex w : roadmap.neighbours(v))
+      reach(w, length + distance(roadmap.point(v), roadmap.point(w)));
   }
 }
 

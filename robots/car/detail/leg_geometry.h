@@ -51,11 +51,11 @@ struct LegGeometry {
 
   Vec<Q> to, u, v;
   int gear;
-  int sense = 0;                ///< of the turn; 0: straight
-  Q t1, t2;                     ///< to where the tangents meet
-  Q before, after, radius;      ///< as of LegCurve
-  Q sine, cosine;               ///< of the turn
-  Q tangent;                    ///< of half the turn's size
+  int sense = 0;            ///< of the turn; 0: straight
+  Q t1, t2;                 ///< to where the tangents meet
+  Q before, after, radius;  ///< as of LegCurve
+  Q sine, cosine;           ///< of the turn
+  Q tangent;                ///< of half the turn's size
   Vec<Q> pivot{};
 
  private:

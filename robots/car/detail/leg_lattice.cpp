@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
+#include <cstdint>
 #include <numeric>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace taut::car::detail {
@@ -18,42 +19,75 @@ constexpr std::size_t kLegsOnto = 6;
 
 int wrapped(int heading) { return ((heading % kHeadings) + kHeadings) % kHeadings; }
 
-/// A quick look at whether the leg is drivable, and how long it is; what it lets through fault_of has to confirm.
-std::optional<double> length_if_drivable(const Leg& leg, const CarShape& shape) {
-  const HeadingVector a = heading_vector(leg.from.heading), b = heading_vector(leg.to.heading);
-  const double scale = kHeadingScale, gear = leg.backward ? -1 : 1;
-  const double ux = a.x / scale, uy = a.y / scale, vx = b.x / scale, vy = b.y / scale;
-  const double dx = gear * (leg.to.at.x - leg.from.at.x), dy = gear * (leg.to.at.y - leg.from.at.y);
-  const double sine = ux * vy - uy * vx, cosine = ux * vx + uy * vy;
-  if (sine == 0) return std::nullopt;
-  const double t1 = (dx * vy - dy * vx) / sine, t2 = (ux * dy - uy * dx) / sine, tangent = std::abs(sine) / (1 + cosine);
-  const double used = std::min(t1, t2);
-  if (used < shape.radius * tangent * (1 - 1e-9)) return std::nullopt;
-  return std::abs(t1 - t2) + used / tangent * 2 * std::atan(tangent);
+/// The tangents of a leg and how long it is, to rounding.
+struct Tangents {
+  Tangents(int from, int to) {
+    const HeadingVector a = heading_vector(from), b = heading_vector(to);
+    const double scale = kHeadingScale;
+    u = {a.x / scale, a.y / scale};
+    v = {b.x / scale, b.y / scale};
+    sine = u.x * v.y - u.y * v.x;
+    half = std::abs(sine) / (1 + u.x * v.x + u.y * v.y);
+  }
+
+  /// Of a leg that goes by d; what this lets through fault_of has to confirm. Precondition: sine is not 0.
+  std::optional<double> length(Point d, double radius) const {
+    const double t1 = (d.x * v.y - d.y * v.x) / sine, t2 = (u.x * d.y - u.y * d.x) / sine, used = std::min(t1, t2);
+    if (used < radius * half * (1 - 1e-9)) return std::nullopt;
+    return std::abs(t1 - t2) + used / half * 2 * std::atan(half);
+  }
+
+  Point u{}, v{};
+  double sine = 0, half = 0;  ///< sine of the turn, tangent of half of it
+};
+
+struct Candidate {
+  double length;
+  std::int64_t i, j;
+  friend auto operator<=>(const Candidate&, const Candidate&) = default;
+};
+
+/// The nodes that legs from the pose reach with tangents at most `more` longer than the tightest turn needs, and some further ones; shortest legs first.
+std::vector<Candidate> candidates(const LegLattice& lattice, double radius, const LatticePose& from,
+                                  const Tangents& turn, double gear, double more) {
+  const double least = radius * turn.half, most = least + more;
+  Box box{{1e300, 1e300}, {-1e300, -1e300}};
+  for (const double t1 : {least, most})
+    for (const double t2 : {least, most}) {
+      const double x = from.at.x + gear * (t1 * turn.u.x + t2 * turn.v.x),
+                   y = from.at.y + gear * (t1 * turn.u.y + t2 * turn.v.y);
+      box = {{std::min(box.min.x, x), std::min(box.min.y, y)}, {std::max(box.max.x, x), std::max(box.max.y, y)}};
+    }
+  const auto below = [&](double x) { return static_cast<std::int64_t>(std::floor(x / lattice.step)); };
+  std::vector<Candidate> found;
+  for (std::int64_t j = below(box.min.y); j <= below(box.max.y) + 1; ++j)
+    for (std::int64_t i = below(box.min.x); i <= below(box.max.x) + 1; ++i) {
+      const double x = static_cast<double>(i) * lattice.step, y = static_cast<double>(j) * lattice.step;
+      if (const auto length = turn.length({gear * (x - from.at.x), gear * (y - from.at.y)}, radius))
+        found.push_back({*length, i, j});
+    }
+  std::ranges::sort(found);
+  return found;
 }
 
-/// The shortest `most` drivable legs from the pose to nodes with a heading.
+/// The shortest `most` drivable legs from the pose to nodes with a heading. A leg whose tangents are `more` longer than needed is at least `more` longer than the tightest turn, so
+/// those that are less than that longer are all known.
 void add_legs(const LegLattice& lattice, const CarShape& shape, const LatticePose& from, int heading, bool backward,
               std::size_t most, std::vector<Leg>& legs) {
-  const double half = std::abs(std::remainder(heading_angle(heading) - heading_angle(from.heading), 6.283185307179586)) / 2;
-  const int reach = static_cast<int>(2 * shape.radius * std::tan(half) / lattice.step) + 12;
-  const int i0 = static_cast<int>(std::lround(from.at.x / lattice.step));
-  const int j0 = static_cast<int>(std::lround(from.at.y / lattice.step));
-  std::vector<std::tuple<double, int, int>> found;
-  const auto leg_to = [&](int i, int j) {
-    return Leg{from, {{(i0 + i) * lattice.step, (j0 + j) * lattice.step}, heading}, backward};
-  };
-  for (int j = -reach; j <= reach; ++j)
-    for (int i = -reach; i <= reach; ++i)
-      if (const auto length = length_if_drivable(leg_to(i, j), shape)) found.emplace_back(*length, i, j);
-  std::ranges::sort(found);
-  for (std::size_t taken = 0; const auto& [length, i, j] : found) {
-    if (taken == most) break;
-    const Leg leg = leg_to(i, j);
-    if (fault_of(leg, shape)) continue;
-    legs.push_back(leg);
-    ++taken;
+  const Tangents turn(from.heading, heading);
+  const double tightest = shape.radius * 2 * std::atan(turn.half);
+  std::vector<Leg> found;
+  for (double more = lattice.step * (4 + std::sqrt(12 / std::abs(turn.sine))); found.size() < most; more *= 2) {
+    found.clear();
+    for (const Candidate& c : candidates(lattice, shape.radius, from, turn, backward ? -1 : 1, more)) {
+      if (found.size() == most || c.length > tightest + more) break;
+      const Leg leg{from,
+                    {{static_cast<double>(c.i) * lattice.step, static_cast<double>(c.j) * lattice.step}, heading},
+                    backward};
+      if (!fault_of(leg, shape)) found.push_back(leg);
+    }
   }
+  legs.insert(legs.end(), found.begin(), found.end());
 }
 
 void add_turns(const LegLattice& lattice, const CarShape& shape, const LatticePose& from, std::size_t most,
@@ -99,8 +133,6 @@ std::vector<std::vector<Primitive>> primitives(const LegLattice& lattice, const 
 
 std::vector<Leg> legs_onto(const LegLattice& lattice, const CarShape& shape, const LatticePose& from) {
   std::vector<Leg> legs;
-  // From a heading off the lattice: to those on either side of it.
-  LatticePose base = from;
   if (from.heading % lattice.stride == 0) {
     add_turns(lattice, shape, from, kLegsOnto, true, legs);
     return legs;
@@ -109,7 +141,7 @@ std::vector<Leg> legs_onto(const LegLattice& lattice, const CarShape& shape, con
     const int turn = wrapped(heading - from.heading);
     if (std::min(turn, kHeadings - turn) > kQuarter) continue;
     for (const bool backward : {false, true})
-      if (!backward || shape.reverse) add_legs(lattice, shape, base, heading, backward, kLegsOnto, legs);
+      if (!backward || shape.reverse) add_legs(lattice, shape, from, heading, backward, kLegsOnto, legs);
   }
   return legs;
 }
@@ -121,7 +153,9 @@ std::vector<Leg> legs_to(const CarShape& shape, const LatticePose& from, Point t
     if (std::min(turn, kHeadings - turn) > kQuarter) continue;
     for (const bool backward : {false, true}) {
       const Leg leg{from, {to, heading}, backward};
-      if (turn != 0 && !length_if_drivable(leg, shape)) continue;
+      const double gear = backward ? -1 : 1;
+      const Point d{gear * (to.x - from.at.x), gear * (to.y - from.at.y)};
+      if (turn != 0 && !Tangents(from.heading, heading).length(d, shape.radius)) continue;
       if (!fault_of(leg, shape)) legs.push_back(leg);
     }
   }

@@ -37,8 +37,8 @@ double square_to_segment(Point p, Point a, Point b) {
 void add_corners(const Rectangle<Approx>& r, std::vector<Point>& corners) {
   for (const double x : {r.low.v, r.high.v})
     for (const double y : {-r.half.v, r.half.v})
-      corners.push_back({r.origin.x.v + x * r.along.x.v - y * r.along.y.v,
-                         r.origin.y.v + x * r.along.y.v + y * r.along.x.v});
+      corners.push_back(
+          {r.origin.x.v + x * r.along.x.v - y * r.along.y.v, r.origin.y.v + x * r.along.y.v + y * r.along.x.v});
 }
 
 }  // namespace
@@ -100,7 +100,8 @@ bool PreparedLeg::may_leave(const Segment& opening, bool solid_left, const Leg& 
   const LegGeometry<mpq_class> geometry(at);
   const mpq_class way = geometry.gear * geometry.t1;
   const Vec<mpq_class> from{mpq_class(at.from.at.x), mpq_class(at.from.at.y)}, tip = from + way * geometry.u;
-  const Vec<mpq_class> a{mpq_class(opening.a.x), mpq_class(opening.a.y)}, d = difference<mpq_class>(opening.a, opening.b);
+  const Vec<mpq_class> a{mpq_class(opening.a.x), mpq_class(opening.a.y)},
+      d = difference<mpq_class>(opening.a, opening.b);
   const int side = sgn(cross(d, Vec<mpq_class>(tip - a)));
   const int solid = solid_left ? 1 : -1;
   return side == solid || orientation(opening.a, opening.b, at.from.at) == solid ||

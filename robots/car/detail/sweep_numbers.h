@@ -19,8 +19,8 @@ struct Approx {
   double v = 0;
   double e = 0;
 
-  static constexpr double kUnit = 1.2e-16;   // above 2^-53
-  static constexpr double kTiny = 1e-300;    // above what underflow loses
+  static constexpr double kUnit = 1.2e-16;  // above 2^-53
+  static constexpr double kTiny = 1e-300;   // above what underflow loses
 
   Approx() = default;
   Approx(double value) : v(value) {}  // NOLINT(google-explicit-constructor): a double is its own value

@@ -112,11 +112,13 @@ TEST(PlannedDrive, RefusesEndsInWalls) {
   EXPECT_THAT(message({.start = {0.05, 0.05}, .heading = {}, .goals = {{5, 1}}}), HasSubstr("whatever its heading"));
   EXPECT_THAT(message({.start = {2.8, 1}, .heading = 0, .goals = {{5, 1}}}), HasSubstr("with that heading"));
   EXPECT_THAT(message({.start = {1, 1}, .heading = {}, .goals = {{9, 1}}}), HasSubstr("goal (9, 1)"));
-  EXPECT_THAT(message({.start = {1, 1}, .heading = {}, .goals = {{5.8, 1}}, .goal_heading = 0}), HasSubstr("goal (5.8, 1)"));
+  EXPECT_THAT(message({.start = {1, 1}, .heading = {}, .goals = {{5.8, 1}}, .goal_heading = 0}),
+              HasSubstr("goal (5.8, 1)"));
 }
 
 TEST(PlannedDrive, StopsAtItsLimit) {
-  const PlannedDrive drive = planned_drive(space_of(kRoom), {.start = {1, 1}, .heading = 0, .goals = {{5, 1}}, .limits = {.expansions = 20}});
+  const PlannedDrive drive =
+      planned_drive(space_of(kRoom), {.start = {1, 1}, .heading = 0, .goals = {{5, 1}}, .limits = {.expansions = 20}});
   EXPECT_EQ(drive.status, SearchStatus::stopped);
   EXPECT_EQ(drive.expanded, 20U);
 }
@@ -125,7 +127,8 @@ TEST(PlannedDrive, IsFoundInMazesAndPassesTheCheck) {
   for (int seed = 1; seed <= 4; ++seed) {
     const auto maze = std::make_shared<GridMaze>(generate_backtracker(9, 9, static_cast<std::uint64_t>(seed)));
     const CarSpace space(FreeSpace(world_of(maze)), kCar);
-    const PlannedDrive drive = planned_drive(space, {.start = {0.5, 0.5}, .heading = {}, .goals = {{8.5, 8.5}}, .weight = 1.05});
+    const PlannedDrive drive =
+        planned_drive(space, {.start = {0.5, 0.5}, .heading = {}, .goals = {{8.5, 8.5}}, .weight = 1.05});
     ASSERT_EQ(drive.status, SearchStatus::found) << seed;
     expect_checked(drive, space);
     EXPECT_LT(drive.length, 1.25 * drive.lower_bound);
@@ -147,11 +150,15 @@ double dijkstra(const CarSpace& space, const LatticePose& start, Point goal, con
     const LatticePose from{{std::get<0>(key), std::get<1>(key)}, std::get<2>(key)};
     if (from.at == goal) return length;
     for (const detail::Primitive& p : primitives[static_cast<std::size_t>(from.heading / lattice.stride)]) {
-      const Leg leg{from, {{from.at.x + p.di * lattice.step, from.at.y + p.dj * lattice.step}, p.leg.leg().to.heading}, p.leg.leg().backward};
+      const Leg leg{from,
+                    {{from.at.x + p.di * lattice.step, from.at.y + p.dj * lattice.step}, p.leg.leg().to.heading},
+                    p.leg.leg().backward};
       const Key to{leg.to.at.x, leg.to.at.y, leg.to.heading};
       const double total = length + curve_of(leg).length();
       const auto known = best.find(to);
-      if ((known != best.end() && known->second <= total) || space.space().locate(leg.to.at).kind == Location::Kind::outside) continue;
+      if ((known != best.end() && known->second <= total) ||
+          space.space().locate(leg.to.at).kind == Location::Kind::outside)
+        continue;
       if (!space.is_clear(leg)) continue;
       best[to] = total;
       open.push({total, to});
@@ -162,12 +169,18 @@ double dijkstra(const CarSpace& space, const LatticePose& start, Point goal, con
 
 TEST(PlannedDrive, IsTheShortestOnItsLattice) {
   const CarSpace space = space_of("boundary 0 0 2 1.5\n0 0 2 0\n2 0 2 1.5\n2 1.5 0 1.5\n0 1.5 0 0\n1 0 1 0.75\n");
-  const DriveQuery query{.start = {0.5, 0.25}, .heading = 0, .goals = {{1.5, 0.25}}, .weight = 1};
+  const DriveQuery query{.start = {0.5, 0.25}, .heading = 0, .goals = {{1.5, 0.25}}, .weight = 1, .shorten = false};
   const PlannedDrive drive = planned_drive(space, query);
   ASSERT_EQ(drive.status, SearchStatus::found);
   expect_checked(drive, space);
   ASSERT_EQ(drive.lattices, 1U);
-  EXPECT_NEAR(drive.length, dijkstra(space, {{0.5, 0.25}, 0}, {1.5, 0.25}, {drive.step, kHeadings / drive.headings}), 1e-9);
+  DriveQuery shorter = query;
+  shorter.shorten = true;
+  const PlannedDrive taut = planned_drive(space, shorter);
+  expect_checked(taut, space);
+  EXPECT_LT(taut.length, drive.length);
+  EXPECT_NEAR(drive.length, dijkstra(space, {{0.5, 0.25}, 0}, {1.5, 0.25}, {drive.step, kHeadings / drive.headings}),
+              1e-9);
 }
 
 TEST(DriveCheck, NamesTheFirstFault) {

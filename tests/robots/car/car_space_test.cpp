@@ -23,7 +23,8 @@ TEST(Heading, IsAUnitVectorExactly) {
     const HeadingVector v = heading_vector(h), quarter = heading_vector((h + 16) % kHeadings);
     EXPECT_EQ(std::int64_t{v.x} * v.x + std::int64_t{v.y} * v.y, std::int64_t{kHeadingScale} * kHeadingScale) << h;
     EXPECT_EQ(quarter, (HeadingVector{-v.y, v.x}));
-    const double off = std::remainder(heading_angle(h) - h * std::numbers::pi / 32, 2 * std::numbers::pi) * 180 / std::numbers::pi;
+    const double off =
+        std::remainder(heading_angle(h) - h * std::numbers::pi / 32, 2 * std::numbers::pi) * 180 / std::numbers::pi;
     EXPECT_LE(std::abs(off), h % 16 == 8 ? 0.24 : 0.19) << h;
     EXPECT_EQ(nearest_heading(heading_angle(h) + 4 * std::numbers::pi), h);
     if (h % 16 != 8) {

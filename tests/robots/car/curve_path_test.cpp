@@ -21,7 +21,9 @@ constexpr double kPi = std::numbers::pi;
 /// Draws that are the same everywhere.
 class Draws {
  public:
-  double between(double low, double high) { return low + (high - low) * static_cast<double>(engine_() >> 8) / (1 << 24); }
+  double between(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine_() >> 8) / (1 << 24);
+  }
   int below(int n) { return static_cast<int>(engine_() % static_cast<unsigned>(n)); }
   Pose pose() {
     const double x = between(-4, 4), y = between(-4, 4);
@@ -41,7 +43,9 @@ Pose integrated(const CurvePath& path) {
   Pose pose = path.from();
   for (const CurveSegment& s : path.segments()) {
     constexpr int kSteps = 4000;
-    const double step = s.length / kSteps, curvature = s.kind == Kind::left ? 1 / path.radius() : s.kind == Kind::right ? -1 / path.radius() : 0;
+    const double step = s.length / kSteps, curvature = s.kind == Kind::left    ? 1 / path.radius()
+                                                       : s.kind == Kind::right ? -1 / path.radius()
+                                                                               : 0;
     for (int i = 0; i < kSteps; ++i) {
       const double middle = pose.heading + curvature * step / 2;
       pose = {pose.x + step * std::cos(middle), pose.y + step * std::sin(middle), pose.heading + curvature * step};
@@ -135,7 +139,7 @@ TEST(Dubins, IsNotSymmetric) {
 TEST(Dubins, KnowsItsLimits) {
   EXPECT_EQ(dubins_path({1, 2, 3}, {1, 2, 3}, 1).length(), 0);
   EXPECT_EQ(reeds_shepp_path({1, 2, 3}, {1, 2, 3}, 1).length(), 0);
-  EXPECT_NEAR(dubins_path({0, 0, 0}, {0, 2, kPi}, 1).length(), kPi, 1e-9);  // half a circle
+  EXPECT_NEAR(dubins_path({0, 0, 0}, {0, 2, kPi}, 1).length(), kPi, 1e-9);     // half a circle
   EXPECT_NEAR(reeds_shepp_path({0, 0, 0}, {-2, 0, 0}, 1).length(), 2, 1e-12);  // straight back
   EXPECT_EQ(reeds_shepp_path({0, 0, 0}, {-2, 0, 0}, 1).word(), "S-");
 }
