@@ -87,7 +87,7 @@ class Picture {
     const std::string place = at(p);
     const std::size_t blank = place.find(' ');
     out_ += fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{:.2f}\"/>\n", kind, place.substr(0, blank),
-                        place.substr(blank + 1), std::max(3.0, 0.4 * shape_.half_width * scale_));
+                        place.substr(blank + 1), std::clamp(0.4 * shape_.half_width * scale_, 3.0, 6.0));
   }
 
   void world() {
@@ -113,11 +113,12 @@ class Picture {
       const car::LatticePose& p = *picture_.start_pose;
       poses_.push_back({p.at.x, p.at.y, car::heading_angle(p.heading)});
     }
-    const double spacing = 0.1 * (shape_.front + shape_.back);
+    const double size = shape_.front + shape_.back;
+    spacing_ = std::min(0.1 * size, std::max(3 / scale_, 0.005 * size));
     for (const car::Leg& leg : picture_.legs) {
       const double length = car::curve_of(leg).length();
       length_ += length;
-      const int parts = std::max(1, static_cast<int>(std::ceil(length / spacing)));
+      const int parts = std::max(1, static_cast<int>(std::ceil(length / spacing_)));
       for (int i = 1; i <= parts; ++i) poses_.push_back(car::pose_on(leg, static_cast<double>(i) / parts));
     }
   }
@@ -135,7 +136,7 @@ class Picture {
 
   void sweep() {
     std::string area, some;
-    const auto every = static_cast<std::size_t>(10 * kOutlinesEvery);
+    const auto every = static_cast<std::size_t>(kOutlinesEvery * (shape_.front + shape_.back) / spacing_);
     for (std::size_t i = 0; i < poses_.size(); ++i) {
       area += outline(poses_[i]);
       if (i % every == 0) some += outline(poses_[i]);
@@ -175,7 +176,7 @@ class Picture {
   const car::CarShape& shape_;
   const WorldDrivePicture& picture_;
   Box box_;
-  double scale_ = 1, width_ = 0, height_ = 0, length_ = 0;
+  double scale_ = 1, width_ = 0, height_ = 0, length_ = 0, spacing_ = 1;
   std::vector<Pose> poses_;
   std::string out_;
 };

@@ -117,8 +117,10 @@ std::vector<Line> lines_of(const Piece& piece, const CarShape& shape, const Segm
   const Place left = turned(piece.along);
   std::vector<Line> lines(6);
   for (const Point end : {wall.a, wall.b}) {
-    const auto [x, y] = piece.moved(place(end), -1);
-    const auto along = [&](const Place& axis) { return axis.x * x + axis.y * y - inner(axis, piece.at) * weight; };
+    const std::pair<Quadratic, Quadratic> moved = piece.moved(place(end), -1);
+    const auto along = [&](const Place& axis) {
+      return axis.x * moved.first + axis.y * moved.second - inner(axis, piece.at) * weight;
+    };
     const Quadratic ahead = along(piece.along), aside = along(left);
     const mpq_class front(shape.front), back(shape.back), half(shape.half_width);
     lines[0].push_back(ahead - front * weight);

@@ -34,12 +34,12 @@ struct Approx {
   }
   /// Precondition: b is certainly not 0.
   friend Approx operator/(Approx a, Approx b) {
-    const double v = a.v / b.v;
-    return rounded(v, (a.e + std::abs(v) * b.e) / (std::abs(b.v) - b.e) + kTiny);
+    const double value = a.v / b.v;
+    return rounded(value, (a.e + std::abs(value) * b.e) / (std::abs(b.v) - b.e) + kTiny);
   }
 
  private:
-  static Approx rounded(double v, double e) { return {v, e + kUnit * std::abs(v)}; }
+  static Approx rounded(double value, double error) { return {value, error + kUnit * std::abs(value)}; }
 };
 
 /// A polynomial in an infinitesimal eps > 0 with rational coefficients, ordered by its lowest one that is not 0.
