@@ -109,11 +109,9 @@ PlannedDrive planned_drive(const CarSpace& space, const DriveQuery& query) {
     const SearchLimits rest{query.limits.expansions - result.expanded, query.limits.seconds - gone.count()};
     detail::search_drive(space, query, starts, lattice, geodesic, rest, result);
   }
-  if (result.status == SearchStatus::found && query.shorten) {
+  if (result.status == SearchStatus::found && query.shorten)
     result.legs = detail::shortened(space, std::move(result.legs));
-    result.length = 0;
-    for (const Leg& leg : result.legs) result.length += curve_of(leg).length();
-  }
+  for (const Leg& leg : result.legs) result.length += curve_of(leg).length();
   return result;
 }
 

@@ -42,7 +42,7 @@ struct PlannedDrive {
 ///     lead onto it and off it.
 ///  2. none is proven, for any car of this size however it turns: not even the disc inside it gets through (disc_passage). stopped: no drive was found, which proves nothing: the limits were reached,
 ///     or kLattices lattices, each twice as fine as the one before, hold none.
-///  3. On its lattice (nodes `step` apart, legs as the header of the planner's lattice lists them) the drive is at most `weight` times as long as the shortest. The heuristic is the
+///  3. On its lattice (nodes `step` apart, legs as the header of the planner's lattice lists them) the drive is at most `weight` times as long as the shortest, to 1e-9; of equally long ones it goes forward. The heuristic is the
 ///     shortest way of the inner disc around the walls, a proven lower bound; with a goal heading also the shortest Reeds-Shepp (Dubins, for a car that
 ///     cannot reverse) path without walls.
 ///  4. With `shorten` runs of legs are replaced by shorter ones off the lattice, as exact and as free: the zigzag of a coarse lattice goes. The drive gets no longer.

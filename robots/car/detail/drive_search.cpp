@@ -16,6 +16,7 @@ namespace taut::car::detail {
 namespace {
 
 constexpr std::uint32_t kRoot = 0xffffffff;
+constexpr double kBackward = 1 + 1e-9;      // of drives as long as each other the one that goes forward is taken
 constexpr double kNearGoal = 8;             // radii: further off the heading makes little difference
 constexpr std::size_t kBetweenLooks = 256;  // expansions between looks at the clock
 
@@ -155,6 +156,8 @@ class Search {
     return std::max(ahead, (1 - 1e-9) * least);
   }
 
+  static double cost(const Leg& leg, double length) { return leg.backward ? kBackward * length : length; }
+
   void push(const Node& node) {
     if (!(node.ahead < 1e300)) return;
     const auto index = static_cast<std::uint32_t>(nodes_.size());
@@ -188,7 +191,8 @@ class Search {
       for (const Leg& leg : legs_onto(lattice_, space_.shape(), node.pose)) {
         ++result_.tested;
         if (space_.is_clear(leg))
-          push({leg.to, node.length + curve_of(leg).length(), ahead_at_node(leg.to), index, leg.backward, false, true});
+          push({leg.to, node.length + cost(leg, curve_of(leg).length()), ahead_at_node(leg.to), index, leg.backward,
+                false, true});
       }
       return;
     }
@@ -199,7 +203,7 @@ class Search {
           node.pose,
           {{node.pose.at.x + p.di * lattice_.step, node.pose.at.y + p.dj * lattice_.step}, p.leg.leg().to.heading},
           p.leg.leg().backward};
-      const double length = node.length + p.leg.length();
+      const double length = node.length + cost(leg, p.leg.length());
       if (is_known(leg.to, length)) continue;
       const double ahead = ahead_at_node(leg.to);
       if (!(ahead < 1e300)) continue;
@@ -217,14 +221,13 @@ class Search {
       for (const Leg& leg : legs_to(space_.shape(), node.pose, goal, goal_headings_)) {
         ++result_.tested;
         if (space_.is_clear(leg))
-          push({leg.to, node.length + curve_of(leg).length(), 0, index, leg.backward, false, false});
+          push({leg.to, node.length + cost(leg, curve_of(leg).length()), 0, index, leg.backward, false, false});
       }
     }
   }
 
   void accept(std::uint32_t last) {
     result_.status = SearchStatus::found;
-    result_.length = nodes_[last].length;
     result_.legs.clear();
     std::uint32_t n = last;
     for (; nodes_[n].parent != kRoot; n = nodes_[n].parent)
