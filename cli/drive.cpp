@@ -1,4 +1,4 @@
-// taut drive: a car through a maze whose roadblocks show only from near.
+// taut drive: a car through a maze whose roadblocks show only from near; with --car, any car in any world.
 #include <fmt/format.h>
 #include <CLI/Error.hpp>
 #include <nlohmann/json.hpp>
@@ -12,6 +12,7 @@
 
 #include <taut/cli/command.h>
 #include <taut/cli/drive_svg.h>
+#include <taut/cli/drive_world.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
@@ -40,6 +41,7 @@ struct DriveOptions {
   bool show_values = false;
   bool controls = false;
   bool quiet = false;
+  WorldDriveOptions world;
   CommonOptions common;
 };
 
@@ -77,13 +79,17 @@ void require_consistent(const DriveOptions& options) {
     throw CLI::ValidationError("only one of --sample, --all and --open");
   if (options.svg == "-" && options.json == "-")
     throw CLI::ValidationError("only one of --svg and --json can have standard output");
+  if (options.world.car && (options.sample || options.all || !options.bits.empty() || options.controls))
+    throw CLI::ValidationError("--car drives in a world of walls: not with --sample, --all, --open or --controls");
+  if (!options.world.car && !options.world.first().empty())
+    throw CLI::ValidationError(options.world.first() + " needs --car: a roadblock map says where its own car starts");
   if (!options.svg.empty() && options.all) throw CLI::ValidationError("--svg draws one drive: give --sample I");
   if (options.animate && options.svg.empty()) throw CLI::ValidationError("--animate needs --svg");
   if (options.show_values && options.svg.empty()) throw CLI::ValidationError("--show-values needs --svg");
 }
 
 void add_options(CLI::App& app, DriveOptions& options) {
-  app.add_option("MAP", options.file, "A roadblock map; - is standard input")->required();
+  add_world_drive_options(app, options.world);
   app.add_option("--sample", options.sample, "Drive this sample of the file (default: its first)")->type_name("I");
   app.add_flag("--all", options.all, "Drive all samples of the file");
   app.add_option("--open", options.bits, "Drive with these roadblocks open, as 101 for A and C")->type_name("BITS");
@@ -112,7 +118,10 @@ void add_options(CLI::App& app, DriveOptions& options) {
       ->group("Output");
   app.add_flag("--controls", options.controls, "Put each drive's controls into the JSON")->group("Output");
   app.add_flag("-q,--quiet", options.quiet, "Print no table")->group("Output");
-  app.callback([&options] { require_consistent(options); });
+  app.callback([&options] {
+    options.file = options.world.world.file;
+    require_consistent(options);
+  });
 }
 
 std::vector<car::Sample> chosen_samples(const DriveOptions& options, const car::RoadMap& map, const std::string& name) {
@@ -264,7 +273,11 @@ int run(const DriveOptions& options) {
   require_writable(options.json);
   begin_stage("read");
   const std::string name = options.file == "-" ? "<stdin>" : options.file;
-  const car::RoadMap map = car::read_road_map(read_bytes(options.file), name);
+  const std::string bytes = read_bytes(options.file);
+  if (options.world.car)
+    return drive_in_world(options.world, bytes, name, {options.svg, options.json, options.animate, options.quiet});
+  require_road_map(bytes, name);
+  const car::RoadMap map = car::read_road_map(bytes, name);
   car::require_start_free(map.course, options.walls, name);
   begin_stage("drive");
   car::LatticePlanner planner(map.course, options.walls);

@@ -1,0 +1,50 @@
+// taut drive --car: a general car in a world of walls and polygons.
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <taut/cli/options.h>
+#include <taut/robots/car/car_planner.h>
+
+namespace taut::cli {
+
+/// A place, and a heading in degrees where one is given.
+struct DriveEnd {
+  Point at;
+  std::optional<double> degrees;
+};
+
+struct WorldDriveOptions {
+  WorldOptions world;
+  std::optional<car::CarShape> car;  ///< --car: without it FILE is a roadblock map
+  std::optional<DriveEnd> from;
+  std::optional<DriveEnd> to;
+  double weight = 1.05;
+
+  /// The first option that makes no sense for a roadblock map; empty when none is given.
+  std::string first() const;
+};
+
+/// FILE, --car, --from, --to, --weight and those of a world.
+void add_world_drive_options(CLI::App& app, WorldDriveOptions& options);
+
+/// What `taut drive` writes, whatever it drives in.
+struct DriveOutput {
+  std::string svg, json;
+  bool animate = false;
+  bool quiet = false;
+};
+
+/// Throws InputError, with what helps, when these bytes are no roadblock map but a world that a general car could drive in. What is neither is left to the reader.
+/// A roadblock map has a line that begins with the word `grid` or `roadblock`.
+void require_road_map(std::string_view bytes, const std::string& name);
+
+/// Plans, checks independently, writes. Gives the exit code.
+int drive_in_world(const WorldDriveOptions& options, std::string_view bytes, const std::string& name,
+                   const DriveOutput& output);
+
+}  // namespace taut::cli

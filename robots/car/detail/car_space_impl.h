@@ -1,0 +1,28 @@
+// What a CarSpace is made of. Private.
+#pragma once
+
+#include <vector>
+
+#include <taut/geometry/detail/box_index.h>
+#include <taut/roadmaps/detail/gate_walls.h>
+#include <taut/robots/car/car_space.h>
+#include <taut/robots/car/detail/prepared_leg.h>
+
+namespace taut::car {
+
+struct CarSpace::Impl {
+  Impl(FreeSpace free_space, const CarShape& car);
+
+  /// The walls whose boxes meet `box`, relative to `origin`.
+  void walls_near(const Box& box, Point origin, std::vector<detail::NearWall>& near) const;
+
+  /// Is the way free of these walls, and of all openings? `at` is the leg where it is.
+  bool is_clear(const detail::PreparedLeg& leg, const Leg& at, const std::vector<detail::NearWall>& near) const;
+
+  taut::detail::GateWalls walls;
+  CarShape shape;
+  std::vector<std::uint32_t> openings;
+  taut::detail::BoxIndex opening_boxes;
+};
+
+}  // namespace taut::car
