@@ -64,6 +64,9 @@ TEST(TangentBug, GoesOnUntilWhatBlocksItIsInRange) {
   ASSERT_EQ(j.hits.size(), 1U);
   EXPECT_NEAR(j.hits[0].at.x, 1.5, 1e-8);
   EXPECT_EQ(j.hits[0].at.y, 5);
+  // All corners are farther away than it sees.
+  EXPECT_EQ(j.obstacles[0].legs, 0U);
+  EXPECT_EQ(j.minima.size(), 1U);
 }
 
 //   +-----------+
