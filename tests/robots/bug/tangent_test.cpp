@@ -96,6 +96,19 @@ TEST(TangentBug, FollowsAPocketUntilItSeesSomethingNearerThanTheWholeOfIt) {
   EXPECT_EQ(j.path.length, shortest_path(pocket, {4, 5}, {9, 5})->length);
 }
 
+//       |   +-+      from the wall's upper end the box is nearer to the goal than the wall, but out of range: the robot leaves
+//   S   |   +-+  G   where it only has to touch, on the far side of the wall
+//       |
+TEST(TangentBug, LeavesForCornersWithinItsRangeOnly) {
+  const FreeSpace space = SmallWorld{.walls = {{{4, 2}, {4, 8}}}, .solids = {box_ring(6, 7.5, 7, 8.5)}}.space();
+  const Journey near = travel(space, {1, 5}, {9, 5}, sees(0.5));
+  ASSERT_EQ(near.leaves.size(), 1U);
+  EXPECT_EQ(near.leaves[0].at, (Point{4, 5}));
+  const Journey far = travel(space, {1, 5}, {9, 5}, sees(2.5));
+  ASSERT_EQ(far.leaves.size(), 1U);
+  EXPECT_EQ(far.leaves[0].at, (Point{4, 8}));
+}
+
 // A convex polygon with corners on a circle. The rule has no memory: at its first corner the robot may find the other way round more
 // promising, and turn back.
 TEST(TangentBug, IsTautAroundAConvexObstacleUnlessItTurnsBack) {
