@@ -46,7 +46,7 @@ TEST(BugCommand, PrintsTheShortestLengthAndTheRatioBesideTangentBugs) {
   EXPECT_EQ(json["ratio"], 1);
   EXPECT_GE(json["bound"], json["length"]);
   const Outcome touch = run_taut("bug - --algorithm tangent --range 0", kRoom);
-  EXPECT_THAT(touch.out, testing::HasSubstr("tangent bug, range 0, length 3.414214"));
+  EXPECT_THAT(touch.out, testing::HasSubstr("tangent bug, range 0, length 4.000000"));
   EXPECT_EQ(run_taut("bug - --algorithm tangent", kSealed).code, 1);
 }
 

@@ -64,6 +64,9 @@ TEST(TangentBug, GoesOnUntilWhatBlocksItIsInRange) {
   ASSERT_EQ(j.hits.size(), 1U);
   EXPECT_NEAR(j.hits[0].at.x, 1.5, 1e-8);
   EXPECT_EQ(j.hits[0].at.y, 5);
+  // All corners are farther away than it sees.
+  EXPECT_EQ(j.obstacles[0].legs, 0U);
+  EXPECT_EQ(j.minima.size(), 1U);
 }
 
 //   +-----------+
@@ -91,6 +94,19 @@ TEST(TangentBug, FollowsAPocketUntilItSeesSomethingNearerThanTheWholeOfIt) {
   EXPECT_EQ(j.minima[0].at, (Point{4, 5}));
   EXPECT_THAT(j.path.points, ElementsAre(Point{4, 5}, Point{2, 7}, Point{6, 7}, Point{9, 5}));
   EXPECT_EQ(j.path.length, shortest_path(pocket, {4, 5}, {9, 5})->length);
+}
+
+//       |   +-+      from the wall's upper end the box is nearer to the goal than the wall, but out of range: the robot leaves
+//   S   |   +-+  G   where it only has to touch, on the far side of the wall
+//       |
+TEST(TangentBug, LeavesForCornersWithinItsRangeOnly) {
+  const FreeSpace space = SmallWorld{.walls = {{{4, 2}, {4, 8}}}, .solids = {box_ring(6, 7.5, 7, 8.5)}}.space();
+  const Journey near = travel(space, {1, 5}, {9, 5}, sees(0.5));
+  ASSERT_EQ(near.leaves.size(), 1U);
+  EXPECT_EQ(near.leaves[0].at, (Point{4, 5}));
+  const Journey far = travel(space, {1, 5}, {9, 5}, sees(2.5));
+  ASSERT_EQ(far.leaves.size(), 1U);
+  EXPECT_EQ(far.leaves[0].at, (Point{4, 8}));
 }
 
 // A convex polygon with corners on a circle. The rule has no memory: at its first corner the robot may find the other way round more
