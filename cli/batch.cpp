@@ -139,8 +139,11 @@ class Batch {
       const std::optional<QueryLine> query = query_line(line, source.name(), number);
       if (!query) continue;
       answer(space, search, *query, source.name());
-      if (is_worth_landmarks(polyanya)) search = PolyanyaSearch(polyanya = polyanya.with_landmarks());
       if (out_.size() >= kBlock || source.may_wait()) flush();
+      if (!is_worth_landmarks(polyanya)) continue;
+      const Stopwatch watch;
+      search = PolyanyaSearch(polyanya = polyanya.with_landmarks());
+      prepared_ += watch.seconds();
     }
     flush();
     finish();
