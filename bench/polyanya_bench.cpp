@@ -34,6 +34,7 @@ struct Case {
 };
 
 constexpr double kOpened = 0.1;
+constexpr std::size_t kLandmarks = 8;
 
 Case maze(int cells, double opened) {
   auto grid = std::make_shared<GridMaze>(generate_backtracker(cells, cells, 1));
@@ -78,9 +79,10 @@ bool is_right(const Case& on, std::size_t pairs) {
   return true;
 }
 
-void query(benchmark::State& state, const Case& on, std::size_t checked) {
+void query(benchmark::State& state, const Case& on, std::size_t checked, std::size_t landmarks = 0) {
   if (!is_right(on, checked)) return state.SkipWithError("not the exact length");
-  PolyanyaSearch search{Polyanya(on.space)};
+  const Polyanya plain(on.space);
+  PolyanyaSearch search(landmarks > 0 ? plain.with_landmarks(landmarks) : plain);
   std::size_t i = 0, expanded = 0, queries = 0;
   for (auto _ : state) {
     const Pair& pair = on.pairs[i];
@@ -97,17 +99,26 @@ void query(benchmark::State& state, const Case& on, std::size_t checked) {
 void BM_Query(benchmark::State& state) { query(state, maze_case(state, kOpened), 20); }
 void BM_QueryPerfect(benchmark::State& state) { query(state, maze_case(state, 0), 20); }
 
-/// Mesh and first query.
-void BM_First(benchmark::State& state) {
-  const Case& on = maze_case(state, kOpened);
-  for (auto _ : state)
-    benchmark::DoNotOptimize(shortest_path(Polyanya(on.space), on.pairs[0].from, {on.pairs[0].to, {}}));
+void BM_QueryLandmarks(benchmark::State& state) { query(state, maze_case(state, kOpened), 20, kLandmarks); }
+
+/// The mesh between the ends, and the query.
+void first(benchmark::State& state, double opened) {
+  const Case& on = maze_case(state, opened);
+  const Pair& pair = on.pairs[0];
+  for (auto _ : state) benchmark::DoNotOptimize(shortest_path(on.space, pair.from, pair.to));
 }
-void BM_GraphFirst(benchmark::State& state) {
-  const Case& on = maze_case(state, kOpened);
+void graph_first(benchmark::State& state, double opened) {
+  const Case& on = maze_case(state, opened);
+  const Pair& pair = on.pairs[0];
+  const auto expected = shortest_path(on.space, pair.from, pair.to);
   for (auto _ : state)
-    benchmark::DoNotOptimize(shortest_path(VisibilityGraph(on.space), on.pairs[0].from, {on.pairs[0].to, {}}));
+    if (shortest_path(VisibilityGraph(on.space), pair.from, {pair.to, {}}).path.length != expected->length)
+      return state.SkipWithError("the lengths do not agree");
 }
+void BM_First(benchmark::State& state) { first(state, kOpened); }
+void BM_FirstPerfect(benchmark::State& state) { first(state, 0); }
+void BM_GraphFirst(benchmark::State& state) { graph_first(state, kOpened); }
+void BM_GraphFirstPerfect(benchmark::State& state) { graph_first(state, 0); }
 
 /// Of the other searches: what they find is no shorter, and as long where it is exact.
 template <typename Search>
@@ -167,6 +178,13 @@ void register_maps() {
     benchmark::RegisterBenchmark(("BM_Query/" + name).c_str(), [on](benchmark::State& state) {
       query(state, *on(), 20);
     })->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark(("BM_QueryLandmarks/" + name).c_str(), [on](benchmark::State& state) {
+      query(state, *on(), 20, kLandmarks);
+    })->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark(("BM_Landmarks/" + name).c_str(), [on](benchmark::State& state) {
+      const Polyanya plain(on()->space);
+      for (auto _ : state) benchmark::DoNotOptimize(plain.with_landmarks(kLandmarks));
+    })->Unit(benchmark::kMillisecond);
     benchmark::RegisterBenchmark(("BM_Mesh/" + name).c_str(), [on](benchmark::State& state) {
       const auto made = on();
       std::size_t polygons = 0;
@@ -188,10 +206,13 @@ void register_maps() {
 [[maybe_unused]] const bool kRegistered = (register_maps(), true);
 
 BENCHMARK(BM_Query)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_QueryLandmarks)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_QueryPerfect)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_GraphQuery)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_CellsQuery)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
-BENCHMARK(BM_First)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
-BENCHMARK(BM_GraphFirst)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_First)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Arg(1000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_FirstPerfect)->Arg(25)->Arg(100)->Arg(300)->Arg(1000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_GraphFirst)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Arg(1000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_GraphFirstPerfect)->Arg(25)->Arg(100)->Arg(300)->Arg(1000)->Unit(benchmark::kMicrosecond);
 
 }  // namespace

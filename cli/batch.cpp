@@ -146,8 +146,11 @@ class Batch {
                          fmt::format("is for a map of {} x {} cells, {} has {} x {}", query->map.x, query->map.y,
                                      input.name, box.max.x, box.max.y));
       answer(space, search, *query, source.name());
-      if (is_worth_landmarks(polyanya)) search = PolyanyaSearch(polyanya = polyanya.with_landmarks());
       if (out_.size() >= kBlock || source.may_wait()) flush();
+      if (!is_worth_landmarks(polyanya)) continue;
+      const Stopwatch watch;
+      search = PolyanyaSearch(polyanya = polyanya.with_landmarks());
+      prepared_ += watch.seconds();
     }
     flush();
     finish();

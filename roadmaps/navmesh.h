@@ -41,9 +41,9 @@ struct Navmesh {
 
   /// How the blocks hang together: from any polygon up to a root of its component.
   struct BlockTree {
-    std::vector<std::uint32_t> above;  ///< polygon -> the block towards the root, kNone at the root
-    std::vector<std::uint32_t> depth;  ///< polygon -> how many blocks lie between it and the root
-    std::vector<std::uint32_t> top;    ///< block -> its polygon nearest to the root
+    std::vector<std::uint32_t> above;   ///< polygon -> the block towards the root, kNone at the root
+    std::vector<std::uint32_t> depth;   ///< polygon -> how many blocks lie between it and the root
+    std::vector<std::uint32_t> top;     ///< block -> its polygon nearest to the root
     std::vector<std::uint32_t> bridge;  ///< block -> a corner of its only portal, kNone when it has several
   };
 

@@ -51,7 +51,8 @@ class Polyanya {
 /// Throws InputError when an end is no place for the robot.
 ///
 /// Cost: a node of the search is a cone of sight through a portal. Only the part of the mesh that lies between start and goal is
-/// entered: what hangs on it by a single polygon (dead ends, side rooms) is not looked at. In a maze without loops that is the corridor alone.
+/// entered: what hangs on it by a single polygon (dead ends, side rooms) is not looked at. In a maze without loops that is the corridor alone, and
+/// a string pulled taut along it instead of a search.
 /// Source: Cui, Harabor, Grastien, "Compromise-free Pathfinding on a Navigation Mesh" (IJCAI 2017). Different here: ends of intervals
 /// are rays through corners and are never rounded; roots are sectors of vertices; turns are queued of their own.
 class PolyanyaSearch {

@@ -19,8 +19,7 @@ std::uint32_t first_bend(const FreeSpace& space, const Navmesh& mesh) {
     return space.component(space.triangulation().sectors[bend.sector].triangle);
   };
   for (const Navmesh::Bend& bend : mesh.bends) ++count[component(bend)];
-  const auto largest =
-      static_cast<std::uint32_t>(std::max_element(count.begin(), count.end()) - count.begin());
+  const auto largest = static_cast<std::uint32_t>(std::max_element(count.begin(), count.end()) - count.begin());
   const auto at = std::find_if(mesh.bends.begin(), mesh.bends.end(),
                                [&](const Navmesh::Bend& bend) { return component(bend) == largest; });
   return static_cast<std::uint32_t>(at - mesh.bends.begin());

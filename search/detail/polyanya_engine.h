@@ -1,6 +1,7 @@
 // The search of Polyanya: cones of sight from roots, through portals.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -131,6 +132,11 @@ class PolyanyaEngine {
     int from_left(Point p) const { return left_sign * side_of(origin, left_through, p); }
   };
 
+  static double distance(Point p, Point q) {
+    const double dx = p.x - q.x, dy = p.y - q.y;
+    return std::sqrt(dx * dx + dy * dy);
+  }
+
   /// Of the length of a way: to `before`, then `leg`; `length` is the sum.
   static double error_of(const Root& before, double leg, double length) {
     return before.error + 0x1p-50 * leg + 0x1p-52 * length + 1e-150;
@@ -161,7 +167,6 @@ class PolyanyaEngine {
 
   bool take();
   void push(const Node& node);
-  Node pop_top();
 
   void look_around(std::span<const std::uint32_t> polygons);
   void look_through();

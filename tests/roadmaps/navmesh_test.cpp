@@ -5,8 +5,8 @@
 #include <memory>
 #include <set>
 
-#include <taut/geometry/predicates.h>
 #include <taut/geometry/maze_generator.h>
+#include <taut/geometry/predicates.h>
 #include <taut/roadmaps/navmesh.h>
 
 #include "support/random_world.h"

@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <optional>
+
+#include <taut/geometry/errors.h>
 #include <taut/search/polyanya.h>
 #include <taut/search/shortest_path.h>
 #include <taut/search/verify.h>
@@ -18,6 +21,15 @@ Point any_place(int side) {
   const int fine = any(0, 2) == 0 ? 1 : 4;
   const int x = any(0, side * fine), y = any(0, side * fine);
   return {static_cast<double>(x) / fine, static_cast<double>(y) / fine};
+}
+
+/// Nothing where walls meet more sharply than doubles can say: FreeSpace refuses these.
+std::optional<FreeSpace> space_of(const SmallWorld& world) {
+  try {
+    return world.space();
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 /// Both give the same status and exactly the same length, and the path passes its check.
@@ -37,7 +49,9 @@ void expect_agreement(const VisibilityGraph& graph, PolyanyaSearch& search, Poin
 }
 
 void agree_in(const SmallWorld& world, int queries) {
-  const FreeSpace space = world.space();
+  const auto made = space_of(world);
+  if (!made) return;
+  const FreeSpace& space = *made;
   const VisibilityGraph graph(space);
   PolyanyaSearch merged{Polyanya(space)}, triangles{Polyanya(space, triangle_navmesh(space))},
       landmarks{Polyanya(space).with_landmarks(3)};
@@ -67,7 +81,9 @@ RC_GTEST_PROP(PolyanyaProperty, IsAsLongAsInTheVisibilityGraphWhereEverythingIsR
 
 RC_GTEST_PROP(PolyanyaProperty, EntersARoomWhereTheVisibilityGraphDoes, ()) {
   const SmallWorld world = any_world({.side = 6, .walls = 12, .solids = 2});
-  const FreeSpace space = world.space();
+  const auto made = space_of(world);
+  if (!made) return;
+  const FreeSpace& space = *made;
   const VisibilityGraph graph(space);
   PolyanyaSearch search{Polyanya(space)};
   for (int n = 0; n < 8; ++n) {
@@ -103,7 +119,9 @@ RC_GTEST_PROP(PolyanyaProperty, IsAsLongAsInTheVisibilityGraphOffEveryLattice, (
 
 RC_GTEST_PROP(PolyanyaProperty, FindsTheNearestOfSeveralGoalsAndEachOfThem, ()) {
   const SmallWorld world = any_world({.side = 6, .walls = 12, .solids = 2});
-  const FreeSpace space = world.space();
+  const auto made = space_of(world);
+  if (!made) return;
+  const FreeSpace& space = *made;
   const auto mesh = [&] { return any(0, 1) == 0 ? navmesh(space) : triangle_navmesh(space); };
   PolyanyaSearch one{Polyanya(space)}, all{Polyanya(space, mesh())};
   const Point from = any_place(6);
