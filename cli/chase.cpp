@@ -95,8 +95,7 @@ struct ChaseOptions {
 };
 
 void require_one_stdout(const ChaseOptions& options) {
-  const auto taken = {options.output.svg == "-", options.output.json == "-", options.animation == "-"};
-  if (std::count(taken.begin(), taken.end(), true) > 1)
+  if ((options.output.svg == "-") + (options.output.json == "-") + (options.animation == "-") > 1)
     throw CLI::ValidationError("only one of --svg, --animate and --json can have standard output");
 }
 
@@ -253,10 +252,8 @@ void add_generate_options(CLI::App& app, GenerateOptions& options) {
   app.add_flag("--costly", options.recipe.costly,
                "Hills of cost 1 to 100, in a building costs that rise towards walls; else every free cell costs 1")
       ->group("Map");
-  app.add_flag_callback(
-         "--building", [&options] { options.recipe.ground = ChaseGround::building; },
-         "One building of corridors and rooms instead of a town")
-      ->group("Map");
+  const auto build = [&options] { options.recipe.ground = ChaseGround::building; };
+  app.add_flag_callback("--building", build, "One building of corridors and rooms instead of a town")->group("Map");
   app.add_option("--inflation", options.recipe.inflation,
                  "In a costly building a cell costs 1 + 10 for each cell of wall so near in x and y (default: 12)")
       ->type_name("CELLS")

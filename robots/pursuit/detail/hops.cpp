@@ -93,8 +93,18 @@ std::vector<CellIndex> cheapest_way(const ChaseMap& map, CellIndex from, CellInd
   }
   if (least[from] == ~std::uint64_t{0}) return {};
   std::vector<CellIndex> way{from};
-  while (way.back() != to)
-    way.push_back(static_cast<CellIndex>(static_cast<std::ptrdiff_t>(way.back()) - steps[onward[way.back()]]));
+  while (way.back() != to) {
+    const CellIndex cell = way.back();
+    std::ptrdiff_t step = -steps[onward[cell]];
+    for (const std::ptrdiff_t s :
+         steps) {  // straight ones first, where they are as good; cells of no cost could lead around in circles
+      const std::uint64_t rest = least[static_cast<CellIndex>(static_cast<std::ptrdiff_t>(cell) + s)];
+      if (rest >= least[cell] || rest + map.cost(cell) != least[cell]) continue;
+      step = s;
+      break;
+    }
+    way.push_back(static_cast<CellIndex>(static_cast<std::ptrdiff_t>(cell) + step));
+  }
   return way;
 }
 

@@ -91,7 +91,7 @@ Cost least_by_labels(const Chase& chase, Cost u, std::size_t most_labels) {
   detail::Workspace work;
   work.chase = &chase;
   work.steps = detail::neighbour_steps(*chase.map);
-  work.bits = std::bit_width(static_cast<unsigned>(chase.meetings.back().second)) + 1;
+  work.bits = static_cast<int>(std::bit_width(static_cast<unsigned>(chase.meetings.back().second))) + 1;
   work.hops = detail::hops_from(*chase.map, chase.from, detail::kNoLimit);
   work.latest = work.latest_for(chase.meetings, 0);
   work.is_target.assign(chase.map->index_count(), 0);
