@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
+#include <cstddef>
 
 namespace taut::car {
 
@@ -29,7 +29,10 @@ class PlannedDriver : public Driver {
  private:
   /// What goes on as before is no new plan.
   void follow(const Plan* plan) {
-    if (plan_ && !(plan && std::ranges::equal(plan->controls, plan_->controls | std::views::drop(at_)))) ++replans_;
+    if (plan_ &&
+        !(plan && std::equal(plan->controls.begin(), plan->controls.end(),
+                             plan_->controls.begin() + static_cast<std::ptrdiff_t>(at_), plan_->controls.end())))
+      ++replans_;
     plan_ = plan;
     at_ = 0;
   }

@@ -19,7 +19,7 @@ constexpr std::size_t kMostKnown =
 constexpr double kNear = 3;  // more than half the car's diagonal, half a square's and a step
 
 /// From coarse to fine: the next one is asked only when there is no way in the former.
-constexpr std::array<detail::Lattice, 2> kLattices{{{4, 4, 0.02}, {10, 2, kMargin}}};
+constexpr std::array<detail::Lattice, 2> kLattices{{{4, 4, 0.02, 1'000'000}, {10, 2, kMargin, 600'000}}};
 
 }  // namespace
 
@@ -103,13 +103,28 @@ struct LatticePlanner::Impl {
     return plan;
   }
 
+  bool is_hopeless_from_start(const Pose& from, RoadblockSet closed) {
+    const Pose start{course.start.x, course.start.y, 0};
+    return from != start && !plan(start, closed);
+  }
+
+  const Plan* plan(const Pose& from, RoadblockSet closed) {
+    const std::tuple key{from.x, from.y, from.heading, closed};
+    auto at = kept.find(key);
+    if (at == kept.end()) at = kept.emplace(key, found(from, closed)).first;
+    return at->second ? &*at->second : nullptr;
+  }
+
   std::optional<Plan> search(const Pose& from, RoadblockSet closed) {
-    const Known& what = known(closed);
-    if (!what.disc.reaches({from.x, from.y})) return std::nullopt;
+    if (!known(closed).disc.reaches({from.x, from.y})) return std::nullopt;
     ++plans;
-    for (const detail::Lattice& lattice : kLattices)
-      if (const auto plan = detail::lattice_search(what.obstacles, what.disc, what.distance, lattice, from, expanded))
-        return detail::with_shortcuts(from, *plan, what.obstacles, lattice.slack);
+    for (const detail::Lattice& lattice : kLattices) {
+      // The car came from the start: where that has no way, neither has this, and the fine lattice takes long to say so.
+      if (&lattice == &kLattices.back() && is_hopeless_from_start(from, closed)) return std::nullopt;
+      if (const auto plan = detail::lattice_search(known(closed).obstacles, known(closed).disc, known(closed).distance,
+                                                   lattice, from, expanded))
+        return detail::with_shortcuts(from, *plan, known(closed).obstacles, lattice.slack);
+    }
     return std::nullopt;
   }
 
@@ -127,12 +142,7 @@ LatticePlanner::LatticePlanner(const Course& course, WallReading reading)
 
 LatticePlanner::~LatticePlanner() = default;
 
-const Plan* LatticePlanner::plan(const Pose& from, RoadblockSet closed) {
-  const std::tuple key{from.x, from.y, from.heading, closed};
-  auto at = impl_->kept.find(key);
-  if (at == impl_->kept.end()) at = impl_->kept.emplace(key, impl_->found(from, closed)).first;
-  return at->second ? &*at->second : nullptr;
-}
+const Plan* LatticePlanner::plan(const Pose& from, RoadblockSet closed) { return impl_->plan(from, closed); }
 
 void LatticePlanner::adopt(const Plan& plan, std::size_t steps, RoadblockSet shut) {
   const Pose& there = plan.poses[steps - 1];

@@ -30,7 +30,8 @@ bool crosses(const Pose& from, const Plan& plan, const Roadblock& block, WallRea
 ///     strictly a lower bound: plans are not proven to be the shortest of the lattice; they are mostly within 3 % of it.
 ///     Where even the disc cannot pass (between centres at most 2 apart in points) there is no way, and none is searched for.
 ///  4. Plans are then shortened by continuous controls (detail/shortcuts.h), which brings them below what the lattice has.
-///  5. An absent plan: none exists in the finest lattice (1/10 and 64 headings). A gap that leaves the car less play than that may be missed.
+///  5. An absent plan: none exists in the finest lattice (1/10 and 64 headings), or none was found in it by 600 000 expansions. That is no proof: a gap that leaves the car
+///     less play may be missed. Precondition: the car can have come to `from` from the course's start; where that has no way, `from` is not searched in the finest lattice.
 /// Plans are kept: the same question again costs nothing, nor does one whose answer a kept plan from there is: planned around fewer closed roadblocks, and
 /// clear of all. The estimate for a set of closed roadblocks is repaired from one with fewer closed. Same questions, same answers.
 class LatticePlanner {

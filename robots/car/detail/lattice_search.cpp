@@ -112,6 +112,7 @@ class Search {
         distance_(distance),
         from_(from),
         slack_(lattice.slack),
+        most_(lattice.most),
         primitives_(primitives(lattice)),
         bins_(obstacles.course(), lattice) {
     lay_steps();
@@ -120,10 +121,12 @@ class Search {
   std::optional<Plan> run(std::size_t& expanded) {
     Node start{from_.x, from_.y, 0, Bins::kNone, 0, 0, 0, at_goal(from_, obstacles_.course(), -kMargin)};
     push(start);
+    std::size_t done = 0;
     while (const std::optional<std::uint32_t> next = open_.pop()) {
       const Node node = nodes_[*next];
       if (node.arrived) return plan_to(*next);
       if (bins_.at(node.x, node.y, node.heading) != *next) continue;
+      if (++done > most_) return std::nullopt;
       ++expanded;
       for (std::size_t i = 0; i < primitives_.size(); ++i) extend(*next, node, i);
     }
@@ -204,6 +207,7 @@ class Search {
   const PoseDistance& distance_;
   Pose from_;
   double slack_;
+  std::size_t most_;
   std::vector<Primitive> primitives_;
   std::vector<std::vector<Pose>> steps_;
   std::vector<Node> nodes_;

@@ -11,9 +11,10 @@
 namespace taut::car::detail {
 
 struct Lattice {
-  int bins = 4;            ///< of positions, to the unit
-  int arc = 4;             ///< steps of an arc, and 128ths of a turn between headings; divides 128
-  double slack = kMargin;  ///< kept from what is closed
+  int bins = 4;                  ///< of positions, to the unit
+  int arc = 4;                   ///< steps of an arc, and 128ths of a turn between headings; divides 128
+  double slack = kMargin;        ///< kept from what is closed
+  std::size_t most = 1'000'000;  ///< states to expand: then it gives up
 };
 
 /// A*. Adds to `expanded`.
