@@ -181,8 +181,7 @@ ValuePlanner::~ValuePlanner() = default;
 
 Attempt ValuePlanner::plan(const Pose& from, RoadblockSet closed) {
   if (!impl_->room(closed).distance().reaches({from.x, from.y})) return {std::nullopt, true};
-  for (const auto& [per_unit, backs] :
-       {std::pair{1, false}, std::pair{2, false}, std::pair{4, false}, std::pair{4, true}})
+  for (const auto& [per_unit, backs] : {std::pair{2, false}, std::pair{4, false}, std::pair{4, true}})
     if (auto plan = impl_->planned(from, closed, per_unit, backs)) return {std::move(plan), false};
   return {};
 }
