@@ -25,7 +25,7 @@ class PlanTracer {
     return steps;
   }
 
-  void into(WallWeights& weights) { weights_ = &weights; }
+  void into(WallBoard& weights) { weights_ = &weights; }
 
  private:
   // Of the next stops of shortest routes, the one behind the fewest unknown walls.
@@ -54,7 +54,7 @@ class PlanTracer {
 
   const Task& task_;
   const WallMap& map_;
-  WallWeights* weights_ = nullptr;
+  WallBoard* weights_ = nullptr;
 };
 
 /// Fewer samples where each costs more: from 16 x 16 cells on, as many cells in all.
@@ -68,125 +68,122 @@ int samples_for(const Task& task, const ScoutTuning& tuning) {
 Scout::Scout(const Task& task, ScoutGoal goal, const ScoutTuning& tuning)
     : MappingRobot(task), goal_(goal), tuning_(tuning), belief_(task, samples_for(task, tuning), 20240229) {}
 
-Scout::Plans Scout::sample_plans(std::optional<int> hi, double density) {
+Scout::Plans Scout::sample_plans(std::optional<int> hi) {
   Plans plans;
   const std::size_t cells = static_cast<std::size_t>(task().width) * static_cast<std::size_t>(task().height);
   plans.weights = {std::vector<float>(cells), std::vector<float>(cells)};
   const int limit = hi.value_or(std::numeric_limits<int>::max());
+  const double scale = hi ? tuning_.gain_weight : 0;
   PlanTracer tracer(task(), map());
   tracer.into(plans.weights);
-  Passages world;
   int shorter = 0;
-  // Walls are not independent (mazes are connected, routes long): samples range from thin ones to the density believed in.
-  const auto thinned = [&](int k) { return density * (tuning_.thin + (1 - tuning_.thin) * (k % 4) / 3.0); };
   for (int k = 0; k < belief_.samples(); ++k) {
-    belief_.world(k, map(), thinned(k), world);
-    const int steps = tracer.trace(world, limit, hi ? tuning_.gain_weight : 0);
-    if (steps > 0 && steps < limit) {
-      ++shorter;
-      if (hi) plans.gain += *hi - steps;
-    }
+    const int steps = tracer.trace(belief_.world(k), limit, scale);
+    if (steps <= 0 || steps >= limit) continue;
+    ++shorter;
+    if (hi) plans.gain += *hi - steps;
   }
   plans.gain /= belief_.samples();
-  // Few plans found: look also at worlds with fewer walls, down to the optimistic one, so that no plan is forgotten.
-  for (double d = density / 2; shorter * 2 < belief_.samples(); d = d < 0.04 ? 0 : d / 2) {
-    for (int k = 0; k < belief_.samples() && shorter * 2 < belief_.samples(); ++k) {
-      belief_.world(k, map(), d, world);
-      const int steps = tracer.trace(world, limit, hi ? tuning_.gain_weight : 0);
+  // A proof has to end unlikely plans too: where few are left, look also at worlds with fewer walls, down to the optimistic one.
+  Passages world;
+  for (const double share : {0.375, 0.75, 1.0})
+    for (int k = 0; k < belief_.samples() && goal_ == ScoutGoal::proof && shorter * 2 < belief_.samples(); ++k) {
+      belief_.thinned(k, share, world);
+      const int steps = tracer.trace(world, limit, scale);
       shorter += steps > 0 && steps < limit;
     }
-    if (d == 0) break;
-  }
-  for (std::size_t i = 0; i < cells; ++i)
-    plans.total += static_cast<double>(plans.weights.north[i] + plans.weights.east[i]);
-  if (!hi || !goal_reached()) {
-    plans.to_goal.assign(cells, 0);
-    const auto far = static_cast<float>(cells);
-    for (int k = 0; k < belief_.samples(); ++k) {
-      belief_.world(k, map(), thinned(k), world);
-      const StepField field(world, task().goal);
-      for (std::size_t i = 0; i < cells; ++i) {
-        const int steps = field(cell_of(task().width, i));
-        plans.to_goal[i] += steps < 0 ? std::min(far, 60.F) : static_cast<float>(steps);
-      }
-    }
-    for (float& f : plans.to_goal) f /= static_cast<float>(belief_.samples());
-  }
+  double total = 0;
+  for (std::size_t i = 0; i < cells; ++i) total += static_cast<double>(plans.weights.north[i] + plans.weights.east[i]);
+  for (auto* board : {&plans.weights.north, &plans.weights.east})
+    for (float& f : *board) f = total > 0 ? static_cast<float>(f / total) : 0;
+  if (!goal_reached()) plans.to_goal = steps_to_goal();
   return plans;
 }
 
-Action Scout::explore() {
-  const auto lo = optimum(map().possible(), task()), hi = optimum(map().certain(), task());
-  if (!lo) return {};
-  if (goal_reached() && (lo == hi || steps_left() <= *hi + 2)) return kReset;
-  const double density = Belief::density(map(), tuning_.prior_share, tuning_.prior_weight);
-  Plans plans = sample_plans(hi, density);
-  if (plans.total > 0) {
-    const auto scale = static_cast<float>(1 / plans.total);
-    for (float& f : plans.weights.north) f *= scale;
-    for (float& f : plans.weights.east) f *= scale;
+std::vector<float> Scout::steps_to_goal() const {
+  const std::size_t cells = static_cast<std::size_t>(task().width) * static_cast<std::size_t>(task().height);
+  std::vector<float> mean(cells);
+  for (int k = 0; k < belief_.samples(); ++k) {
+    const StepField field(belief_.world(k), task().goal);
+    for (std::size_t i = 0; i < cells; ++i) {
+      const Cell c = cell_of(task().width, i);
+      mean[i] += static_cast<float>(field.reached(c) ? field(c) : static_cast<int>(cells));
+    }
   }
-  if (goal_reached() && goal_ == ScoutGoal::score &&
-      plans.gain * tuning_.stop_factor <= tuning_.stop_steps / kExplorationShare)
-    return kReset;
-  const Outlook outlook(map(), plans.weights, density);
-  const auto action = best_look(outlook, goal_reached() ? nullptr : &plans.to_goal);
-  return action.value_or(Action{90, 0});
+  for (float& f : mean) f /= static_cast<float>(belief_.samples());
+  return mean;
 }
 
-std::optional<Action> Scout::best_look(const Outlook& outlook, const std::vector<float>* to_goal) {
-  struct Node {
-    std::size_t cell;
-    Side heading;
-    Action first;
-    int steps;
-  };
+Action Scout::explore() {
+  // Decided anew each step; but when nothing new has come for long, a way is followed to its end, so that no two looks swing it.
+  constexpr int kLong = 6;
+  idle_ = learned() ? 0 : idle_ + 1;
+  if (idle_ <= kLong || way_.empty()) {
+    const auto way = decide();
+    if (!way) return kReset;
+    way_ = *way;
+  }
+  if (way_.empty()) return {90, 0};
+  const Action next = way_.back();
+  way_.pop_back();
+  return next;
+}
+
+std::optional<std::vector<Action>> Scout::decide() {
+  const auto lo = optimum(map().possible(), task()), hi = optimum(map().certain(), task());
+  if (!lo) return std::vector<Action>{};
+  if (goal_reached() && (lo == hi || steps_left() <= *hi + 2)) return std::nullopt;
+  belief_.update(map());
+  const Plans plans = sample_plans(hi);
+  const auto look = best_look(Outlook(map(), plans.weights, belief_.open_share()), plans);
+  if (goal_reached() && goal_ == ScoutGoal::score &&
+      (!look || look->value * plans.gain * tuning_.foresight * kExplorationShare <= 1))
+    return std::nullopt;
+  return look ? look->way : std::vector<Action>{};
+}
+
+std::optional<Scout::Look> Scout::best_look(const Outlook& outlook, const Plans& plans) const {
   const std::size_t cells = static_cast<std::size_t>(task().width) * static_cast<std::size_t>(task().height);
-  std::vector<std::int16_t> steps(cells * 4, -1);
+  std::vector<int> steps(cells * 4, -1);
   std::vector<float> collected(cells * 4, 0);
-  std::vector<Action> first(cells * 4);
-  std::vector<std::size_t> queue;
+  std::vector<Action> by(cells * 4);
+  std::vector<std::size_t> from(cells * 4), queue;
   const auto id = [&](Cell c, Side h) { return index_of(task().width, c) * 4 + static_cast<std::size_t>(h); };
   const std::size_t root = id(pose().cell, pose().heading);
   steps[root] = 0;
   queue.push_back(root);
-  float best = -std::numeric_limits<float>::infinity();
-  std::optional<Action> action;
+  // The goal has to be reached at all: less and less is looked at on the way as steps run out.
+  const double reach_look = tuning_.reach_look * std::max(0.0, 1 - 2.0 * steps_taken() / task().max_steps);
+  std::size_t best = root;
+  double best_value = -std::numeric_limits<double>::infinity();
+  const auto consider = [&](std::size_t node) {
+    const std::size_t cell = node / 4;
+    const bool shows = outlook.at(cell, static_cast<Side>(node % 4)) > 0;
+    if (!shows && (goal_reached() || !task().in_goal(cell_of(task().width, cell)))) return;
+    const double seen = static_cast<double>(collected[node]);
+    const double value = goal_reached() ? seen / (steps[node] + tuning_.patience)
+                                        : reach_look * seen - steps[node] - static_cast<double>(plans.to_goal[cell]);
+    if (value > best_value) best = node, best_value = value;
+  };
   const Passages& certain = map().certain();
   for (std::size_t head = 0; head < queue.size(); ++head) {
     const std::size_t node = queue[head];
     const Cell c = cell_of(task().width, node / 4);
-    const Side heading = static_cast<Side>(node % 4);
-    if (node != root) {
-      float look = outlook.at(node / 4, heading);
-      float value;
-      const auto n = static_cast<float>(steps[node]);
-      if (to_goal != nullptr) {
-        const float left = (*to_goal)[node / 4];
-        const bool ends = task().in_goal(c);
-        value = look > 0 || ends ? -(n + left) + static_cast<float>(tuning_.reach_look) * collected[node] * 10
-                                 : -std::numeric_limits<float>::infinity();
-      } else {
-        value = look > 0 ? collected[node] / (n + static_cast<float>(tuning_.patience)) : -1.F;
-        if (look <= 0) value = -std::numeric_limits<float>::infinity();
-      }
-      if (value > best) best = value, action = first[node];
-    }
+    if (node != root) consider(node);
     const auto arrive = [&](Cell to, Side h, Action a) {
       const std::size_t next = id(to, h);
       if (steps[next] >= 0 && steps[next] <= steps[node]) return;
       const float sum = static_cast<float>(tuning_.side_looks) * collected[node] + outlook.at(next / 4, h);
-      if (steps[next] < 0) {
-        steps[next] = static_cast<std::int16_t>(steps[node] + 1);
-        queue.push_back(next);
-      } else if (sum <= collected[next]) {
+      if (steps[next] < 0)
+        steps[next] = steps[node] + 1, queue.push_back(next);
+      else if (sum <= collected[next])
         return;
-      }
       collected[next] = sum;
-      first[next] = node == root ? a : first[node];
+      from[next] = node;
+      by[next] = a;
     };
     for (const int rotation : {0, -90, 90}) {
-      const Side h = turned(heading, rotation / 90);
+      const Side h = turned(static_cast<Side>(node % 4), rotation / 90);
       if (rotation != 0) arrive(c, h, {rotation, 0});
       for (const int sign : {1, -1}) {
         const Side side = sign > 0 ? h : opposite(h);
@@ -198,7 +195,10 @@ std::optional<Action> Scout::best_look(const Outlook& outlook, const std::vector
       }
     }
   }
-  return action;
+  if (best == root) return std::nullopt;
+  Look look{{}, best_value};
+  for (std::size_t node = best; node != root; node = from[node]) look.way.push_back(by[node]);
+  return look;
 }
 
 }  // namespace taut::micromouse::detail

@@ -11,16 +11,12 @@ enum class ScoutGoal { proof, score };
 
 /// The constants of the policy: chosen on generated mazes and on competition mazes (bench/micromouse_bench.cpp).
 struct ScoutTuning {
-  int samples = 96;
-  double thin = 0.3;       ///< the thinnest samples have this share of the walls expected, the others up to all of them
-  double gain_weight = 1;  ///< a plan counts 1 + this * the steps it would save
-  double prior_share = 0.4;
-  double prior_weight = 15;
-  double reach_look = 1.0;   ///< before the goal: steps that seeing one relevant wall is worth
-  double side_looks = 0.4;   ///< what looks on the way count, again for each step after them
-  double patience = 0.3;     ///< added to the steps to a look before what it shows is divided by them
-  double stop_factor = 0.5;  ///< share of the gain that knowing everything would bring, that looking does bring
-  double stop_steps = 6;     ///< steps that looking takes at least
+  int samples = 48;
+  double gain_weight = 1;   ///< a plan counts 1 + this * the steps it would save
+  double reach_look = 10;   ///< before the goal: steps that seeing all relevant walls is worth
+  double side_looks = 0.4;  ///< what looks on the way count, again for each step after them
+  double patience = 0.3;    ///< added to the steps to a look before what it shows is divided by them
+  double foresight = 2;     ///< what a look brings that is not seen at once: it tells where to look next
 };
 
 class Scout final : public MappingRobot {
@@ -31,17 +27,25 @@ class Scout final : public MappingRobot {
   Action explore() override;
 
   struct Plans {
-    WallWeights weights;         ///< of the walls that plans shorter than the known one need
-    double gain = 0;             ///< mean over the samples, at the density believed in
-    double total = 0;            ///< sum of all weights
-    std::vector<float> to_goal;  ///< mean steps to the goal, by cell
+    WallBoard weights;           ///< of the walls that plans shorter than the known one need; 1 in all, or 0
+    double gain = 0;             ///< steps of run 2 that knowing all would save: mean over the samples
+    std::vector<float> to_goal;  ///< before the goal: mean steps to it, by cell
   };
-  Plans sample_plans(std::optional<int> hi, double density);
-  std::optional<Action> best_look(const Outlook& outlook, const std::vector<float>* to_goal);
+  struct Look {
+    std::vector<Action> way;  ///< to it, the last action first
+    double value = 0;         ///< after the goal: weight a step
+  };
+  /// The way to the next look, the last action first; nothing: run 1 ends here.
+  std::optional<std::vector<Action>> decide();
+  Plans sample_plans(std::optional<int> hi);
+  std::vector<float> steps_to_goal() const;
+  std::optional<Look> best_look(const Outlook& outlook, const Plans& plans) const;
 
   ScoutGoal goal_;
   ScoutTuning tuning_;
   Belief belief_;
+  std::vector<Action> way_;  ///< to the look decided on
+  int idle_ = 0;             ///< steps since the last news
 };
 
 }  // namespace taut::micromouse::detail
