@@ -36,21 +36,21 @@ struct SvgView {
 
 /// What to draw besides the free space. Pointers may be null and are only read during the call.
 struct SvgPicture {
-  std::string title;               ///< first line of the legend, usually the file's name
-  std::vector<std::string> facts;  ///< second line, joined by dots: `length 77.262691`, `34 corners`, `0.004 s`
+  std::string title{};               ///< first line of the legend, usually the file's name
+  std::vector<std::string> facts{};  ///< second line, joined by dots: `length 77.262691`, `34 corners`, `0.004 s`
   const Roadmap* roadmap = nullptr;
   const Path* path = nullptr;
-  std::vector<Segment> separation;  ///< the walls that separate start and goal
-  std::optional<Point> start;
-  Goal goal;
+  std::vector<Segment> separation{};  ///< the walls that separate start and goal
+  std::optional<Point> start{};
+  Goal goal{};
   const VoronoiRoadmap* diagram = nullptr;  ///< drawn as the roadmap, arcs as Bezier curves
-  std::vector<VoronoiCurve> curves;         ///< the path, when it is one of curves
-  std::vector<SvgShade> shades;             ///< further paths, the first at the bottom
-  std::vector<Segment> gates;               ///< narrow places
+  std::vector<VoronoiCurve> curves{};       ///< the path, when it is one of curves
+  std::vector<SvgShade> shades{};           ///< further paths, the first at the bottom
+  std::vector<Segment> gates{};             ///< narrow places
   const ArcPath* arcs = nullptr;            ///< drawn as `path`, with true arcs
-  std::vector<SvgView> views;               ///< tinted, in the order of `at`; a moving picture shows the last one only
-  std::vector<Segment> guides;              ///< auxiliary lines, dashed, below the path
-  std::vector<SvgLabel> labels;             ///< above all else
+  std::vector<SvgView> views{};             ///< tinted, in the order of `at`; a moving picture shows the last one only
+  std::vector<Segment> guides{};            ///< auxiliary lines, dashed, below the path
+  std::vector<SvgLabel> labels{};           ///< above all else
   double seconds = 0;                       ///< > 0: a dot runs along `path` in that time, again and again (SMIL)
 };
 

@@ -47,9 +47,11 @@ TEST_F(PrmProgram, SolvesTheHomeworkWithItsOwnNumbers) {
   for (const char* seed : {"1", "2", "3"}) {
     EXPECT_EQ(run_taut("solve --roadmap prm" + numbers + "--seed " + seed + " " + maze("maze_5x7.txt")).code, 0);
   }
-  if (const auto shared = shared_data_dir())
-    for (const char* name : {"maze_5x7_s1.txt", "maze_5x7_s2.txt"})
+  if (const auto shared = shared_data_dir()) {
+    for (const char* name : {"maze_5x7_s1.txt", "maze_5x7_s2.txt"}) {
       EXPECT_EQ(run_taut("solve --roadmap prm" + numbers + (*shared / "prm" / name).string()).code, 0) << name;
+    }
+  }
 }
 
 TEST_F(PrmProgram, WritesTheSameBytesForTheSameSeed) {

@@ -11,8 +11,8 @@ namespace taut::test {
 inline Ring box_ring(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
 struct SmallWorld {
-  std::vector<Segment> walls;
-  std::vector<Ring> solids;
+  std::vector<Segment> walls{};
+  std::vector<Ring> solids{};
   Ring area = box_ring(0, 0, 10, 10);
   double thickness = 0;
 
