@@ -1,5 +1,5 @@
-// Scores of all micromouse explorers on generated and on competition mazes: a table, and the time each takes a maze.
-//   micromouse_bench [--sets gen,comp] [--explorers flood,score,...] [--mazes N] [--seeds FIRST] [FILE...]
+// Scores of all micromouse explorers on generated and on competition mazes: tables, and the time each takes a maze.
+//   micromouse_bench [--sets gen,long,comp] [--explorers flood,score,...] [--mazes N] [--seeds FIRST] [FILE...]
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -12,6 +12,7 @@
 #include <taut/geometry/errors.h>
 #include <taut/geometry/maze_generator.h>
 #include <taut/io/read_world.h>
+#include <taut/robots/micromouse/contest_maze.h>
 #include <taut/robots/micromouse/explorers.h>
 #include <taut/robots/micromouse/steps.h>
 #include <taut/robots/micromouse/trial.h>
@@ -41,6 +42,18 @@ std::vector<Named> generated_set(int count, std::uint64_t first) {
     const int n = 12 + 2 * (i % 3);
     set.push_back({"gen" + std::to_string(n) + "-" + std::to_string(first + static_cast<std::uint64_t>(i)),
                    generated(n, first + static_cast<std::uint64_t>(i))});
+  }
+  return set;
+}
+
+/// As many steps as in the course's mazes: 17, 22, 25.
+std::vector<Named> long_set(int count, std::uint64_t first) {
+  std::vector<Named> set;
+  for (std::uint64_t seed = first; static_cast<int>(set.size()) < count; ++seed) {
+    const std::vector<ContestShape> shapes{{12, 17}, {14, 22}, {16, 25}};
+    const ContestShape& shape = shapes[set.size() % 3];
+    if (auto maze = contest_maze(shape, seed))
+      set.push_back({"long" + std::to_string(shape.side) + "-" + std::to_string(seed), *maze});
   }
   return set;
 }
@@ -128,7 +141,7 @@ std::vector<std::string> split(const std::string& list) {
 
 int main(int argc, char** argv) {
   std::vector<Explorer> explorers = all_explorers();
-  std::vector<std::string> sets{"gen", "comp"};
+  std::vector<std::string> sets{"gen", "long", "comp"};
   std::vector<std::string> files;
   int mazes = 100;
   std::uint64_t first = 1;
@@ -159,6 +172,7 @@ int main(int argc, char** argv) {
   }
   for (const std::string& s : sets) {
     if (s == "gen") table("generated, 38 % walls", generated_set(mazes, first), explorers, verbose);
+    if (s == "long") table("long routes, 38 % walls", long_set(mazes, first), explorers, verbose);
     if (s == "comp")
       table("competition", competition_set(TAUT_SHARED_DATA_DIR "/micromouse/competition"), explorers, verbose);
   }

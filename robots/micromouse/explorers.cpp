@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <taut/geometry/detail/draws.h>
+#include <taut/robots/micromouse/detail/flood_step.h>
 #include <taut/robots/micromouse/detail/scout.h>
 #include <taut/robots/micromouse/mapping_robot.h>
 #include <taut/robots/micromouse/steps.h>
@@ -125,26 +126,12 @@ class BreadthFirst final : public Visitor {
   }
 };
 
-/// Goes along the fewest steps to the goal, unknown walls open. Cells to stop in are reached by known passages alone.
-Action flood_step(const MappingRobot& robot, const Pose& pose) {
-  const StepField to_goal(robot.map().possible(), robot.task().goal);
-  if (!to_goal.reached(pose.cell)) return {90, 0};
-  const auto next = one_step_from(robot.map().certain(), pose.cell);
-  for (const Cell c : next)
-    if (to_goal(c) == to_goal(pose.cell) - 1) return action_towards(pose, c);
-  // The way leads through a wall not yet seen: it is behind, or further along a corridor than a step.
-  const auto least =
-      std::min_element(next.begin(), next.end(), [&](Cell a, Cell b) { return to_goal(a) < to_goal(b); });
-  if (robot.map().state(pose.cell, opposite(pose.heading)) == WallState::unknown || least == next.end()) return {90, 0};
-  return action_towards(pose, *least);
-}
-
 class FloodFill final : public MappingRobot {
  public:
   using MappingRobot::MappingRobot;
 
  private:
-  Action explore() override { return goal_reached() ? kReset : flood_step(*this, pose()); }
+  Action explore() override { return goal_reached() ? kReset : detail::flood_step(map(), task(), pose()); }
 };
 
 class AStar final : public MappingRobot {
@@ -217,7 +204,7 @@ class PlainProver final : public MappingRobot {
 
  private:
   Action explore() override {
-    if (!goal_reached()) return flood_step(*this, pose());
+    if (!goal_reached()) return detail::flood_step(map(), task(), pose());
     const auto lo = optimum(map().possible(), task()), hi = optimum(map().certain(), task());
     if (lo == hi || (hi && steps_left() <= *hi + 2)) return kReset;
     const std::vector<Cell> open = unverified();

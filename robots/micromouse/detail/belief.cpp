@@ -11,8 +11,6 @@ namespace taut::micromouse::detail {
 
 namespace {
 
-constexpr WallField kField;
-
 constexpr std::uint8_t bit(Side side) { return static_cast<std::uint8_t>(1U << static_cast<unsigned>(side)); }
 
 void assign(std::uint8_t& bits, std::uint8_t mask, bool value) {

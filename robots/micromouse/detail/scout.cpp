@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <taut/robots/micromouse/detail/flood_step.h>
+
 namespace taut::micromouse::detail {
 
 namespace {
@@ -57,10 +59,10 @@ class PlanTracer {
   WallBoard* weights_ = nullptr;
 };
 
-/// Fewer samples where each costs more: from 16 x 16 cells on, as many cells in all.
+/// Fewer samples where each costs more.
 int samples_for(const Task& task, const ScoutTuning& tuning) {
-  constexpr int kCells = 256, kFewest = 8;
-  return std::max(kFewest, tuning.samples * kCells / std::max(kCells, task.width * task.height));
+  constexpr int kCellsInAll = 36'864, kFewest = 8;
+  return std::clamp(kCellsInAll / (task.width * task.height), std::min(kFewest, tuning.samples), tuning.samples);
 }
 
 }  // namespace
@@ -100,6 +102,11 @@ Scout::Plans Scout::sample_plans(std::optional<int> hi) {
   return plans;
 }
 
+bool Scout::hurried() const {
+  const int steps = static_cast<int>(tuning_.leisure * (task().width + task().height));
+  return steps_taken() >= std::min(steps, task().max_steps / 5);
+}
+
 std::vector<float> Scout::steps_to_goal() const {
   const std::size_t cells = static_cast<std::size_t>(task().width) * static_cast<std::size_t>(task().height);
   std::vector<float> mean(cells);
@@ -118,6 +125,9 @@ Action Scout::explore() {
   // Decided anew each step; but when nothing new has come for long, a way is followed to its end, so that no two looks swing it.
   constexpr int kLong = 6;
   idle_ = learned() ? 0 : idle_ + 1;
+  const auto hi = optimum(map().certain(), task());
+  if (goal_reached() && steps_left() <= *hi + 2) return kReset;
+  if (!goal_reached() && hurried()) return flood_step(map(), task(), pose());
   if (idle_ <= kLong || way_.empty()) {
     const auto way = decide();
     if (!way) return kReset;
@@ -132,7 +142,7 @@ Action Scout::explore() {
 std::optional<std::vector<Action>> Scout::decide() {
   const auto lo = optimum(map().possible(), task()), hi = optimum(map().certain(), task());
   if (!lo) return std::vector<Action>{};
-  if (goal_reached() && (lo == hi || steps_left() <= *hi + 2)) return std::nullopt;
+  if (goal_reached() && lo == hi) return std::nullopt;
   belief_.update(map());
   const Plans plans = sample_plans(hi);
   const auto look = best_look(Outlook(map(), plans.weights, belief_.open_share()), plans);
@@ -152,8 +162,6 @@ std::optional<Scout::Look> Scout::best_look(const Outlook& outlook, const Plans&
   const std::size_t root = id(pose().cell, pose().heading);
   steps[root] = 0;
   queue.push_back(root);
-  // The goal has to be reached at all: less and less is looked at on the way as steps run out.
-  const double reach_look = tuning_.reach_look * std::max(0.0, 1 - 2.0 * steps_taken() / task().max_steps);
   std::size_t best = root;
   double best_value = -std::numeric_limits<double>::infinity();
   const auto consider = [&](std::size_t node) {
@@ -161,8 +169,9 @@ std::optional<Scout::Look> Scout::best_look(const Outlook& outlook, const Plans&
     const bool shows = outlook.at(cell, static_cast<Side>(node % 4)) > 0;
     if (!shows && (goal_reached() || !task().in_goal(cell_of(task().width, cell)))) return;
     const double seen = static_cast<double>(collected[node]);
-    const double value = goal_reached() ? seen / (steps[node] + tuning_.patience)
-                                        : reach_look * seen - steps[node] - static_cast<double>(plans.to_goal[cell]);
+    const double value = goal_reached()
+                             ? seen / (steps[node] + tuning_.patience)
+                             : tuning_.reach_look * seen - steps[node] - static_cast<double>(plans.to_goal[cell]);
     if (value > best_value) best = node, best_value = value;
   };
   const Passages& certain = map().certain();

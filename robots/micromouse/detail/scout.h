@@ -16,6 +16,7 @@ struct ScoutTuning {
   double reach_look = 10;   ///< before the goal: steps that seeing all relevant walls is worth
   double side_looks = 0.4;  ///< what looks on the way count, again for each step after them
   double patience = 0.3;    ///< added to the steps to a look before what it shows is divided by them
+  double leisure = 3;       ///< steps a cell of width and height after which the goal is sought alone
   double foresight = 2;     ///< what a look brings that is not seen at once: it tells where to look next
 };
 
@@ -39,6 +40,8 @@ class Scout final : public MappingRobot {
   std::optional<std::vector<Action>> decide();
   Plans sample_plans(std::optional<int> hi);
   std::vector<float> steps_to_goal() const;
+  /// The goal has to be reached at all: after some time it is all that is sought, as a flood fill does.
+  bool hurried() const;
   std::optional<Look> best_look(const Outlook& outlook, const Plans& plans) const;
 
   ScoutGoal goal_;

@@ -36,4 +36,6 @@ struct WallField {
   double cell_of(unsigned sides) const { return cell[static_cast<std::size_t>(quad_of(sides))]; }
 };
 
+inline constexpr WallField kField;
+
 }  // namespace taut::micromouse::detail

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <taut/geometry/errors.h>
 #include <taut/geometry/maze_generator.h>
 #include <taut/io/read_world.h>
+#include <taut/robots/micromouse/contest_maze.h>
 #include <taut/robots/micromouse/steps.h>
 
 namespace taut::micromouse {
@@ -21,6 +23,16 @@ inline GridMaze generated(int n, std::uint64_t seed) {
   open_walls(maze, 1 - 0.38 * 2 * n / (n - 1.0), seed);
   open_centre_room(maze);
   return maze;
+}
+
+/// Sides of 12, 14 and 16 in turn, with routes as long as in the course.
+inline std::vector<GridMaze> contest_mazes(int count, std::uint64_t first) {
+  std::vector<GridMaze> mazes;
+  for (std::uint64_t seed = first; static_cast<int>(mazes.size()) < count; ++seed) {
+    const std::array<ContestShape, 3> shapes{{{12, 17}, {14, 22}, {16, 25}}};
+    if (const auto maze = contest_maze(shapes[mazes.size() % 3], seed)) mazes.push_back(*maze);
+  }
+  return mazes;
 }
 
 inline std::filesystem::path shared_mazes() { return std::filesystem::path(TAUT_SHARED_DATA_DIR) / "micromouse"; }
