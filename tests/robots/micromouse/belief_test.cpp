@@ -60,7 +60,7 @@ TEST(Belief, DrawsWallsAsOftenAsTheLawSays) {
   GridMaze maze(4, 4, false);
   for (int y = 1; y < 4; ++y) maze.set_wall({0, y}, Side::east, true);
   const std::vector<CellSide> hidden{
-      {{1, 1}, Side::east}, {{1, 2}, Side::east}, {{2, 2}, Side::east}, {{2, 1}, Side::north}};
+      {{1, 1}, Side::east}, {{1, 2}, Side::east}, {{2, 3}, Side::east}, {{2, 1}, Side::north}};
   const WallMap map = all_but(maze, hidden);
   double total = 0;
   std::array<double, 4> open{};
