@@ -1,6 +1,7 @@
 #include <taut/robots/pursuit/exact_planner.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <chrono>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <tuple>
 
 #include <taut/geometry/detail/expects.h>
+#include <taut/robots/pursuit/detail/block_way.h>
 #include <taut/robots/pursuit/detail/range_search.h>
 
 namespace taut::pursuit {
@@ -58,7 +60,15 @@ struct Open {
 };
 
 constexpr std::size_t kSmallMap = 10'000;
+constexpr std::size_t kLargeMap = 2'000'000;
+constexpr std::array kBlockSides{4, 3};
 constexpr std::size_t kMostLabelsOfARange = 4'000'000;  // rather split it
+
+enum class Depth {
+  first,  // what the breadth-first searches lead to
+  rough,  // the best way of one range's bounds
+  exact,
+};
 
 class Planning {
  public:
@@ -67,15 +77,15 @@ class Planning {
     if (limits.stopped || limits.seconds > 0) work_.stopped = [this] { return is_stopped(); };
   }
 
-  Plan run(bool only_first) {
+  Plan run(Depth depth) {
     Plan plan;
     try {
+      if (depth == Depth::exact) look_at_blocks();
       if (!prepare()) {
         plan.reason = reason_of_failure(*work_.chase);
         return plan;
       }
-      bound_ = only_first ? 0 : kNoCost;
-      if (!only_first) search();
+      if (depth != Depth::first) search(depth);
     } catch (const SearchStopped& stop) {
       plan.reason = stop.reason;
       if (only_open_) bound_ = std::max({bound_, here_.bound_so_far(), beside_.bound_so_far()});
@@ -123,6 +133,16 @@ class Planning {
     here_.worker.best = beside_.worker.best = best_;
   }
 
+  // On a large map even the first searches take long.
+  void look_at_blocks() {
+    if (work_.map().index_count() < kLargeMap) return;
+    for (const int side : kBlockSides)
+      if (const auto way = way_over_blocks(*work_.chase, side)) {
+        here_.worker.offer(way->cells, way->seconds);
+        return share();
+      }
+  }
+
   // Keeps the meetings that can be reached at all.
   bool prepare() {
     const Chase& chase = *work_.chase;
@@ -132,8 +152,11 @@ class Planning {
     const int last = meetings.back().second - chase.now;
     work_.bits = static_cast<int>(std::bit_width(static_cast<unsigned>(last))) + 1;
     work_.steps = neighbour_steps(map);
-    side_by_side([&] { work_.latest = latest_departures(map, meetings, chase.now, 0); },
-                 [&] { work_.hops = hops_from(map, chase.from, last); });
+    const Watch watch = [this] {  // a first plan may come later
+      if (best_.cost < kNoCost && work_.stopped && work_.stopped()) throw SearchStopped{"out of time"};
+    };
+    side_by_side([&] { work_.latest = latest_departures(map, meetings, chase.now, 0, watch); },
+                 [&] { work_.hops = hops_from(map, chase.from, last, watch); });
     work_.is_target.assign(map.index_count(), 0);
     for (const Meeting& m : meetings)
       if (work_.hops[m.cell] <= work_.seconds(m)) {
@@ -169,9 +192,10 @@ class Planning {
     if (2 * values_.size() > values_.capacity()) values_.reserve(4 * values_.size() + 1024);
   }
 
-  void search() {
+  void search(Depth depth) {
     survey();
     open_.push_back({0, 0, values_.size() - 1, std::vector<Cost>(meetings_.size(), 0)});
+    if (depth == Depth::rough) return look_roughly();
     Cost stuck = kNoCost;
     while (!open_.empty() && open_.front().bound < best_.cost) {
       bound_ = std::min(stuck, open_.front().bound);
@@ -182,12 +206,17 @@ class Planning {
         open_.pop_back();
       }
       only_open_ = nodes.size() == 1 && open_.empty() && stuck >= kNoCost;
-      const std::vector<RangeSearch::Answer> answers = nodes.size() == 2 ? both(nodes) : std::vector{one(nodes[0])};
+      const std::vector<RangeSearch::Answer> answers = nodes.size() == 2 ? both(nodes) : std::vector{one(nodes[0], most_labels(nodes[0]))};
       share();
       for (std::size_t i = 0; i < nodes.size(); ++i)
         if (!split(nodes[i], answers[i])) stuck = std::min(stuck, answers[i].bound);
     }
     bound_ = std::min(stuck, best_.cost);
+  }
+
+  void look_roughly() {
+    one(open_.front(), 0);
+    share();
   }
 
   Range range_of(const Open& node) const { return {values_[node.lo], values_[node.hi]}; }
@@ -209,14 +238,14 @@ class Planning {
     return answers;
   }
 
-  RangeSearch::Answer one(Open& node) {
+  RangeSearch::Answer one(Open& node, std::size_t most_labels) {
     const Range range = range_of(node);
     here_.begin(range, node.bounds);
     beside_.begin(range, std::move(node.bounds));
     side_by_side([&] { here_.pass(work_.parts * range.lo); }, [&] { beside_.pass(beside_.guess()); });
     here_.absorb(beside_);
     beside_.release();
-    return here_.finish(most_labels(node));
+    return here_.finish(most_labels);
   }
 
   // The same result, in whatever order. A thread is not worth it on a small map.
@@ -275,14 +304,19 @@ class Planning {
 Plan exact_plan(const Chase& chase, const PlanLimits& limits, PlanEffort* effort) {
   TAUT_EXPECTS(chase.map->is_free(chase.from));
   Planning planning(chase, limits);
-  Plan plan = planning.run(false);
+  Plan plan = planning.run(Depth::exact);
   if (effort) *effort = planning.effort();
   return plan;
 }
 
 Plan first_plan(const Chase& chase) {
   TAUT_EXPECTS(chase.map->is_free(chase.from));
-  return Planning(chase, {}).run(true);
+  return Planning(chase, {}).run(Depth::first);
+}
+
+Plan rough_plan(const Chase& chase) {
+  TAUT_EXPECTS(chase.map->is_free(chase.from));
+  return Planning(chase, {}).run(Depth::rough);
 }
 
 }  // namespace taut::pursuit

@@ -65,17 +65,15 @@ void ForwardSearch::release() {
 void ForwardSearch::begin(Query& query) {
   const CellIndex from = work_.chase->from;
   const bool touched = work_.map().cost(from) <= range_.hi;
-  near_.assign(work_.map().index_count(), kFar);
-  if (touched)
-    far_ = {};
-  else
-    far_.assign(work_.map().index_count(), kFar);
+  release();
+  near_ = Keys(work_.map().index_count());
+  if (!touched) far_ = Keys(work_.map().index_count());
   queue_.clear();
   for (std::size_t i = 0; i < query.meetings.size(); ++i) query.by_cell.push_back({query.meetings[i], i});
   std::sort(query.by_cell.begin(), query.by_cell.end(),
             [](const auto& a, const auto& b) { return detail::by_cell(a.first, b.first); });
   ++worker_.effort.searches;
-  (touched ? near_ : far_)[from] = 0;
+  (touched ? near_ : far_).set(from, 0);
   queue_.push(0, (std::uint64_t{from} << 1) | touched);
 }
 
@@ -126,10 +124,9 @@ void ForwardSearch::relax(CellIndex cell, bool touched, std::uint64_t key) {
   const std::uint32_t cost = work_.map().cost(cell);
   if (cost == ChaseMap::kObstacle || cost < range_.lo) return;
   touched = touched || cost <= range_.hi;
-  std::uint64_t& known = (touched ? near_ : far_)[cell];
-  if (key >= known) return;
-  if ((*latest_)[cell] < 0) return;
-  known = key;
+  Keys& known = touched ? near_ : far_;
+  if (key >= known[cell] || (*latest_)[cell] < 0) return;
+  known.set(cell, key);
   queue_.push(key, (std::uint64_t{cell} << 1) | touched);
 }
 
@@ -175,7 +172,7 @@ std::vector<CellIndex> ForwardSearch::way_to(CellIndex cell) const {
   std::vector<CellIndex> way{cell};
   bool touched = true;
   const auto leads = [&](CellIndex before, bool before_touched, std::uint64_t key) {
-    const std::vector<std::uint64_t>& keys = before_touched ? near_ : far_;
+    const Keys& keys = before_touched ? near_ : far_;
     if (keys.empty() || keys[before] == kFar) return false;
     return keys[before] + step_key(before) + 1 == key;
   };
