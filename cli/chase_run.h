@@ -29,6 +29,7 @@ struct ChaseRun {
   pursuit::Plan plan;  ///< the first; when online what somebody would do who knows it all: `exact`
   pursuit::PlanEffort effort;
   int plans = 0;
+  double seconds_ahead = 0;  ///< of planning while the robot moved
   std::string fault;  ///< of a plan, as its check sees it; a defect of the program
 
   bool is_caught() const { return result.end == pursuit::ChaseEnd::caught; }
