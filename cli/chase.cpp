@@ -4,6 +4,8 @@
 #include <CLI/Option.hpp>
 #include <nlohmann/json.hpp>
 
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -95,18 +97,58 @@ ChaseRequest request_of(const ChaseOptions& options) {
 }
 
 void say_what_it_took(const ChaseRun& run, double read) {
-  note(fmt::format("read {}, first move after {}, slowest {}, {}, {} expanded, {} labels, peak memory {}",
+  note(fmt::format("read {}, first move after {}, slowest {}, {}, {} expanded, {} labels{}, peak memory {}",
                    seconds_text(read), seconds_text(run.result.first_thought), seconds_text(run.result.longest_thought),
                    count_text(static_cast<std::size_t>(run.plans), "plan"), run.effort.expanded, run.effort.labels,
+                   run.seconds_ahead > 0 ? ", planned " + seconds_text(run.seconds_ahead) + " while moving" : "",
                    peak_memory_text()));
 }
+
+/// Says how far the first planning came when the program is stopped.
+class LastWords {
+ public:
+  LastWords(const ChaseMap& map, const ChaseRequest& request, const std::string& json) {
+    on_stop([&map, best = best_, json, planner = std::string(request.planner_name()),
+             clock = std::string(name(request.clock))](const Stop& why) {
+      const std::lock_guard lock(best->mutex);
+      const bool found = best->plan.status == PlanStatus::found;
+      if (found)
+        note(fmt::format("the best plan so far costs {}, the least cost is at least {}",
+                         map.cost_text(best->plan.cost), map.cost_text(best->plan.bound)));
+      using Json = nlohmann::ordered_json;
+      const Json answer = {{"file", map.source()},
+                           {"status", "stopped"},
+                           {"reason", why.reason},
+                           {"stage", why.stage},
+                           {"planner", planner},
+                           {"clock", clock},
+                           {"plan_cost", found ? Json(map.cost_value(best->plan.cost)) : Json(nullptr)},
+                           {"lower_bound", found ? Json(map.cost_value(best->plan.bound)) : Json(nullptr)}};
+      write_file(json, answer.dump() + "\n");
+    });
+  }
+  void hear(const Plan& plan) {
+    const std::lock_guard lock(best_->mutex);
+    best_->plan = plan;
+  }
+
+ private:
+  struct Best {
+    std::mutex mutex;
+    Plan plan{};
+  };
+  std::shared_ptr<Best> best_ = std::make_shared<Best>();
+};
 
 int run(const ChaseOptions& options) {
   for (const std::string& file : {options.output.svg, options.output.json, options.animation}) require_writable(file);
   double read = 0, played = 0;
   const ChaseMap map = timed("read", read, [&] { return read_chase_file(options.file); });
   if (map.rounded()) note(fmt::format("taut: {}: costs have more digits than fit and were rounded", map.source()));
-  const ChaseRun run = timed("chase", played, [&] { return run_chase(map, request_of(options)); });
+  const ChaseRequest request = request_of(options);
+  LastWords last_words(map, request, options.output.json);
+  const ChaseRun run = timed(
+      "chase", played, [&] { return run_chase(map, request, [&](const Plan& plan) { last_words.hear(plan); }); });
   begin_stage("write");
   const std::string drawing = options.output.svg.empty() ? "" : chase_svg(map, run, false);
   const std::string animation = options.animation.empty() ? "" : chase_svg(map, run, true);

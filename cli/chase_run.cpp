@@ -93,11 +93,13 @@ ChaseRun run_online(const ChaseMap& map, const ChaseRequest& request) {
 
 }  // namespace
 
-ChaseRun run_chase(const ChaseMap& map, const ChaseRequest& request) {
+ChaseRun run_chase(const ChaseMap& map, const ChaseRequest& request,
+                   const std::function<void(const Plan&)>& better) {
   if (request.horizon) return run_online(map, request);
   ChaseRun run;
   run.request = request;
-  const auto plan = [&](const Chase& chase, const PlanLimits& limits, PlanEffort*) {
+  const auto plan = [&](const Chase& chase, PlanLimits limits, PlanEffort*) {
+    if (run.plans == 0) limits.better = better;
     return request.planner->plan(chase, limits, run.plans++ == 0 ? &run.effort : nullptr);
   };
   // Of all planners exact alone does better when it has more time.
@@ -144,6 +146,7 @@ nlohmann::ordered_json chase_json(const ChaseMap& map, const ChaseRun& run) {
   for (const ChaseStep& step : r.track) path.push_back({step.second, map.cell(step.cell).x, map.cell(step.cell).y});
   Json json = {
       {"file", map.source()},
+      {"status", run.is_caught() ? "found" : run.is_hopeless() ? "none" : "stopped"},
       {"planner", run.request.planner_name()},
       {"clock", name(run.request.clock)},
       {"free_planning", run.request.free_planning},

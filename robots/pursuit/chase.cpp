@@ -16,7 +16,7 @@ namespace taut::pursuit {
 namespace {
 
 constexpr std::uint32_t kWeight = 3;
-constexpr int kLookAhead = 4, kLookAheadGrows = 4, kMostAhead = 16;
+constexpr int kLookAhead = 2, kLookAheadGrows = 3, kMostAhead = 18;
 
 double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

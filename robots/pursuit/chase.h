@@ -73,8 +73,8 @@ const NamedPlanner* chase_planner(std::string_view name);  ///< null when there 
 /// Plans when there is no plan, and goes along it. When a step took longer than the plan has it, first gives up as much waiting as it needs to be in
 /// time; plans again when there is not enough, then for the second at which it expects to be ready.
 ///
-/// With a clock it thinks while it moves: as long as its plan is not proven it plans ahead, for the cell and the second where the plan will have led it 4
-/// seconds later, then 16, in so many times `limits.seconds`. It changes to that plan there if the rest costs less than the old plan's, and if it was
+/// With a clock it thinks while it moves: as long as its plan is not proven it plans ahead, for the cell and the second where the plan will have led it 2
+/// seconds later, then 6, then 18, in so many times `limits.seconds`. It changes to that plan there if the rest costs less than the old plan's, and if it was
 /// ready by then. No more than that: what so much time does not prove rarely becomes better.
 class Follower {
  public:

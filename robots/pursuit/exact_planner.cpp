@@ -4,42 +4,19 @@
 #include <array>
 #include <bit>
 #include <chrono>
-#include <memory>
-#include <thread>
 #include <tuple>
+#include <utility>
 
 #include <taut/geometry/detail/expects.h>
 #include <taut/robots/pursuit/detail/block_way.h>
 #include <taut/robots/pursuit/detail/range_search.h>
+#include <taut/robots/pursuit/detail/side_by_side.h>
 
 namespace taut::pursuit {
 
 namespace {
 
 using namespace detail;
-
-/// The way that `latest` itself leads along.
-void offer_earliest(Worker& worker, const std::vector<Meeting>& meetings) {
-  const Workspace& work = worker.work;
-  std::vector<CellIndex> way{work.chase->from};
-  const auto seconds_at = [&](CellIndex c) {
-    if (work.is_target[c])
-      for (const Meeting& m : meetings)
-        if (m.cell == c && work.seconds(m) == work.latest[c]) return work.seconds(m);
-    return -1;
-  };
-  int seconds = seconds_at(way.back());
-  while (seconds < 0) {
-    const CellIndex cell = way.back();
-    for (const std::ptrdiff_t step : work.steps)
-      if (work.latest[work.neighbour(cell, step)] == work.latest[cell] + 1) {
-        way.push_back(work.neighbour(cell, step));
-        break;
-      }
-    seconds = seconds_at(way.back());
-  }
-  worker.offer(way, seconds);
-}
 
 std::vector<Meeting> to_come(const Chase& chase) {
   std::vector<Meeting> meetings;
@@ -59,7 +36,6 @@ struct Open {
   }
 };
 
-constexpr std::size_t kSmallMap = 10'000;
 constexpr std::size_t kLargeMap = 2'000'000;
 constexpr std::array kBlockSides{4, 3};
 constexpr std::size_t kMostLabelsOfARange = 4'000'000;  // rather split it
@@ -123,7 +99,14 @@ class Planning {
   void take(const Incumbent& incumbent) {
     if (incumbent.cost >= best_.cost) return;
     best_ = incumbent;
-    if (limits_.better) limits_.better(plan_along(*work_.chase, best_.way, best_.seconds));
+    tell();
+  }
+
+  void tell() const {
+    if (!limits_.better || best_.cost >= kNoCost) return;
+    Plan plan = plan_along(*work_.chase, best_.way, best_.seconds);
+    plan.bound = std::min(bound_, plan.cost);
+    limits_.better(plan);
   }
 
   // Both sides go on with the best of both.
@@ -155,7 +138,7 @@ class Planning {
     const Watch watch = [this] {  // a first plan may come later
       if (best_.cost < kNoCost && work_.stopped && work_.stopped()) throw SearchStopped{"out of time"};
     };
-    side_by_side([&] { work_.latest = latest_departures(map, meetings, chase.now, 0, watch); },
+    side_by_side(work_, [&] { work_.latest = latest_departures(map, meetings, chase.now, 0, watch); },
                  [&] { work_.hops = hops_from(map, chase.from, last, watch); });
     work_.is_target.assign(map.index_count(), 0);
     for (const Meeting& m : meetings)
@@ -164,7 +147,7 @@ class Planning {
         work_.is_target[m.cell] = 1;
       }
     if (meetings_.empty()) return false;
-    offer_earliest(here_.worker, meetings);
+    here_.worker.offer_earliest(meetings);
     share();
     return true;
   }
@@ -198,7 +181,8 @@ class Planning {
     if (depth == Depth::rough) return look_roughly();
     Cost stuck = kNoCost;
     while (!open_.empty() && open_.front().bound < best_.cost) {
-      bound_ = std::min(stuck, open_.front().bound);
+      const Cost bound = std::min(stuck, open_.front().bound);
+      if (std::exchange(bound_, bound) < bound) tell();
       std::vector<Open> nodes;
       while (nodes.size() < 2 && !open_.empty() && open_.front().bound < best_.cost) {
         std::pop_heap(open_.begin(), open_.end());
@@ -233,7 +217,7 @@ class Planning {
 
   std::vector<RangeSearch::Answer> both(std::vector<Open>& nodes) {
     std::vector<RangeSearch::Answer> answers(2);
-    side_by_side([&] { answers[0] = evaluated(here_, range_of(nodes[0]), nodes[0], most_labels(nodes[0])); },
+    side_by_side(work_, [&] { answers[0] = evaluated(here_, range_of(nodes[0]), nodes[0], most_labels(nodes[0])); },
                  [&] { answers[1] = evaluated(beside_, range_of(nodes[1]), nodes[1], most_labels(nodes[1])); });
     return answers;
   }
@@ -242,31 +226,10 @@ class Planning {
     const Range range = range_of(node);
     here_.begin(range, node.bounds);
     beside_.begin(range, std::move(node.bounds));
-    side_by_side([&] { here_.pass(work_.parts * range.lo); }, [&] { beside_.pass(beside_.guess()); });
+    side_by_side(work_, [&] { here_.pass(work_.parts * range.lo); }, [&] { beside_.pass(beside_.guess()); });
     here_.absorb(beside_);
     beside_.release();
     return here_.finish(most_labels);
-  }
-
-  // The same result, in whatever order. A thread is not worth it on a small map.
-  template <typename F, typename G>
-  void side_by_side(F here, G beside) const {
-    if (work_.map().index_count() < kSmallMap) {
-      here();
-      return beside();
-    }
-    std::optional<SearchStopped> stopped;
-    {
-      const std::jthread thread([&] {
-        try {
-          beside();
-        } catch (const SearchStopped& stop) {
-          stopped = stop;
-        }
-      });
-      here();
-    }
-    if (stopped) throw *stopped;
   }
 
   // False when what is left of a node cannot be split.

@@ -7,7 +7,6 @@ namespace taut::pursuit::detail {
 
 namespace {
 
-constexpr Cost kParts = 16;
 constexpr int kMostTraces = 32;
 constexpr int kWorthATrace = 64;  // parts of the best cost that a way must seem better by, while the search goes on
 
@@ -16,38 +15,6 @@ Cost rounded_up(Cost a, Cost b) { return a / b + (a % b > 0); }  // b > 0
 bool by_cell(const Meeting& a, const Meeting& b) { return a.cell != b.cell ? a.cell < b.cell : a.second < b.second; }
 
 }  // namespace
-
-std::vector<int> Workspace::latest_for(const std::vector<Meeting>& meetings, std::uint32_t lo) const {
-  std::vector<int> departures = latest_departures(map(), meetings, chase->now, lo);
-  for (std::size_t i = 0; i < departures.size(); ++i)
-    if (departures[i] < hops[i]) departures[i] = -1;
-  return departures;
-}
-
-void Workspace::choose_parts(std::uint32_t dearest_cost) {
-  dearest = dearest_cost;
-  const Cost last = std::max(1, chase->meetings.back().second - chase->now);
-  const bool fits = kParts * dearest < (std::numeric_limits<Cost>::max() >> bits) / 4 / last;
-  parts = fits ? kParts : 1;
-}
-
-Cost Workspace::least_u(Cost upper) const {
-  const Cost last = std::max(1, chase->meetings.back().second - chase->now);
-  const Cost most = (std::numeric_limits<Cost>::max() >> bits) / parts, room = most - std::min(upper, most);
-  return -std::min(Cost{dearest}, std::max<Cost>(0, room / last - 1)) * parts;
-}
-
-void Worker::offer(const std::vector<CellIndex>& way, int seconds) {
-  const Cost cost = cost_of(work.map(), way).total(way.size() - 1, seconds);
-  if (cost < upper()) best = {cost, way, seconds};
-}
-
-void Worker::count(std::size_t& since) {
-  ++effort.expanded;
-  if (++since < 4096) return;
-  since = 0;
-  if (work.stopped && work.stopped()) throw SearchStopped{"out of time"};
-}
 
 struct ForwardSearch::Query {
   const std::vector<Meeting>& meetings;
