@@ -113,8 +113,8 @@ class LastWords {
       const std::lock_guard lock(best->mutex);
       const bool found = best->plan.status == PlanStatus::found;
       if (found)
-        note(fmt::format("the best plan so far costs {}, the least cost is at least {}",
-                         map.cost_text(best->plan.cost), map.cost_text(best->plan.bound)));
+        note(fmt::format("the best plan so far costs {}; the least cost is at least {}", map.cost_text(best->plan.cost),
+                         map.cost_text(best->plan.bound)));
       using Json = nlohmann::ordered_json;
       const Json answer = {{"file", map.source()},
                            {"status", "stopped"},
@@ -147,8 +147,8 @@ int run(const ChaseOptions& options) {
   if (map.rounded()) note(fmt::format("taut: {}: costs have more digits than fit and were rounded", map.source()));
   const ChaseRequest request = request_of(options);
   LastWords last_words(map, request, options.output.json);
-  const ChaseRun run = timed(
-      "chase", played, [&] { return run_chase(map, request, [&](const Plan& plan) { last_words.hear(plan); }); });
+  const ChaseRun run =
+      timed("chase", played, [&] { return run_chase(map, request, [&](const Plan& plan) { last_words.hear(plan); }); });
   begin_stage("write");
   const std::string drawing = options.output.svg.empty() ? "" : chase_svg(map, run, false);
   const std::string animation = options.animation.empty() ? "" : chase_svg(map, run, true);

@@ -73,7 +73,8 @@ int run_compare(const ChaseCompareOptions& options) {
 }  // namespace
 
 Command chase_compare_command(CLI::App& chase) {
-  return command<ChaseCompareOptions>(chase, "compare", "Let all planners chase on the same maps", add_compare_options, run_compare);
+  return command<ChaseCompareOptions>(chase, "compare", "Let all planners chase on the same maps", add_compare_options,
+                                      run_compare);
 }
 
 }  // namespace taut::cli

@@ -82,7 +82,8 @@ int run_generate(const ChaseGenerateOptions& options) {
 }  // namespace
 
 Command chase_generate_command(CLI::App& chase) {
-  return command<ChaseGenerateOptions>(chase, "generate", "Make a town with a target walking in it, from a seed", add_generate_options, run_generate);
+  return command<ChaseGenerateOptions>(chase, "generate", "Make a town with a target walking in it, from a seed",
+                                       add_generate_options, run_generate);
 }
 
 }  // namespace taut::cli

@@ -93,8 +93,7 @@ ChaseRun run_online(const ChaseMap& map, const ChaseRequest& request) {
 
 }  // namespace
 
-ChaseRun run_chase(const ChaseMap& map, const ChaseRequest& request,
-                   const std::function<void(const Plan&)>& better) {
+ChaseRun run_chase(const ChaseMap& map, const ChaseRequest& request, const std::function<void(const Plan&)>& better) {
   if (request.horizon) return run_online(map, request);
   ChaseRun run;
   run.request = request;
@@ -105,8 +104,9 @@ ChaseRun run_chase(const ChaseMap& map, const ChaseRequest& request,
   // Of all planners exact alone does better when it has more time.
   const bool thinks_ahead = !request.free_planning && request.planner->plan == chase_planner("exact")->plan;
   Follower follower(map, request.clock, plan, request.limits(), thinks_ahead ? wall_seconds : nullptr);
-  run.result = play(map, {request.clock, request.free_planning, [&] { return wall_seconds() - follower.seconds_ahead(); }},
-                    [&](CellIndex at, int now) { return follower.next(at, now); });
+  run.result =
+      play(map, {request.clock, request.free_planning, [&] { return wall_seconds() - follower.seconds_ahead(); }},
+           [&](CellIndex at, int now) { return follower.next(at, now); });
   run.seconds_ahead = follower.seconds_ahead();
   run.plan = follower.first_plan();
   const Chase chase = chase_of(map, request.clock);
@@ -146,7 +146,9 @@ nlohmann::ordered_json chase_json(const ChaseMap& map, const ChaseRun& run) {
   for (const ChaseStep& step : r.track) path.push_back({step.second, map.cell(step.cell).x, map.cell(step.cell).y});
   Json json = {
       {"file", map.source()},
-      {"status", run.is_caught() ? "found" : run.is_hopeless() ? "none" : "stopped"},
+      {"status", run.is_caught()     ? "found"
+                 : run.is_hopeless() ? "none"
+                                     : "stopped"},
       {"planner", run.request.planner_name()},
       {"clock", name(run.request.clock)},
       {"free_planning", run.request.free_planning},

@@ -31,7 +31,7 @@ struct ChaseRun {
   pursuit::PlanEffort effort;
   int plans = 0;
   double seconds_ahead = 0;  ///< of planning while the robot moved
-  std::string fault;  ///< of a plan, as its check sees it; a defect of the program
+  std::string fault;         ///< of a plan, as its check sees it; a defect of the program
 
   bool is_caught() const { return result.end == pursuit::ChaseEnd::caught; }
   /// Nobody catches it for less: the plan is proven, and it was kept.

@@ -1,7 +1,6 @@
 #include <taut/robots/pursuit/exact_planner.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <chrono>
 #include <tuple>
@@ -37,7 +36,7 @@ struct Open {
 };
 
 constexpr std::size_t kLargeMap = 2'000'000;
-constexpr std::array kBlockSides{4, 3};
+constexpr int kBlock = 3;
 constexpr std::size_t kMostLabelsOfARange = 4'000'000;  // rather split it
 
 enum class Depth {
@@ -119,11 +118,10 @@ class Planning {
   // On a large map even the first searches take long.
   void look_at_blocks() {
     if (work_.map().index_count() < kLargeMap) return;
-    for (const int side : kBlockSides)
-      if (const auto way = way_over_blocks(*work_.chase, side)) {
-        here_.worker.offer(way->cells, way->seconds);
-        return share();
-      }
+    const auto way = way_over_blocks(*work_.chase, kBlock);
+    if (!way) return;
+    here_.worker.offer(way->cells, way->seconds);
+    share();
   }
 
   // Keeps the meetings that can be reached at all.
@@ -138,8 +136,9 @@ class Planning {
     const Watch watch = [this] {  // a first plan may come later
       if (best_.cost < kNoCost && work_.stopped && work_.stopped()) throw SearchStopped{"out of time"};
     };
-    side_by_side(work_, [&] { work_.latest = latest_departures(map, meetings, chase.now, 0, watch); },
-                 [&] { work_.hops = hops_from(map, chase.from, last, watch); });
+    side_by_side(
+        work_, [&] { work_.latest = latest_departures(map, meetings, chase.now, 0, watch); },
+        [&] { work_.hops = hops_from(map, chase.from, last, watch); });
     work_.is_target.assign(map.index_count(), 0);
     for (const Meeting& m : meetings)
       if (work_.hops[m.cell] <= work_.seconds(m)) {
@@ -179,6 +178,7 @@ class Planning {
     survey();
     open_.push_back({0, 0, values_.size() - 1, std::vector<Cost>(meetings_.size(), 0)});
     if (depth == Depth::rough) return look_roughly();
+    bound_ = work_.seconds(meetings_.front()) * Cost{values_.front()};
     Cost stuck = kNoCost;
     while (!open_.empty() && open_.front().bound < best_.cost) {
       const Cost bound = std::min(stuck, open_.front().bound);
@@ -190,7 +190,8 @@ class Planning {
         open_.pop_back();
       }
       only_open_ = nodes.size() == 1 && open_.empty() && stuck >= kNoCost;
-      const std::vector<RangeSearch::Answer> answers = nodes.size() == 2 ? both(nodes) : std::vector{one(nodes[0], most_labels(nodes[0]))};
+      const std::vector<RangeSearch::Answer> answers =
+          nodes.size() == 2 ? both(nodes) : std::vector{one(nodes[0], most_labels(nodes[0]))};
       share();
       for (std::size_t i = 0; i < nodes.size(); ++i)
         if (!split(nodes[i], answers[i])) stuck = std::min(stuck, answers[i].bound);
@@ -217,8 +218,9 @@ class Planning {
 
   std::vector<RangeSearch::Answer> both(std::vector<Open>& nodes) {
     std::vector<RangeSearch::Answer> answers(2);
-    side_by_side(work_, [&] { answers[0] = evaluated(here_, range_of(nodes[0]), nodes[0], most_labels(nodes[0])); },
-                 [&] { answers[1] = evaluated(beside_, range_of(nodes[1]), nodes[1], most_labels(nodes[1])); });
+    side_by_side(
+        work_, [&] { answers[0] = evaluated(here_, range_of(nodes[0]), nodes[0], most_labels(nodes[0])); },
+        [&] { answers[1] = evaluated(beside_, range_of(nodes[1]), nodes[1], most_labels(nodes[1])); });
     return answers;
   }
 
@@ -226,7 +228,8 @@ class Planning {
     const Range range = range_of(node);
     here_.begin(range, node.bounds);
     beside_.begin(range, std::move(node.bounds));
-    side_by_side(work_, [&] { here_.pass(work_.parts * range.lo); }, [&] { beside_.pass(beside_.guess()); });
+    side_by_side(
+        work_, [&] { here_.pass(work_.parts * range.lo); }, [&] { beside_.pass(beside_.guess()); });
     here_.absorb(beside_);
     beside_.release();
     return here_.finish(most_labels);

@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include <taut/geometry/detail/expects.h>
 #include <taut/robots/pursuit/detail/hops.h>
 #include <taut/robots/pursuit/exact_planner.h>
 
@@ -91,7 +92,8 @@ std::vector<CellIndex> way_to_block(const ChaseMap& map, const Blocks& blocks, C
   return {};
 }
 
-/// Diagonally as long as that leads nearer in x and y. Within one block, or from middle to middle, this visits no other block.
+/// Diagonally as long as that leads nearer in x and y. Within one block, or from middle to middle, this visits no other block: the middle is the same
+/// number of cells from all edges.
 void go_straight(const ChaseMap& map, std::vector<CellIndex>& way, CellIndex to) {
   const Cell end = map.cell(to);
   for (Cell at = map.cell(way.back()); at != end; way.push_back(map.index(at))) {
@@ -103,6 +105,7 @@ void go_straight(const ChaseMap& map, std::vector<CellIndex>& way, CellIndex to)
 }  // namespace
 
 std::optional<TimedWay> way_over_blocks(const Chase& chase, int side) {
+  TAUT_EXPECTS(side >= 3 && side % 2 == 1);
   const ChaseMap& map = *chase.map;
   const Blocks blocks(map, side);
   std::vector<CellIndex> way = way_to_block(map, blocks, chase.from);

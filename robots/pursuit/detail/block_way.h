@@ -17,7 +17,7 @@ struct TimedWay {
 /// The way that rough_plan finds on a map of blocks, `side` cells wide and high: those that are free all over, at their mean cost. It is a legal way on
 /// the map itself, from the middle of one block to that of the next. Nothing when there is none, which says nothing about other ways. Of meetings only
 /// those in such blocks count. O(cells) and a plan for a map of 1 / side^2 of them.
-/// Precondition: side >= 2.
+/// Precondition: side is odd, at least 3.
 std::optional<TimedWay> way_over_blocks(const Chase& chase, int side);
 
 }  // namespace taut::pursuit::detail

@@ -29,8 +29,8 @@ std::vector<int> hops_from(const ChaseMap& map, CellIndex from, int limit, const
   return hops;
 }
 
-std::vector<int> latest_departures(const ChaseMap& map, const std::vector<Meeting>& meetings, int now,
-                                   std::uint32_t lo, const Watch& watch) {
+std::vector<int> latest_departures(const ChaseMap& map, const std::vector<Meeting>& meetings, int now, std::uint32_t lo,
+                                   const Watch& watch) {
   std::vector<int> latest(map.index_count(), -1);
   if (meetings.empty()) return latest;
   const auto steps = neighbour_steps(map);

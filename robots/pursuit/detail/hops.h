@@ -23,8 +23,8 @@ std::vector<int> hops_from(const ChaseMap& map, CellIndex from, int limit, const
 
 /// For each cell the latest second (minus `now`) at which one can leave it and still be in time for one of the meetings, moving over cells of cost >= lo;
 /// -1 where one cannot. O(cells + last second).
-std::vector<int> latest_departures(const ChaseMap& map, const std::vector<Meeting>& meetings, int now,
-                                   std::uint32_t lo, const Watch& watch = {});
+std::vector<int> latest_departures(const ChaseMap& map, const std::vector<Meeting>& meetings, int now, std::uint32_t lo,
+                                   const Watch& watch = {});
 
 /// A way of fewest moves from `from` to `to`, both ends included; empty when there is none.
 std::vector<CellIndex> fewest_moves(const ChaseMap& map, CellIndex from, CellIndex to);

@@ -74,7 +74,7 @@ struct Worker {
 
   Cost upper() const { return best.cost; }
   void offer(const std::vector<CellIndex>& way, int seconds);  ///< takes it when it costs less than the best
-  void offer_earliest(const std::vector<Meeting>& meetings);  ///< the way that Workspace::latest leads along
+  void offer_earliest(const std::vector<Meeting>& meetings);   ///< the way that Workspace::latest leads along
   void count(std::size_t& since);                              ///< one more cell expanded; throws SearchStopped
 };
 
