@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
 
 #include <taut/cli/exit_code.h>
@@ -17,6 +18,10 @@ namespace taut::cli {
 using namespace pursuit;
 
 namespace {
+
+double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 std::string cell_text(Cell c) { return fmt::format("({}, {})", c.x, c.y); }
 
@@ -47,7 +52,7 @@ PlanLimits ChaseRequest::limits() const {
 }
 
 bool ChaseRun::is_proven(const ChaseMap& map) const {
-  return is_caught() && plan.optimal && result.cost == plan.cost && !map.rounded();
+  return is_caught() && plan.status == PlanStatus::found && result.cost == plan.bound && !map.rounded();
 }
 
 int ChaseRun::exit_code() const {
@@ -72,7 +77,8 @@ std::optional<double> ChaseRun::ratio() const {
 namespace {
 
 ChaseRun run_online(const ChaseMap& map, const ChaseRequest& request) {
-  ChaseRun run{request, {}, {}, {}, 0, {}};
+  ChaseRun run;
+  run.request = request;
   const ChaseMap ground = map.without_trajectory();
   const Unfolding unfolding(map, request.clock, *request.horizon);
   OnlinePursuer pursuer(ground, request.limits());
@@ -87,15 +93,21 @@ ChaseRun run_online(const ChaseMap& map, const ChaseRequest& request) {
 
 }  // namespace
 
-ChaseRun run_chase(const ChaseMap& map, const ChaseRequest& request) {
+ChaseRun run_chase(const ChaseMap& map, const ChaseRequest& request, const std::function<void(const Plan&)>& better) {
   if (request.horizon) return run_online(map, request);
-  ChaseRun run{request, {}, {}, {}, 0, {}};
-  const auto plan = [&](const Chase& chase, const PlanLimits& limits, PlanEffort*) {
+  ChaseRun run;
+  run.request = request;
+  const auto plan = [&](const Chase& chase, PlanLimits limits, PlanEffort*) {
+    if (run.plans == 0) limits.better = better;
     return request.planner->plan(chase, limits, run.plans++ == 0 ? &run.effort : nullptr);
   };
-  Follower follower(map, request.clock, plan, request.limits());
-  run.result = play(map, {request.clock, request.free_planning, {}},
-                    [&](CellIndex at, int now) { return follower.next(at, now); });
+  // Of all planners exact alone does better when it has more time.
+  const bool thinks_ahead = !request.free_planning && request.planner->plan == chase_planner("exact")->plan;
+  Follower follower(map, request.clock, plan, request.limits(), thinks_ahead ? wall_seconds : nullptr);
+  run.result =
+      play(map, {request.clock, request.free_planning, [&] { return wall_seconds() - follower.seconds_ahead(); }},
+           [&](CellIndex at, int now) { return follower.next(at, now); });
+  run.seconds_ahead = follower.seconds_ahead();
   run.plan = follower.first_plan();
   const Chase chase = chase_of(map, request.clock);
   if (run.plans == 0) {  // there was nothing to play for
@@ -134,6 +146,9 @@ nlohmann::ordered_json chase_json(const ChaseMap& map, const ChaseRun& run) {
   for (const ChaseStep& step : r.track) path.push_back({step.second, map.cell(step.cell).x, map.cell(step.cell).y});
   Json json = {
       {"file", map.source()},
+      {"status", run.is_caught()     ? "found"
+                 : run.is_hopeless() ? "none"
+                                     : "stopped"},
       {"planner", run.request.planner_name()},
       {"clock", name(run.request.clock)},
       {"free_planning", run.request.free_planning},
@@ -148,6 +163,7 @@ nlohmann::ordered_json chase_json(const ChaseMap& map, const ChaseRun& run) {
       {"planning",
        {{"first_seconds", r.first_thought},
         {"slowest_seconds", r.longest_thought},
+        {"seconds_ahead", run.seconds_ahead},
         {"plans", run.plans},
         {"searches", run.effort.searches},
         {"expanded", run.effort.expanded},

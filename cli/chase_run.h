@@ -3,6 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -29,7 +30,8 @@ struct ChaseRun {
   pursuit::Plan plan;  ///< the first; when online what somebody would do who knows it all: `exact`
   pursuit::PlanEffort effort;
   int plans = 0;
-  std::string fault;  ///< of a plan, as its check sees it; a defect of the program
+  double seconds_ahead = 0;  ///< of planning while the robot moved
+  std::string fault;         ///< of a plan, as its check sees it; a defect of the program
 
   bool is_caught() const { return result.end == pursuit::ChaseEnd::caught; }
   /// Nobody catches it for less: the plan is proven, and it was kept.
@@ -42,7 +44,9 @@ struct ChaseRun {
   std::optional<double> ratio() const;
 };
 
-ChaseRun run_chase(const pursuit::ChaseMap& map, const ChaseRequest& request);
+/// `better` is told of each better plan for the whole chase; see PlanLimits.
+ChaseRun run_chase(const pursuit::ChaseMap& map, const ChaseRequest& request,
+                   const std::function<void(const pursuit::Plan&)>& better = {});
 
 /// `zero` or `one`
 std::string_view name(pursuit::Clock clock);
@@ -53,7 +57,7 @@ std::string chase_text(const pursuit::ChaseMap& map, const ChaseRun& run);
 /// `x,y` at each second that a step ends, a line each: `0 119,45`.
 std::string track_text(const pursuit::ChaseMap& map, const ChaseRun& run);
 
-/// `file`, `planner` (`online`), `clock`, `free_planning`, `caught`, `time`, `moves`, `cost`, `proven`, `lower_bound`, `reason`, `planning`, `peak_memory_bytes`,
+/// `file`, `status` (`found`, `none`, `stopped`), `planner` (`online`), `clock`, `free_planning`, `caught`, `time`, `moves`, `cost`, `proven`, `lower_bound`, `reason`, `planning`, `peak_memory_bytes`,
 /// `path` of [second, x, y]; when online `online`: `horizon`,
 /// `clairvoyant_cost`, `ratio`.
 nlohmann::ordered_json chase_json(const pursuit::ChaseMap& map, const ChaseRun& run);

@@ -40,6 +40,8 @@ std::vector<Command> mouse_commands(CLI::App& app);
 
 /// `taut chase` and, before it, what is below it: of those that were parsed the first is meant.
 std::vector<Command> chase_commands(CLI::App& app);
+Command chase_compare_command(CLI::App& chase);
+Command chase_generate_command(CLI::App& chase);
 /// Likewise `taut bug`.
 std::vector<Command> bug_commands(CLI::App& app);
 Command drive_command(CLI::App& app);

@@ -16,6 +16,7 @@ namespace taut::pursuit {
 namespace {
 
 constexpr std::uint32_t kWeight = 3;
+constexpr int kLookAhead = 2, kLookAheadGrows = 3, kMostAhead = 18;
 
 double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -128,19 +129,27 @@ const NamedPlanner* chase_planner(std::string_view name) {
   return nullptr;
 }
 
-Follower::Follower(const ChaseMap& map, Clock clock, PlanFunction planner, PlanLimits limits)
-    : chase_(chase_of(map, clock)), planner_(std::move(planner)), limits_(std::move(limits)) {}
+Follower::Follower(const ChaseMap& map, Clock clock, PlanFunction planner, PlanLimits limits,
+                   std::function<double()> seconds)
+    : chase_(chase_of(map, clock)),
+      planner_(std::move(planner)),
+      limits_(std::move(limits)),
+      seconds_(std::move(seconds)),
+      look_ahead_(seconds_ ? kLookAhead : 0) {}
 
 std::optional<CellIndex> Follower::next(CellIndex at, int now) {
+  adopt(at, now);
   if (!is_on_plan(at, now) && !catch_up(at, now)) plan_anew(at, now);
   if (plan_.status != PlanStatus::found) return std::nullopt;
+  if (now < chase_.now) return at;
+  plan_ahead(now);
   done_ = static_cast<std::size_t>(now - chase_.now) + 1;
   return plan_.cells[done_];
 }
 
 bool Follower::is_on_plan(CellIndex at, int now) const {
-  if (plan_.status != PlanStatus::found || now < chase_.now) return false;
-  const auto passed = static_cast<std::size_t>(now - chase_.now);
+  if (plan_.status != PlanStatus::found) return false;
+  const auto passed = static_cast<std::size_t>(std::max(0, now - chase_.now));
   return passed + 1 < plan_.cells.size() && plan_.cells[passed] == at;
 }
 
@@ -159,9 +168,51 @@ bool Follower::catch_up(CellIndex at, int now) {
 
 void Follower::plan_anew(CellIndex at, int now) {
   chase_.from = at;
-  chase_.now = now;
-  plan_ = planner_(chase_, limits_, nullptr);
-  if (plans_++ == 0) first_ = plan_;
+  chase_.now = now + delay_;
+  double taken = 0;
+  plan_ = planned(chase_, limits_, taken);
+  done_ = 0;
+  if (plans_ == 1) first_ = plan_;
+  if (taken > 1) delay_ = 2 * seconds_of_step(taken, chase_.meetings.back().second);
+}
+
+Plan Follower::planned(const Chase& chase, const PlanLimits& limits, double& taken) {
+  const double begin = seconds_ ? seconds_() : 0;
+  Plan plan = planner_(chase, limits, nullptr);
+  taken = seconds_ ? seconds_() - begin : 0;
+  ++plans_;
+  return plan;
+}
+
+void Follower::plan_ahead(int now) {
+  const auto there = static_cast<std::size_t>(now - chase_.now + look_ahead_);
+  if (look_ahead_ == 0 || ahead_ || plan_.optimal || there + 1 >= plan_.cells.size()) return;
+  Ahead ahead{chase_, {}};
+  ahead.chase.from = plan_.cells[there];
+  ahead.chase.now = now + look_ahead_;
+  PlanLimits limits = limits_;
+  limits.seconds *= look_ahead_;
+  double taken = 0;
+  ahead.plan = planned(ahead.chase, limits, taken);
+  seconds_ahead_ += taken;
+  const bool is_ready = taken <= look_ahead_;
+  look_ahead_ = look_ahead_ < kMostAhead ? look_ahead_ * kLookAheadGrows : 0;
+  if (is_ready && ahead.plan.status == PlanStatus::found) ahead_ = std::move(ahead);
+}
+
+void Follower::adopt(CellIndex at, int now) {
+  if (!ahead_ || now < ahead_->chase.now) return;
+  if (now == ahead_->chase.now && at == ahead_->chase.from && is_on_plan(at, now)) {
+    const auto rest = plan_.cells.begin() + (now - chase_.now);
+    Cost cost = 0;
+    for (auto cell = rest; cell + 1 != plan_.cells.end(); ++cell) cost += chase_.map->cost(*cell);
+    if (ahead_->plan.cost < cost || ahead_->plan.optimal) {
+      chase_ = std::move(ahead_->chase);
+      plan_ = std::move(ahead_->plan);
+      done_ = 0;
+    }
+  }
+  ahead_.reset();
 }
 
 }  // namespace taut::pursuit

@@ -71,30 +71,51 @@ std::span<const NamedPlanner> chase_planners();
 const NamedPlanner* chase_planner(std::string_view name);  ///< null when there is none of that name
 
 /// Plans when there is no plan, and goes along it. When a step took longer than the plan has it, first gives up as much waiting as it needs to be in
-/// time; plans again when there is not enough. `limits` hold for each call of the planner.
+/// time; plans again when there is not enough, then for the second at which it expects to be ready.
+///
+/// With a clock it thinks while it moves: as long as its plan is not proven it plans ahead, for the cell and the second where the plan will have led it 2
+/// seconds later, then 6, then 18, in so many times `limits.seconds`. It changes to that plan there if the rest costs less than the old plan's, and if it was
+/// ready by then. No more than that: what so much time does not prove rarely becomes better.
 class Follower {
  public:
-  /// The map is kept by reference.
-  Follower(const ChaseMap& map, Clock clock, PlanFunction planner, PlanLimits limits = {});
+  /// The map is kept by reference. `limits` hold for each call of the planner. `seconds`: a clock for the thinking.
+  Follower(const ChaseMap& map, Clock clock, PlanFunction planner, PlanLimits limits = {},
+           std::function<double()> seconds = {});
 
   std::optional<CellIndex> next(CellIndex at, int now);
 
   const Plan& first_plan() const { return first_; }  ///< as the planner gave it
   const Plan& last_plan() const { return plan_; }
   int plans() const { return plans_; }  ///< calls of the planner
+  /// Of thinking ahead: it took place while the robot moved, so a clock for ChaseRules should leave it out.
+  double seconds_ahead() const { return seconds_ahead_; }
 
  private:
+  /// What was thought of a later second.
+  struct Ahead {
+    Chase chase;
+    Plan plan;
+  };
+
   bool is_on_plan(CellIndex at, int now) const;
   bool catch_up(CellIndex at, int now);
   void plan_anew(CellIndex at, int now);
+  void plan_ahead(int now);
+  void adopt(CellIndex at, int now);
+  Plan planned(const Chase& chase, const PlanLimits& limits, double& taken);
 
   Chase chase_;
   PlanFunction planner_;
   PlanLimits limits_;
+  std::function<double()> seconds_;
   Plan plan_;
   Plan first_;
   std::size_t done_ = 0;  // of plan_.cells
   int plans_ = 0;
+  int delay_ = 0;  // that the next plan anew allows for
+  std::optional<Ahead> ahead_;
+  int look_ahead_;  // seconds; 0: no more
+  double seconds_ahead_ = 0;
 };
 
 }  // namespace taut::pursuit

@@ -3,41 +3,19 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
-#include <memory>
-#include <thread>
 #include <tuple>
+#include <utility>
 
 #include <taut/geometry/detail/expects.h>
+#include <taut/robots/pursuit/detail/block_way.h>
 #include <taut/robots/pursuit/detail/range_search.h>
+#include <taut/robots/pursuit/detail/side_by_side.h>
 
 namespace taut::pursuit {
 
 namespace {
 
 using namespace detail;
-
-/// The way that `latest` itself leads along.
-void offer_earliest(Worker& worker, const std::vector<Meeting>& meetings) {
-  const Workspace& work = worker.work;
-  std::vector<CellIndex> way{work.chase->from};
-  const auto seconds_at = [&](CellIndex c) {
-    if (work.is_target[c])
-      for (const Meeting& m : meetings)
-        if (m.cell == c && work.seconds(m) == work.latest[c]) return work.seconds(m);
-    return -1;
-  };
-  int seconds = seconds_at(way.back());
-  while (seconds < 0) {
-    const CellIndex cell = way.back();
-    for (const std::ptrdiff_t step : work.steps)
-      if (work.latest[work.neighbour(cell, step)] == work.latest[cell] + 1) {
-        way.push_back(work.neighbour(cell, step));
-        break;
-      }
-    seconds = seconds_at(way.back());
-  }
-  worker.offer(way, seconds);
-}
 
 std::vector<Meeting> to_come(const Chase& chase) {
   std::vector<Meeting> meetings;
@@ -57,8 +35,15 @@ struct Open {
   }
 };
 
-constexpr std::size_t kSmallMap = 10'000;
+constexpr std::size_t kLargeMap = 2'000'000;
+constexpr int kBlock = 3;
 constexpr std::size_t kMostLabelsOfARange = 4'000'000;  // rather split it
+
+enum class Depth {
+  first,  // what the breadth-first searches lead to
+  rough,  // the best way of one range's bounds
+  exact,
+};
 
 class Planning {
  public:
@@ -67,15 +52,15 @@ class Planning {
     if (limits.stopped || limits.seconds > 0) work_.stopped = [this] { return is_stopped(); };
   }
 
-  Plan run(bool only_first) {
+  Plan run(Depth depth) {
     Plan plan;
     try {
+      if (depth == Depth::exact) look_at_blocks();
       if (!prepare()) {
         plan.reason = reason_of_failure(*work_.chase);
         return plan;
       }
-      bound_ = only_first ? 0 : kNoCost;
-      if (!only_first) search();
+      if (depth != Depth::first) search(depth);
     } catch (const SearchStopped& stop) {
       plan.reason = stop.reason;
       if (only_open_) bound_ = std::max({bound_, here_.bound_so_far(), beside_.bound_so_far()});
@@ -113,7 +98,14 @@ class Planning {
   void take(const Incumbent& incumbent) {
     if (incumbent.cost >= best_.cost) return;
     best_ = incumbent;
-    if (limits_.better) limits_.better(plan_along(*work_.chase, best_.way, best_.seconds));
+    tell();
+  }
+
+  void tell() const {
+    if (!limits_.better || best_.cost >= kNoCost) return;
+    Plan plan = plan_along(*work_.chase, best_.way, best_.seconds);
+    plan.bound = std::min(bound_, plan.cost);
+    limits_.better(plan);
   }
 
   // Both sides go on with the best of both.
@@ -121,6 +113,15 @@ class Planning {
     take(here_.worker.best);
     take(beside_.worker.best);
     here_.worker.best = beside_.worker.best = best_;
+  }
+
+  // On a large map even the first searches take long.
+  void look_at_blocks() {
+    if (work_.map().index_count() < kLargeMap) return;
+    const auto way = way_over_blocks(*work_.chase, kBlock);
+    if (!way) return;
+    here_.worker.offer(way->cells, way->seconds);
+    share();
   }
 
   // Keeps the meetings that can be reached at all.
@@ -132,8 +133,12 @@ class Planning {
     const int last = meetings.back().second - chase.now;
     work_.bits = static_cast<int>(std::bit_width(static_cast<unsigned>(last))) + 1;
     work_.steps = neighbour_steps(map);
-    side_by_side([&] { work_.latest = latest_departures(map, meetings, chase.now, 0); },
-                 [&] { work_.hops = hops_from(map, chase.from, last); });
+    const Watch watch = [this] {  // a first plan may come later
+      if (best_.cost < kNoCost && work_.stopped && work_.stopped()) throw SearchStopped{"out of time"};
+    };
+    side_by_side(
+        work_, [&] { work_.latest = latest_departures(map, meetings, chase.now, 0, watch); },
+        [&] { work_.hops = hops_from(map, chase.from, last, watch); });
     work_.is_target.assign(map.index_count(), 0);
     for (const Meeting& m : meetings)
       if (work_.hops[m.cell] <= work_.seconds(m)) {
@@ -141,7 +146,7 @@ class Planning {
         work_.is_target[m.cell] = 1;
       }
     if (meetings_.empty()) return false;
-    offer_earliest(here_.worker, meetings);
+    here_.worker.offer_earliest(meetings);
     share();
     return true;
   }
@@ -169,12 +174,15 @@ class Planning {
     if (2 * values_.size() > values_.capacity()) values_.reserve(4 * values_.size() + 1024);
   }
 
-  void search() {
+  void search(Depth depth) {
     survey();
     open_.push_back({0, 0, values_.size() - 1, std::vector<Cost>(meetings_.size(), 0)});
+    if (depth == Depth::rough) return look_roughly();
+    bound_ = work_.seconds(meetings_.front()) * Cost{values_.front()};
     Cost stuck = kNoCost;
     while (!open_.empty() && open_.front().bound < best_.cost) {
-      bound_ = std::min(stuck, open_.front().bound);
+      const Cost bound = std::min(stuck, open_.front().bound);
+      if (std::exchange(bound_, bound) < bound) tell();
       std::vector<Open> nodes;
       while (nodes.size() < 2 && !open_.empty() && open_.front().bound < best_.cost) {
         std::pop_heap(open_.begin(), open_.end());
@@ -182,12 +190,18 @@ class Planning {
         open_.pop_back();
       }
       only_open_ = nodes.size() == 1 && open_.empty() && stuck >= kNoCost;
-      const std::vector<RangeSearch::Answer> answers = nodes.size() == 2 ? both(nodes) : std::vector{one(nodes[0])};
+      const std::vector<RangeSearch::Answer> answers =
+          nodes.size() == 2 ? both(nodes) : std::vector{one(nodes[0], most_labels(nodes[0]))};
       share();
       for (std::size_t i = 0; i < nodes.size(); ++i)
         if (!split(nodes[i], answers[i])) stuck = std::min(stuck, answers[i].bound);
     }
     bound_ = std::min(stuck, best_.cost);
+  }
+
+  void look_roughly() {
+    one(open_.front(), 0);
+    share();
   }
 
   Range range_of(const Open& node) const { return {values_[node.lo], values_[node.hi]}; }
@@ -204,40 +218,21 @@ class Planning {
 
   std::vector<RangeSearch::Answer> both(std::vector<Open>& nodes) {
     std::vector<RangeSearch::Answer> answers(2);
-    side_by_side([&] { answers[0] = evaluated(here_, range_of(nodes[0]), nodes[0], most_labels(nodes[0])); },
-                 [&] { answers[1] = evaluated(beside_, range_of(nodes[1]), nodes[1], most_labels(nodes[1])); });
+    side_by_side(
+        work_, [&] { answers[0] = evaluated(here_, range_of(nodes[0]), nodes[0], most_labels(nodes[0])); },
+        [&] { answers[1] = evaluated(beside_, range_of(nodes[1]), nodes[1], most_labels(nodes[1])); });
     return answers;
   }
 
-  RangeSearch::Answer one(Open& node) {
+  RangeSearch::Answer one(Open& node, std::size_t most_labels) {
     const Range range = range_of(node);
     here_.begin(range, node.bounds);
     beside_.begin(range, std::move(node.bounds));
-    side_by_side([&] { here_.pass(work_.parts * range.lo); }, [&] { beside_.pass(beside_.guess()); });
+    side_by_side(
+        work_, [&] { here_.pass(work_.parts * range.lo); }, [&] { beside_.pass(beside_.guess()); });
     here_.absorb(beside_);
     beside_.release();
-    return here_.finish(most_labels(node));
-  }
-
-  // The same result, in whatever order. A thread is not worth it on a small map.
-  template <typename F, typename G>
-  void side_by_side(F here, G beside) const {
-    if (work_.map().index_count() < kSmallMap) {
-      here();
-      return beside();
-    }
-    std::optional<SearchStopped> stopped;
-    {
-      const std::jthread thread([&] {
-        try {
-          beside();
-        } catch (const SearchStopped& stop) {
-          stopped = stop;
-        }
-      });
-      here();
-    }
-    if (stopped) throw *stopped;
+    return here_.finish(most_labels);
   }
 
   // False when what is left of a node cannot be split.
@@ -275,14 +270,19 @@ class Planning {
 Plan exact_plan(const Chase& chase, const PlanLimits& limits, PlanEffort* effort) {
   TAUT_EXPECTS(chase.map->is_free(chase.from));
   Planning planning(chase, limits);
-  Plan plan = planning.run(false);
+  Plan plan = planning.run(Depth::exact);
   if (effort) *effort = planning.effort();
   return plan;
 }
 
 Plan first_plan(const Chase& chase) {
   TAUT_EXPECTS(chase.map->is_free(chase.from));
-  return Planning(chase, {}).run(true);
+  return Planning(chase, {}).run(Depth::first);
+}
+
+Plan rough_plan(const Chase& chase) {
+  TAUT_EXPECTS(chase.map->is_free(chase.from));
+  return Planning(chase, {}).run(Depth::rough);
 }
 
 }  // namespace taut::pursuit

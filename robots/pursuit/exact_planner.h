@@ -25,4 +25,7 @@ Plan exact_plan(const Chase& chase, const PlanLimits& limits = {}, PlanEffort* e
 /// Some way in time: the one that comes to its meeting's cell with the most seconds to spare. Not optimal, O(cells).
 Plan first_plan(const Chase& chase);
 
+/// The best way that the first bounds lead along: mostly near the optimum. A few searches in the plane, O(cells log cost) each.
+Plan rough_plan(const Chase& chase);
+
 }  // namespace taut::pursuit

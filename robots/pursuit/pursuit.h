@@ -63,8 +63,8 @@ struct PlanLimits {
   double seconds = 0;                    ///< 0: as long as it takes. A first plan may come later
   std::size_t most_labels = 30'000'000;  ///< about 50 bytes each at worst
   std::function<bool()> stopped{};       ///< asked every few thousand steps, from two threads at once
-  std::function<void(const Plan&)>
-      better{};  ///< called with each plan that is better than the one before, proven or not
+  /// Called with each plan that is better than the one before, proven or not, and again when its bound is.
+  std::function<void(const Plan&)> better{};
 };
 
 /// Why nobody can meet the target, for Plan::reason: the trajectory lies in obstacles, apart from the robot, or ends too soon.

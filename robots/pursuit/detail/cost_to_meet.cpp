@@ -6,7 +6,7 @@ namespace taut::pursuit::detail {
 
 CostToMeet::CostToMeet(Worker& worker, Cost u, std::uint32_t lo, const std::vector<Meeting>& meetings,
                        const std::vector<int>& latest)
-    : u_(u), base_(kNoCost), cost_(worker.work.map().index_count(), kFar) {
+    : u_(u), base_(kNoCost), cost_(worker.work.map().index_count()) {
   const Workspace& work = worker.work;
   const ChaseMap& map = work.map();
   RadixHeap<CellIndex> queue;
@@ -14,7 +14,7 @@ CostToMeet::CostToMeet(Worker& worker, Cost u, std::uint32_t lo, const std::vect
   const auto most = static_cast<std::uint64_t>(std::max<Cost>(0, work.parts * worker.upper() - base_));
   const auto enter = [&](CellIndex c, std::uint64_t cost) {
     if (cost >= most || cost >= cost_[c] || latest[c] < 0) return;
-    cost_[c] = cost;
+    cost_.set(c, cost);
     queue.push(cost, c);
   };
   for (const Meeting& m : meetings)

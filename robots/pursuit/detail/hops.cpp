@@ -11,12 +11,13 @@ std::vector<std::ptrdiff_t> neighbour_steps(const ChaseMap& map) {
   return {-s, -1, 1, s, -s - 1, -s + 1, s - 1, s + 1};
 }
 
-std::vector<int> hops_from(const ChaseMap& map, CellIndex from, int limit) {
+std::vector<int> hops_from(const ChaseMap& map, CellIndex from, int limit, const Watch& watch) {
   std::vector<int> hops(map.index_count(), kUnreachable);
   const auto steps = neighbour_steps(map);
   std::vector<CellIndex> wave{from}, next;
   hops[from] = 0;
-  for (int moves = 1; !wave.empty() && moves <= limit; ++moves, wave.swap(next), next.clear())
+  for (int moves = 1; !wave.empty() && moves <= limit; ++moves, wave.swap(next), next.clear()) {
+    if (watch) watch();
     for (const CellIndex cell : wave)
       for (const std::ptrdiff_t step : steps) {
         const auto c = static_cast<CellIndex>(static_cast<std::ptrdiff_t>(cell) + step);
@@ -24,11 +25,12 @@ std::vector<int> hops_from(const ChaseMap& map, CellIndex from, int limit) {
         hops[c] = moves;
         next.push_back(c);
       }
+  }
   return hops;
 }
 
-std::vector<int> latest_departures(const ChaseMap& map, const std::vector<Meeting>& meetings, int now,
-                                   std::uint32_t lo) {
+std::vector<int> latest_departures(const ChaseMap& map, const std::vector<Meeting>& meetings, int now, std::uint32_t lo,
+                                   const Watch& watch) {
   std::vector<int> latest(map.index_count(), -1);
   if (meetings.empty()) return latest;
   const auto steps = neighbour_steps(map);
@@ -43,6 +45,7 @@ std::vector<int> latest_departures(const ChaseMap& map, const std::vector<Meetin
     for (; meeting != meetings.rend() && meeting->second - now == second; ++meeting) enter(meeting->cell, second, wave);
     if (wave.empty() && meeting == meetings.rend()) break;
     if (second == 0) break;
+    if (watch) watch();
     for (const CellIndex c : wave)
       for (const std::ptrdiff_t step : steps)
         enter(static_cast<CellIndex>(static_cast<std::ptrdiff_t>(c) + step), second - 1, next);

@@ -118,8 +118,8 @@ RangeSearch::Answer RangeSearch::finish(std::size_t most_labels) {
   if (least && least->bound < answer_.bound) {
     const Cost least_late = least->bound;
     forward_.release();
-    const std::optional<RangeBound> labels =
-        search_labels(worker, range_, live(), std::min(least->best_u, lo()), most_labels);
+    std::optional<RangeBound> labels;
+    if (most_labels > 0) labels = search_labels(worker, range_, live(), std::min(least->best_u, lo()), most_labels);
     answer_.is_open = !labels;
     if (!labels) answer_.bound = least_late;
     if (labels && labels->least < answer_.bound) {

@@ -30,7 +30,8 @@ class RangeSearch {
   void begin(const Range& range, std::vector<Cost> bounds);
   void pass(Cost u);                       ///< one search; u in parts
   void absorb(const RangeSearch& beside);  ///< what another search has found about the same range
-  Answer finish(std::size_t most_labels);  ///< further searches. After pass(parts * lo)
+  Answer finish(
+      std::size_t most_labels);  ///< further searches, the one with labels if any are granted. After pass(parts * lo)
 
   void release() { forward_.release(); }  ///< the memory; after the last question
 

@@ -13,6 +13,7 @@
 #include <optional>
 #include <vector>
 
+#include <taut/robots/pursuit/detail/high_array.h>
 #include <taut/robots/pursuit/detail/hops.h>
 #include <taut/robots/pursuit/detail/radix_heap.h>
 #include <taut/robots/pursuit/detail/walk.h>
@@ -26,6 +27,7 @@ struct Range {
 };
 
 inline constexpr std::uint64_t kFar = ~std::uint64_t{0};
+using Keys = HighArray<std::uint64_t>;  // of cells, kFar where no search came
 
 /// Thrown when a search is told to stop.
 struct SearchStopped {
@@ -72,6 +74,7 @@ struct Worker {
 
   Cost upper() const { return best.cost; }
   void offer(const std::vector<CellIndex>& way, int seconds);  ///< takes it when it costs less than the best
+  void offer_earliest(const std::vector<Meeting>& meetings);   ///< the way that Workspace::latest leads along
   void count(std::size_t& since);                              ///< one more cell expanded; throws SearchStopped
 };
 
@@ -83,7 +86,7 @@ struct Reach {
   int moves = 0;        ///< of that way; more than the meeting's seconds: it is late
 };
 
-/// Dijkstra's algorithm from the robot, by (reduced cost, moves). Arrays are kept from call to call.
+/// Dijkstra's algorithm from the robot, by (reduced cost, moves).
 class ForwardSearch {
  public:
   explicit ForwardSearch(Worker& worker) : worker_(worker), work_(worker.work) {}
@@ -114,8 +117,8 @@ class ForwardSearch {
   Cost u_ = 0;
   const std::vector<int>* latest_ = nullptr;
   std::vector<Reach> reached_;
-  std::vector<std::uint64_t> far_;   // keys of ways that have not yet visited a cell of cost <= hi
-  std::vector<std::uint64_t> near_;  // and of those that have
+  Keys far_;   // keys of ways that have not yet visited a cell of cost <= hi
+  Keys near_;  // and of those that have
   RadixHeap<std::uint64_t> queue_;
 };
 
@@ -132,7 +135,7 @@ class CostToMeet {
  private:
   Cost u_;
   Cost base_ = 0;
-  std::vector<std::uint64_t> cost_;  // above the base
+  Keys cost_;  // above the base
 };
 
 /// What a search with two criteria says about a range.

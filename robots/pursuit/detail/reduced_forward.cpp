@@ -7,7 +7,6 @@ namespace taut::pursuit::detail {
 
 namespace {
 
-constexpr Cost kParts = 16;
 constexpr int kMostTraces = 32;
 constexpr int kWorthATrace = 64;  // parts of the best cost that a way must seem better by, while the search goes on
 
@@ -16,38 +15,6 @@ Cost rounded_up(Cost a, Cost b) { return a / b + (a % b > 0); }  // b > 0
 bool by_cell(const Meeting& a, const Meeting& b) { return a.cell != b.cell ? a.cell < b.cell : a.second < b.second; }
 
 }  // namespace
-
-std::vector<int> Workspace::latest_for(const std::vector<Meeting>& meetings, std::uint32_t lo) const {
-  std::vector<int> departures = latest_departures(map(), meetings, chase->now, lo);
-  for (std::size_t i = 0; i < departures.size(); ++i)
-    if (departures[i] < hops[i]) departures[i] = -1;
-  return departures;
-}
-
-void Workspace::choose_parts(std::uint32_t dearest_cost) {
-  dearest = dearest_cost;
-  const Cost last = std::max(1, chase->meetings.back().second - chase->now);
-  const bool fits = kParts * dearest < (std::numeric_limits<Cost>::max() >> bits) / 4 / last;
-  parts = fits ? kParts : 1;
-}
-
-Cost Workspace::least_u(Cost upper) const {
-  const Cost last = std::max(1, chase->meetings.back().second - chase->now);
-  const Cost most = (std::numeric_limits<Cost>::max() >> bits) / parts, room = most - std::min(upper, most);
-  return -std::min(Cost{dearest}, std::max<Cost>(0, room / last - 1)) * parts;
-}
-
-void Worker::offer(const std::vector<CellIndex>& way, int seconds) {
-  const Cost cost = cost_of(work.map(), way).total(way.size() - 1, seconds);
-  if (cost < upper()) best = {cost, way, seconds};
-}
-
-void Worker::count(std::size_t& since) {
-  ++effort.expanded;
-  if (++since < 4096) return;
-  since = 0;
-  if (work.stopped && work.stopped()) throw SearchStopped{"out of time"};
-}
 
 struct ForwardSearch::Query {
   const std::vector<Meeting>& meetings;
@@ -65,17 +32,15 @@ void ForwardSearch::release() {
 void ForwardSearch::begin(Query& query) {
   const CellIndex from = work_.chase->from;
   const bool touched = work_.map().cost(from) <= range_.hi;
-  near_.assign(work_.map().index_count(), kFar);
-  if (touched)
-    far_ = {};
-  else
-    far_.assign(work_.map().index_count(), kFar);
+  release();
+  near_ = Keys(work_.map().index_count());
+  if (!touched) far_ = Keys(work_.map().index_count());
   queue_.clear();
   for (std::size_t i = 0; i < query.meetings.size(); ++i) query.by_cell.push_back({query.meetings[i], i});
   std::sort(query.by_cell.begin(), query.by_cell.end(),
             [](const auto& a, const auto& b) { return detail::by_cell(a.first, b.first); });
   ++worker_.effort.searches;
-  (touched ? near_ : far_)[from] = 0;
+  (touched ? near_ : far_).set(from, 0);
   queue_.push(0, (std::uint64_t{from} << 1) | touched);
 }
 
@@ -126,10 +91,9 @@ void ForwardSearch::relax(CellIndex cell, bool touched, std::uint64_t key) {
   const std::uint32_t cost = work_.map().cost(cell);
   if (cost == ChaseMap::kObstacle || cost < range_.lo) return;
   touched = touched || cost <= range_.hi;
-  std::uint64_t& known = (touched ? near_ : far_)[cell];
-  if (key >= known) return;
-  if ((*latest_)[cell] < 0) return;
-  known = key;
+  Keys& known = touched ? near_ : far_;
+  if (key >= known[cell] || (*latest_)[cell] < 0) return;
+  known.set(cell, key);
   queue_.push(key, (std::uint64_t{cell} << 1) | touched);
 }
 
@@ -175,7 +139,7 @@ std::vector<CellIndex> ForwardSearch::way_to(CellIndex cell) const {
   std::vector<CellIndex> way{cell};
   bool touched = true;
   const auto leads = [&](CellIndex before, bool before_touched, std::uint64_t key) {
-    const std::vector<std::uint64_t>& keys = before_touched ? near_ : far_;
+    const Keys& keys = before_touched ? near_ : far_;
     if (keys.empty() || keys[before] == kFar) return false;
     return keys[before] + step_key(before) + 1 == key;
   };

@@ -24,7 +24,7 @@ class LabelSearch {
   std::optional<RangeBound> run() {
     const CellIndex from = work_.chase->from;
     const bool touched = work_.map().cost(from) <= range_.hi;
-    moves_.assign(2 * work_.map().index_count(), std::numeric_limits<int>::max());
+    moves_ = HighArray<std::uint32_t>(2 * work_.map().index_count());
     base_ = lower(from);
     enter(from, touched, 0, 0, kNoLabel);
     std::size_t since = 0;
@@ -59,7 +59,8 @@ class LabelSearch {
 
   // By (bound, moves): at one cell the reduced costs ascend, so a label is as good as none when one with no more moves has been there.
   bool is_dominated(CellIndex cell, bool touched, int moves) const {
-    return moves_[2 * std::size_t{cell} + 1] <= moves || (!touched && moves_[2 * std::size_t{cell}] <= moves);
+    const auto at_most = [&](std::size_t known) { return moves_[known] <= static_cast<std::uint32_t>(moves); };
+    return at_most(2 * std::size_t{cell} + 1) || (!touched && at_most(2 * std::size_t{cell}));
   }
 
   void enter(CellIndex cell, bool touched, Cost reduced, int moves, std::uint32_t parent) {
@@ -77,7 +78,7 @@ class LabelSearch {
     const Label label = labels_[index];
     const CellIndex cell = label.cell;
     if (is_dominated(cell, label.touched, moves)) return;
-    moves_[2 * std::size_t{cell} + label.touched] = moves;
+    moves_.set(2 * std::size_t{cell} + label.touched, static_cast<std::uint32_t>(moves));
     const Cost reduced = bound - lower(cell);
     if (label.touched && work_.is_target[cell]) arrive(index, cell, reduced, moves);
     const Cost next = reduced + work_.map().cost(cell) - range_.lo;
@@ -115,7 +116,7 @@ class LabelSearch {
   Ahead ahead_;
   std::size_t most_labels_;
   Cost base_ = 0;
-  std::vector<int> moves_;  // least so far, per cell not touched and touched
+  HighArray<std::uint32_t> moves_;  // least so far, per cell not touched and touched
   std::vector<Label> labels_;
   RadixHeap<std::uint32_t> queue_;
   RangeBound result_;

@@ -8,6 +8,7 @@
 #include <taut/io/read_world.h>
 #include <taut/robots/pursuit/chase_generator.h>
 #include <taut/robots/pursuit/entry_planner.h>
+#include <taut/robots/pursuit/exact_planner.h>
 #include <taut/robots/pursuit/read_chase_map.h>
 
 #include "robots/pursuit/full_programme.h"
@@ -109,6 +110,71 @@ TEST(Follower, GivesUpWaitingWhenItIsLateAndPlansAgainWhenThatIsNotEnough) {
   EXPECT_EQ(late, 1);
   EXPECT_EQ(caught_at(3.5, later), 6);
   EXPECT_EQ(later, 2);
+}
+
+/// Two rows: a way of cost 9 and, below, one of cost 1. The target waits at the far end.
+struct ThoughtAhead {
+  double first = 0.9, ahead = 1.5;  // seconds
+  std::size_t plans = 0;
+  double seconds_ahead = 0;
+
+  ChaseResult play_it() {
+    const std::string rest = ",9,9,9,9,9,9,9,9,9\n1,1,1,1,1,1,1,1,1,1",
+                      still = "1,10 1,10 1,10 1,10 1,10 1,10 1,10 1,10 1,10 ";
+    const ChaseMap map = read_chase_map("N 2,10 C 100 R 1,1 T 2,10 " + still + "1,10 1,10 M 9" + rest);
+    double now = 0;
+    const auto planner = [&](const Chase& chase, const PlanLimits& limits, PlanEffort* effort) {
+      now += plans == 0 ? first : ahead;
+      Plan plan = exact_plan(chase, limits, effort);
+      if (plans++ > 0) return plan;
+      plan.cells.clear();
+      for (int y = 1; y <= 10; ++y) plan.cells.push_back(map.index({1, y}));
+      plan.cost = 81;
+      plan.optimal = false;
+      return plan;
+    };
+    Follower follower(map, Clock::zero, planner, {.seconds = 0.9}, [&] { return now; });
+    const ChaseResult result = play(map, {Clock::zero, false, [&] { return now - follower.seconds_ahead(); }},
+                                    [&](CellIndex at, int s) { return follower.next(at, s); });
+    seconds_ahead = follower.seconds_ahead();
+    return result;
+  }
+};
+
+TEST(Follower, ChangesToABetterPlanThatItMadeWhileItMoved) {
+  ThoughtAhead chase;
+  const ChaseResult result = chase.play_it();
+  EXPECT_EQ(result.end, ChaseEnd::caught);
+  EXPECT_EQ(result.time, 9);
+  EXPECT_EQ(result.cost, 9 + 9 + 9 + 6 * 1);  // two steps along the dear way, a third to leave it
+  EXPECT_EQ(chase.plans, 2U);
+  EXPECT_EQ(chase.seconds_ahead, 1.5);
+}
+
+TEST(Follower, DoesNotUseAPlanBeforeItIsReady) {
+  ThoughtAhead late{.ahead = 2.5}, later{.ahead = 6.5};
+  EXPECT_EQ(late.play_it().cost, 7 * 9 + 9 + 1);  // the one for two seconds on comes too late, the next does not
+  EXPECT_EQ(later.play_it().cost, 81);
+}
+
+// Four seconds of planning, each time: the second plan is one for the second at which it is ready.
+TEST(Follower, AllowsForSlowPlanningWhenItHasToPlanAgain) {
+  const ChaseMap map =
+      line_map("1,6 1,6 1,6 1,6 1,6 1,6 1,6 1,6 1,6 1,6 1,6 1,6 1,6 1,6 1,6 1,6 1,6 1,6", "3,3,1,1,1,1");
+  double now = 0;
+  int plans = 0;
+  Follower follower(
+      map, Clock::zero,
+      [&](Chase chase, const PlanLimits& limits, PlanEffort* effort) {
+        if (plans == 0) std::erase_if(chase.meetings, [](const Meeting& m) { return m.second > 5; });
+        if (++plans <= 2) now += 4;
+        return exact_plan(chase, limits, effort);
+      },
+      {}, [&] { return now; });
+  const ChaseResult result =
+      play(map, {Clock::zero, false, [&] { return now; }}, [&](CellIndex at, int s) { return follower.next(at, s); });
+  EXPECT_EQ(result.end, ChaseEnd::caught);
+  EXPECT_EQ(plans, 2);
 }
 
 TEST(EntryPlan, IsLegalAndNeverCheaperThanTheOptimum) {
