@@ -56,13 +56,15 @@ class PolicyDriver : public PlannedDriver {
   PolicyDriver(LatticePlanner& planner, Aim aim) : PlannedDriver(planner), policy_(planner, aim) {}
 
  protected:
-  bool must_decide(const ObservedMap&, RoadblockSet news) const override { return news != 0; }
+  bool must_decide(const ObservedMap&, RoadblockSet news) const override { return (news & choice_.relevant) != 0; }
   const Plan* decided(const ObservedMap& map, const Pose& pose) override {
-    return policy_.choose(pose, map.open(), map.closed()).plan;
+    choice_ = policy_.choose(pose, map.open(), map.closed());
+    return choice_.plan;
   }
 
  private:
   RoadblockPolicy policy_;
+  RoadblockPolicy::Choice choice_;
 };
 
 /// Takes what is unknown for open (optimist), for closed (pessimist), or for what it was told (clairvoyant).

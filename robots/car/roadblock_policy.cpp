@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostWays = 64;  // to choose from in one place
 
-constexpr int kMostTold = 6;     // unknown roadblocks for whose outcomes bounds are made
+constexpr int kMostTold = 4;     // unknown roadblocks for whose outcomes bounds are made
 constexpr double kTrust = 0.98;  // in estimates, as bounds
 
 /// A way to choose: followed for `steps`, where `seen` comes into sight. Without a sight it leads to the goal.
@@ -30,9 +30,32 @@ struct Way {
 struct RoadblockPolicy::Impl {
   Impl(LatticePlanner& p, Aim a, std::size_t s) : planner(p), course(p.course()), aim(a), searches(s) {}
 
-  RoadblockSet unknown(RoadblockSet open, RoadblockSet closed) const {
-    return ((RoadblockSet{1} << course.roadblocks.size()) - 1) & ~(open | closed);
+  /// The first guess that only what the shortest way crosses matters is corrected until nothing else is crossed by any way.
+  Choice choose(const Pose& from, RoadblockSet open, RoadblockSet closed) {
+    for (;;) {
+      const RoadblockSet before = relevant;
+      guessed.clear();
+      Choice choice = value(from, open & relevant, closed & relevant);
+      choice.relevant = relevant;
+      if (relevant == before) return choice;
+      known.clear();
+    }
   }
+
+  /// Relevant ones.
+  RoadblockSet unknown(RoadblockSet open, RoadblockSet closed) const { return relevant & ~(open | closed); }
+
+  /// Not known to be open, and met; all of them are relevant from now on.
+  RoadblockSet crossed(const Pose& from, const Plan& plan, RoadblockSet open) {
+    RoadblockSet all = 0;
+    for (std::size_t b = 0; b < course.roadblocks.size(); ++b)
+      if (const RoadblockSet block = RoadblockSet{1} << b;
+          !(open & block) && crosses(from, plan, course.roadblocks[b], planner.reading()))
+        all |= block;
+    relevant |= all;
+    return all;
+  }
+
   const Plan* from_start(RoadblockSet closed) { return planner.plan({course.start.x, course.start.y, 0}, closed); }
   bool is_spent() const { return planner.plans() > most_plans; }
 
@@ -48,7 +71,9 @@ struct RoadblockPolicy::Impl {
   Choice decided(const Pose& from, RoadblockSet open, RoadblockSet closed) {
     const Plan* direct = planner.plan(from, closed);
     if (!direct) return {nullptr, from_start(closed) ? kStranded : 0, true};
-    Choice best{direct, static_cast<double>(direct->controls.size()), false};
+    Choice best{direct, static_cast<double>(direct->controls.size()), true};
+    if (crossed(from, *direct, open) == 0) return best;
+    best.exact = false;
     if (is_spent()) return best;
     best = {direct, std::numeric_limits<double>::infinity(), true};
     bool exact = true;
@@ -73,12 +98,9 @@ struct RoadblockPolicy::Impl {
       if (i > 0 && is_spent()) break;
       const Plan* plan = planner.plan(from, closed | avoided);
       if (!plan) continue;
-      for (std::size_t b = 0; b < course.roadblocks.size(); ++b) {
-        const RoadblockSet block = RoadblockSet{1} << b;
-        if ((unknown(open, closed) & ~avoided & block) &&
-            crosses(from, *plan, course.roadblocks[b], planner.reading()) && asked.insert(avoided | block).second)
+      for (RoadblockSet met = crossed(from, *plan, open); met != 0; met &= met - 1)
+        if (const RoadblockSet block = met & (~met + 1); asked.insert(avoided | block).second)
           avoid.push_back(avoided | block);
-      }
       Way way = way_along(*plan, closed | avoided, unknown(open, closed));
       const Pose& end = plan->poses.empty() ? from : plan->poses[way.steps - 1];
       if (!places.insert({way.steps, {end.x, end.y, end.heading}}).second) continue;
@@ -97,8 +119,8 @@ struct RoadblockPolicy::Impl {
 
   /// What even somebody needs from there who is told everything: the mean, or the maximum, of estimates over all outcomes. Where there is no way, nothing.
   double least_from(const Pose& there, RoadblockSet open, RoadblockSet closed) {
-    const RoadblockSet rest = unknown(open, closed);
-    if (std::popcount(rest) > kMostTold) return 0;
+    RoadblockSet rest = unknown(open, closed);
+    while (std::popcount(rest) > kMostTold) rest &= rest - 1;  // the others open
     double least = 0;
     for (RoadblockSet now_open = rest;; now_open = (now_open - 1) & rest) {
       if (const double p = probability(now_open, rest); p > 0)
@@ -141,6 +163,7 @@ struct RoadblockPolicy::Impl {
   Aim aim;
   std::size_t searches;
   std::size_t most_plans = 0;
+  RoadblockSet relevant = 0;
   std::map<std::tuple<double, double, double, RoadblockSet, RoadblockSet>, Choice> known,
       guessed;  ///< the latter for one choice
 };
@@ -152,8 +175,7 @@ RoadblockPolicy::~RoadblockPolicy() = default;
 
 RoadblockPolicy::Choice RoadblockPolicy::choose(const Pose& from, RoadblockSet open, RoadblockSet closed) {
   impl_->most_plans = impl_->planner.plans() + impl_->searches;
-  impl_->guessed.clear();
-  return impl_->value(from, open, closed);
+  return impl_->choose(from, open, closed);
 }
 
 }  // namespace taut::car
