@@ -188,6 +188,7 @@ struct LatticePlanner::Impl {
 LatticePlanner::LatticePlanner(const Course& course, WallReading reading)
     : impl_(std::make_unique<Impl>(course, reading)) {}
 
+
 LatticePlanner::~LatticePlanner() = default;
 
 const Plan* LatticePlanner::plan(const Pose& from, RoadblockSet closed) {
