@@ -45,16 +45,14 @@ struct DriveOptions {
   CommonOptions common;
 };
 
-std::string planner_names() {
-  std::string names = "ours, optimist, pessimist, clairvoyant";
-  for (const car::Peer& peer : car::peers()) names += ", " + std::string(peer.name);
-  return names;
-}
-
 void choose_planner(const std::string& word, DriveOptions& options) {
   const auto kind = car::driver_named(word);
   options.peer = car::peer_named(word);
-  if (!kind && !options.peer) throw CLI::ValidationError("--planner: '" + word + "' is none of " + planner_names());
+  if (!kind && !options.peer) {
+    std::string names = "ours, optimist, pessimist, clairvoyant";
+    for (const car::Peer& peer : car::peers()) names += ", " + std::string(peer.name);
+    throw CLI::ValidationError("--planner: '" + word + "' is none of " + names);
+  }
   if (kind) options.planner = *kind;
 }
 
@@ -96,8 +94,7 @@ void add_options(CLI::App& app, DriveOptions& options) {
   app.add_option_function<std::string>(
          "--planner", [&options](const std::string& word) { choose_planner(word, options); },
          "ours (default), optimist, pessimist, clairvoyant (knows the sample: a bound); to compare with: rrt, "
-         "rrt-field, "
-         "rrt-star, rrt-connect (with --seed), value-iteration")
+         "rrt-field, rrt-star, rrt-connect (with --seed), value-iteration")
       ->type_name("NAME");
   app.add_option_function<std::string>(
          "--policy", [&options](const std::string& word) { options.aim = aim_of(word); },
@@ -154,6 +151,7 @@ class TimedDriver : public car::Driver {
   }
   int replans() const override { return driver_->replans(); }
   bool gave_up() const override { return driver_->gave_up(); }
+  bool exact() const override { return driver_->exact(); }
   double first() const { return first_; }                  ///< the first plan, milliseconds
   double slowest_later() const { return slowest_later_; }  ///< the slowest decision after it
 
@@ -167,6 +165,7 @@ struct Result {
   car::Sample sample;
   car::Drive drive;
   double first_plan = 0, slowest_replan = 0;  // milliseconds
+  bool exact = true;
   std::size_t steps() const { return drive.controls.size(); }
   bool reached() const { return drive.outcome == car::Outcome::reached; }
 };
@@ -183,6 +182,7 @@ nlohmann::ordered_json json_of(const Result& result, const car::Course& course, 
                               {"replans", result.drive.replans},
                               {"first_plan_ms", result.first_plan},
                               {"slowest_replan_ms", result.slowest_replan}};
+  if (!options.peer && options.planner == car::DriverKind::ours) json["policy_exact"] = result.exact;
   if (options.controls) json["controls"] = result.drive.controls;
   return json;
 }
@@ -285,7 +285,7 @@ int run(const DriveOptions& options) {
   for (const car::Sample& sample : chosen_samples(options, map, name)) {
     TimedDriver driver(driver_for(sample, map.course, planner, options));
     car::Drive drive = car::drive(map.course, sample.open, driver, options.walls);
-    results.push_back({sample, std::move(drive), driver.first(), driver.slowest_later()});
+    results.push_back({sample, std::move(drive), driver.first(), driver.slowest_later(), driver.exact()});
   }
   finish();
   write_results(options, map.course, name, results);

@@ -55,16 +55,20 @@ class PolicyDriver : public PlannedDriver {
  public:
   PolicyDriver(LatticePlanner& planner, Aim aim) : PlannedDriver(planner), policy_(planner, aim) {}
 
+  bool exact() const override { return exact_; }
+
  protected:
   bool must_decide(const ObservedMap&, RoadblockSet news) const override { return (news & choice_.relevant) != 0; }
   const Plan* decided(const ObservedMap& map, const Pose& pose) override {
     choice_ = policy_.choose(pose, map.open(), map.closed());
+    exact_ = exact_ && choice_.exact;
     return choice_.plan;
   }
 
  private:
   RoadblockPolicy policy_;
   RoadblockPolicy::Choice choice_;
+  bool exact_ = true;
 };
 
 /// Takes what is unknown for open (optimist), for closed (pessimist), or for what it was told (clairvoyant).
