@@ -13,6 +13,7 @@ namespace taut::car {
 
 namespace {
 
+constexpr std::size_t kManyPlans = 400;  // of the planner, after which a choice gets a fifth of its searches
 constexpr std::size_t kMostWays = 64;  // to choose from in one place
 
 constexpr int kMostTold = 1;     // unknown roadblocks for whose outcomes bounds are made
@@ -207,7 +208,8 @@ RoadblockPolicy::RoadblockPolicy(LatticePlanner& planner, Aim aim, std::size_t s
 RoadblockPolicy::~RoadblockPolicy() = default;
 
 RoadblockPolicy::Choice RoadblockPolicy::choose(const Pose& from, RoadblockSet open, RoadblockSet closed) {
-  impl_->most_plans = impl_->planner.plans() + impl_->searches;
+  const std::size_t so_far = impl_->planner.plans();
+  impl_->most_plans = so_far + (so_far < kManyPlans ? impl_->searches : impl_->searches / 5);
   return impl_->choose(from, open, closed);
 }
 

@@ -21,7 +21,7 @@ enum class Aim : std::uint8_t {
 ///     V(pose, open, closed) = min over ways of (steps + the mean, or the maximum, over what is seen there of V(there, open', closed'))
 ///
 ///  1. Exact on the graph that these ways and places make: all information states that can come up are solved, with branch and bound and a table,
-///     to the last roadblock, as long as the planner does not search more than `searches` times for one choice. After that a state counts what it costs with
+///     to the last roadblock, as long as the planner does not search more than `searches` times for one choice (a fifth of that once the planner has searched 400 times in all). After that a state counts what it costs with
 ///     unknown roadblocks open, and Choice::exact is false; the drive decides again, with the same budget, at its next sight.
 ///  2. Relevant roadblocks are those that any of these ways crosses; seeing another decides nothing and makes no information state. A way that crosses no unknown
 ///     one is not left.
