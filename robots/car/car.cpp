@@ -104,7 +104,8 @@ bool sweeps(const Pose& from, double control, Cell cell, double slack) {
 
 /// Cheap and sure: the car half-way, wider by more than it moves and turns from there to either end, does not touch the square.
 bool is_out_of_reach(const Pose& from, double control, Cell cell, double slack) {
-  constexpr double kAlong = 0.11, kAcross = 0.045;  // 0.075 ahead, 0.025 radians of the sides and the ends, and the arc's height
+  constexpr double kAlong = 0.11,
+                   kAcross = 0.045;  // 0.075 ahead, 0.025 radians of the sides and the ends, and the arc's height
   const bool ahead = turns(control);
   const double way = ahead ? kForward / 2 : control == kReverse ? -kBackward / 2 : 0;
   const double turn = ahead ? kTurn * control : 0, chord = from.heading + turn / 4;

@@ -17,9 +17,9 @@ namespace taut::car {
 namespace {
 
 constexpr std::size_t kMostKnown =
-    64;                      // sets of closed roadblocks whose estimates are kept: some 3 MB each on a map of 50 x 50
+    64;  // sets of closed roadblocks whose estimates are kept: some 3 MB each on a map of 50 x 50
 constexpr std::size_t kMostCells = 4;  // likewise, 30 MB each
-constexpr double kNear = 3;  // more than half the car's diagonal, half a square's and a step
+constexpr double kNear = 3;            // more than half the car's diagonal, half a square's and a step
 
 /// From coarse to fine: the next one is asked only when there is no way in the former.
 constexpr std::array<detail::Lattice, 2> kLattices{{{4, 4, 0.02, 1'000'000}, {10, 2, kMargin, 600'000}}};
@@ -187,7 +187,6 @@ struct LatticePlanner::Impl {
 
 LatticePlanner::LatticePlanner(const Course& course, WallReading reading)
     : impl_(std::make_unique<Impl>(course, reading)) {}
-
 
 LatticePlanner::~LatticePlanner() = default;
 

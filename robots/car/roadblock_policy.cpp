@@ -14,7 +14,7 @@ namespace taut::car {
 namespace {
 
 constexpr std::size_t kManyPlans = 400;  // of the planner, after which a choice gets a fifth of its searches
-constexpr std::size_t kMostWays = 64;  // to choose from in one place
+constexpr std::size_t kMostWays = 64;    // to choose from in one place
 
 constexpr int kMostTold = 1;     // unknown roadblocks for whose outcomes bounds are made
 constexpr double kTrust = 0.98;  // in estimates, as bounds
@@ -172,7 +172,8 @@ struct RoadblockPolicy::Impl {
     for (const Outcome& o : all) {
       least -= o.p * o.least;
       const double rest = limit - steps;
-      const auto then = value(way.end(), o.open, o.closed, aim == Aim::expected ? (rest - choice.value - least) / o.p : rest);
+      const auto then =
+          value(way.end(), o.open, o.closed, aim == Aim::expected ? (rest - choice.value - least) / o.p : rest);
       if (!then) return std::nullopt;
       choice.exact = choice.exact && then->exact;
       choice.value = aim == Aim::expected ? choice.value + o.p * then->value : std::max(choice.value, then->value);

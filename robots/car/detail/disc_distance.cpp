@@ -15,7 +15,7 @@ namespace {
 constexpr double kHalfDiagonal = 0.5 * std::numbers::sqrt2 / kRaster;
 constexpr double kCircumscribed = 1.803;              // more than half the car's diagonal
 constexpr double kReach = 1.5 * std::numbers::sqrt2;  // more than half the car's diagonal, and a step
-constexpr float kRoomSeen = 2.8F;  // more room is not measured
+constexpr float kRoomSeen = 2.8F;                     // more room is not measured
 
 double distance_to(Cell c, Point p, WallReading reading) {
   const double half = reading == WallReading::squares ? 0.5 : 0;
@@ -50,7 +50,8 @@ void Obstacles::lessen_room(Cell closed) {
   const int x = raster(closed.x), y = raster(closed.y);
   for (int j = std::max(0, y - reach); j < std::min(rows, y + reach); ++j)
     for (int i = std::max(0, x - reach); i < std::min(columns, x + reach); ++i) {
-      float& room = room_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(i)];
+      float& room =
+          room_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(i)];
       const double distance = distance_to(closed, {middle(i), middle(j)}, reading_) - kHalfDiagonal - 1e-4;
       room = std::min(room, static_cast<float>(std::max(0.0, distance)));
     }
@@ -104,7 +105,8 @@ class DiscRoom {
     // A gate of two centres at most 2 apart (squares: of facing sides) lets no car through, though raster cells in its middle are wider.
     obstacles.each_gate([&](const Box& band) {
       for (int j = std::max(0, raster(band.min.y)); j < std::min(rows_, raster(band.max.y)); ++j)
-        for (int i = std::max(0, raster(band.min.x)); i < std::min(columns_, raster(band.max.x)); ++i) free_[at(i, j)] = 0;
+        for (int i = std::max(0, raster(band.min.x)); i < std::min(columns_, raster(band.max.x)); ++i)
+          free_[at(i, j)] = 0;
     });
   }
 

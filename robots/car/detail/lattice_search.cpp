@@ -218,7 +218,7 @@ class Search {
 }  // namespace
 
 LatticeAnswer lattice_search(const Obstacles& obstacles, const DiscDistance& disc, const PoseDistance& distance,
-                                   const Lattice& lattice, const Pose& from, std::size_t& expanded) {
+                             const Lattice& lattice, const Pose& from, std::size_t& expanded) {
   return Search(obstacles, disc, distance, lattice, from).run(expanded);
 }
 

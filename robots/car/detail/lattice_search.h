@@ -24,6 +24,6 @@ struct LatticeAnswer {
 
 /// A*. Adds to `expanded`.
 LatticeAnswer lattice_search(const Obstacles& obstacles, const DiscDistance& disc, const PoseDistance& distance,
-                                   const Lattice& lattice, const Pose& from, std::size_t& expanded);
+                             const Lattice& lattice, const Pose& from, std::size_t& expanded);
 
 }  // namespace taut::car::detail
