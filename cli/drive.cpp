@@ -1,7 +1,6 @@
 // taut drive: a car through a maze whose roadblocks show only from near; with --car, any car in any world.
 #include <fmt/format.h>
 #include <CLI/Error.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <memory>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include <taut/cli/command.h>
+#include <taut/cli/drive_report.h>
 #include <taut/cli/drive_svg.h>
 #include <taut/cli/drive_world.h>
 #include <taut/cli/exit_code.h>
@@ -45,16 +45,14 @@ struct DriveOptions {
   CommonOptions common;
 };
 
-std::string planner_names() {
-  std::string names = "ours, optimist, pessimist, clairvoyant";
-  for (const car::Peer& peer : car::peers()) names += ", " + std::string(peer.name);
-  return names;
-}
-
 void choose_planner(const std::string& word, DriveOptions& options) {
   const auto kind = car::driver_named(word);
   options.peer = car::peer_named(word);
-  if (!kind && !options.peer) throw CLI::ValidationError("--planner: '" + word + "' is none of " + planner_names());
+  if (!kind && !options.peer) {
+    std::string names = "ours, optimist, pessimist, clairvoyant";
+    for (const car::Peer& peer : car::peers()) names += ", " + std::string(peer.name);
+    throw CLI::ValidationError("--planner: '" + word + "' is none of " + names);
+  }
   if (kind) options.planner = *kind;
 }
 
@@ -96,8 +94,7 @@ void add_options(CLI::App& app, DriveOptions& options) {
   app.add_option_function<std::string>(
          "--planner", [&options](const std::string& word) { choose_planner(word, options); },
          "ours (default), optimist, pessimist, clairvoyant (knows the sample: a bound); to compare with: rrt, "
-         "rrt-field, "
-         "rrt-star, rrt-connect (with --seed), value-iteration")
+         "rrt-field, rrt-star, rrt-connect (with --seed), value-iteration")
       ->type_name("NAME");
   app.add_option_function<std::string>(
          "--policy", [&options](const std::string& word) { options.aim = aim_of(word); },
@@ -154,6 +151,7 @@ class TimedDriver : public car::Driver {
   }
   int replans() const override { return driver_->replans(); }
   bool gave_up() const override { return driver_->gave_up(); }
+  bool exact() const override { return driver_->exact(); }
   double first() const { return first_; }                  ///< the first plan, milliseconds
   double slowest_later() const { return slowest_later_; }  ///< the slowest decision after it
 
@@ -162,55 +160,6 @@ class TimedDriver : public car::Driver {
   int asked_ = 0;
   double first_ = 0, slowest_later_ = 0;
 };
-
-struct Result {
-  car::Sample sample;
-  car::Drive drive;
-  double first_plan = 0, slowest_replan = 0;  // milliseconds
-  std::size_t steps() const { return drive.controls.size(); }
-  bool reached() const { return drive.outcome == car::Outcome::reached; }
-};
-
-nlohmann::ordered_json json_of(const Result& result, const car::Course& course, const DriveOptions& options) {
-  nlohmann::ordered_json json{{"sample", result.sample.number},
-                              {"planner", planner_name(options)},
-                              {"seed", options.common.seed},
-                              {"open", car::bits_of(result.sample.open, course)},
-                              {"reached", result.reached()},
-                              {"outcome", car::name(result.drive.outcome)},
-                              {"steps", result.steps()},
-                              {"collisions", result.drive.outcome == car::Outcome::collision ? 1 : 0},
-                              {"replans", result.drive.replans},
-                              {"first_plan_ms", result.first_plan},
-                              {"slowest_replan_ms", result.slowest_replan}};
-  if (options.controls) json["controls"] = result.drive.controls;
-  return json;
-}
-
-std::size_t bits_width(const car::Course& course) { return std::max<std::size_t>(course.roadblocks.size(), 4); }
-
-std::string heading(const car::Course& course) {
-  return fmt::format("{:>6}  {:<{}}  {:<9}  {:>6}  {:>7}  {:>8}  {:>9}\n", "sample", "open", bits_width(course),
-                     "outcome", "steps", "replans", "first ms", "replan ms");
-}
-
-std::string row(const Result& result, const car::Course& course) {
-  return fmt::format("{:>6}  {:<{}}  {:<9}  {:>6}  {:>7}  {:>8.1f}  {:>9.1f}\n", result.sample.number,
-                     car::bits_of(result.sample.open, course), bits_width(course), car::name(result.drive.outcome),
-                     result.steps(), result.drive.replans, result.first_plan, result.slowest_replan);
-}
-
-std::string summary(const std::vector<Result>& results) {
-  std::size_t reached = 0, steps = 0, worst = 0;
-  for (const Result& result : results)
-    if (result.reached()) ++reached, steps += result.steps(), worst = std::max(worst, result.steps());
-  std::string text = fmt::format("reached {} of {} ({:.0f} %)", reached, results.size(),
-                                 100.0 * static_cast<double>(reached) / static_cast<double>(results.size()));
-  if (reached != 0)
-    text +=
-        fmt::format(", mean {:.1f} steps, worst {}", static_cast<double>(steps) / static_cast<double>(reached), worst);
-  return text + "\n";
-}
 
 // A collision is a defect of the driver: it never enters what it does not know to be free.
 ExitCode code_of(car::Outcome outcome) {
@@ -250,22 +199,16 @@ std::unique_ptr<car::Driver> driver_for(const car::Sample& sample, const car::Co
 }
 
 void write_results(const DriveOptions& options, const car::Course& course, const std::string& name,
-                   const std::vector<Result>& results) {
+                   const std::vector<DriveResult>& results) {
   const car::Drive& last = results.back().drive;
   if (!options.svg.empty())
     write_file(options.svg, picture_of(last, course, options,
                                        fmt::format("{}, sample {}: {}, {} steps, {} replans", title_of(name),
                                                    results.back().sample.number, car::name(last.outcome),
                                                    last.controls.size(), last.replans)));
-  auto json = nlohmann::ordered_json::array();
-  std::string table = heading(course);
-  for (const Result& result : results) {
-    json.push_back(json_of(result, course, options));
-    table += row(result, course);
-  }
-  write_file(options.json, json.dump(2) + "\n");
-  if (options.all) table += summary(results);
-  if (!options.quiet && options.svg != "-" && options.json != "-") print(table);
+  const DriveReportOptions report{planner_name(options), options.common.seed, options.controls, options.all};
+  write_file(options.json, drive_json(results, course, report));
+  if (!options.quiet && options.svg != "-" && options.json != "-") print(drive_table(results, course, report));
 }
 
 int run(const DriveOptions& options) {
@@ -281,16 +224,18 @@ int run(const DriveOptions& options) {
   car::require_start_free(map.course, options.walls, name);
   begin_stage("drive");
   car::LatticePlanner planner(map.course, options.walls);
-  std::vector<Result> results;
+  std::vector<DriveResult> results;
   for (const car::Sample& sample : chosen_samples(options, map, name)) {
     TimedDriver driver(driver_for(sample, map.course, planner, options));
     car::Drive drive = car::drive(map.course, sample.open, driver, options.walls);
-    results.push_back({sample, std::move(drive), driver.first(), driver.slowest_later()});
+    const bool has_policy = !options.peer && options.planner == car::DriverKind::ours;
+    const auto policy_exact = has_policy ? std::optional(driver.exact()) : std::nullopt;
+    results.push_back({sample, std::move(drive), driver.first(), driver.slowest_later(), policy_exact});
   }
   finish();
   write_results(options, map.course, name, results);
   int code = kFound;
-  for (const Result& result : results) code = std::max<int>(code, code_of(result.drive.outcome));
+  for (const DriveResult& result : results) code = std::max<int>(code, code_of(result.drive.outcome));
   return code;
 }
 

@@ -102,6 +102,17 @@ bool sweeps(const Pose& from, double control, Cell cell, double slack) {
   return false;
 }
 
+/// Cheap and sure: the car half-way, wider by more than it moves and turns from there to either end, does not touch the square.
+bool is_out_of_reach(const Pose& from, double control, Cell cell, double slack) {
+  constexpr double kAlong = 0.11,
+                   kAcross = 0.045;  // 0.075 ahead, 0.025 radians of the sides and the ends, and the arc's height
+  const bool ahead = turns(control);
+  const double way = ahead ? kForward / 2 : control == kReverse ? -kBackward / 2 : 0;
+  const double turn = ahead ? kTurn * control : 0, chord = from.heading + turn / 4;
+  const Pose half{from.x + way * std::cos(chord), from.y + way * std::sin(chord), from.heading + turn / 2};
+  return !overlap(Frame(half), cell, kHalfLength + slack + kAlong, kHalfWidth + slack + kAcross);
+}
+
 }  // namespace
 
 Pose stepped(const Pose& from, double control) {
@@ -136,6 +147,7 @@ bool touches(const Pose& pose, Cell cell, WallReading reading, double slack) {
 }
 
 bool meets(const Pose& from, double control, Cell cell, WallReading reading, double slack) {
+  if (reading == WallReading::squares && is_out_of_reach(from, control, cell, slack)) return false;
   if (touches(stepped(from, control), cell, reading, slack)) return true;
   if (reading == WallReading::points || (control != kReverse && !turns(control))) return false;
   return sweeps(from, control, cell, slack);

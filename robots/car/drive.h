@@ -61,6 +61,8 @@ class Driver {
   virtual int replans() const = 0;
   /// After next() gave nothing: is that unproven, because samples were used up or a discretisation was too coarse?
   virtual bool gave_up() const { return false; }
+  /// Was every choice the best of those considered? False when a choice was cut short.
+  virtual bool exact() const { return true; }
 };
 
 enum class Outcome : std::uint8_t { reached, no_route, collision, limit, gave_up };

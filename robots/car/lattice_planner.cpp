@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <map>
 #include <tuple>
 
 #include <taut/robots/car/detail/disc_distance.h>
 #include <taut/robots/car/detail/lattice_search.h>
+#include <taut/robots/car/detail/pose_cells.h>
 #include <taut/robots/car/detail/shortcuts.h>
 
 namespace taut::car {
@@ -15,8 +17,9 @@ namespace taut::car {
 namespace {
 
 constexpr std::size_t kMostKnown =
-    64;                      // sets of closed roadblocks whose estimates are kept: some 3 MB each on a map of 50 x 50
-constexpr double kNear = 3;  // more than half the car's diagonal, half a square's and a step
+    64;  // sets of closed roadblocks whose estimates are kept: some 3 MB each on a map of 50 x 50
+constexpr std::size_t kMostCells = 4;  // likewise, 30 MB each
+constexpr double kNear = 3;            // more than half the car's diagonal, half a square's and a step
 
 /// From coarse to fine: the next one is asked only when there is no way in the former.
 constexpr std::array<detail::Lattice, 2> kLattices{{{4, 4, 0.02, 1'000'000}, {10, 2, kMargin, 600'000}}};
@@ -40,6 +43,15 @@ struct LatticePlanner::Impl {
     detail::Obstacles obstacles;
     detail::DiscDistance disc;
     detail::PoseDistance distance;
+    std::size_t used = 0;  ///< when last
+  };
+
+  enum class None : std::uint8_t { proven, exhausted, no_disc, capped };
+
+  /// A plan, or why there is none.
+  struct Answer {
+    std::optional<Plan> plan;
+    None none = None::proven;
   };
 
   /// A way and what was closed when it was planned.
@@ -50,22 +62,44 @@ struct LatticePlanner::Impl {
 
   struct Place {
     std::vector<Way> ways;
-    std::vector<RoadblockSet> hopeless;
+    std::vector<std::pair<RoadblockSet, None>> hopeless;
   };
 
-  const Known& known(RoadblockSet closed) {
+  Known& known(RoadblockSet closed) {
     auto at = by_closed.find(closed);
-    if (at != by_closed.end()) return at->second;
-    if (by_closed.size() >= kMostKnown) by_closed.clear();
-    detail::Obstacles obstacles(course, closed, reading);
-    detail::DiscDistance disc(obstacles, course.goal);
-    const Known* before = nullptr;  // with the most of these closed
-    for (const auto& [shut, known] : by_closed)
-      if ((shut & ~closed) == 0) before = &known;
-    detail::PoseDistance distance = before ? detail::PoseDistance(before->distance, before->obstacles, obstacles, disc)
-                                           : detail::PoseDistance(obstacles, disc, course.goal);
-    at = by_closed.emplace(closed, Known{std::move(obstacles), std::move(disc), std::move(distance)}).first;
+    if (at == by_closed.end()) {
+      at = by_closed.emplace(closed, made(closed)).first;
+      if (by_closed.size() > kMostKnown) by_closed.erase(longest_unused());
+    }
+    at->second.used = ++uses;
     return at->second;
+  }
+
+  Known made(RoadblockSet closed) {
+    const auto* before = nearest(closed);
+    if (!before) {
+      detail::Obstacles obstacles(course, closed, reading);
+      detail::DiscDistance disc(obstacles, course.goal);
+      detail::PoseDistance distance(obstacles, disc, course.goal);
+      return {std::move(obstacles), std::move(disc), std::move(distance), ++uses};
+    }
+    detail::Obstacles obstacles = before->obstacles.with(closed);
+    detail::DiscDistance disc(obstacles, course.goal);
+    detail::PoseDistance distance(before->distance, before->obstacles, obstacles, disc);
+    return {std::move(obstacles), std::move(disc), std::move(distance), ++uses};
+  }
+
+  /// With the most of these closed, and nothing else.
+  const Known* nearest(RoadblockSet closed) const {
+    const Known* best = nullptr;
+    int most = -1;
+    for (const auto& [shut, known] : by_closed)
+      if ((shut & ~closed) == 0 && std::popcount(shut) > most) best = &known, most = std::popcount(shut);
+    return best;
+  }
+
+  std::map<RoadblockSet, Known>::iterator longest_unused() {
+    return std::ranges::min_element(by_closed, {}, [](const auto& entry) { return entry.second.used; });
   }
 
   /// Of the ways known from there: the shortest that is clear with `closed`. The best of all when what it was planned around is among that.
@@ -86,52 +120,66 @@ struct LatticePlanner::Impl {
     return true;
   }
 
-  std::optional<Plan> found(const Pose& from, RoadblockSet closed) {
+  Answer found(const Pose& from, RoadblockSet closed) {
     Place& place = places[{from.x, from.y, from.heading}];
-    if (std::ranges::any_of(place.hopeless, [&](RoadblockSet shut) { return (shut & ~closed) == 0; }))
-      return std::nullopt;
+    for (const auto& [shut, none] : place.hopeless)
+      if (none != None::capped && (shut & ~closed) == 0) return {std::nullopt, none};
     bool is_best = false;
-    std::optional<Plan> plan = known_way(place, from, closed, is_best);
-    if (is_best) return plan;
-    if (std::optional<Plan> other = search(from, closed);
-        other && (!plan || other->controls.size() < plan->controls.size()))
-      plan = std::move(other);
-    if (plan)
-      place.ways.push_back({*plan, closed});
+    std::optional<Plan> way = known_way(place, from, closed, is_best);
+    if (is_best) return {std::move(way)};
+    Answer answer = search(from, closed);
+    if (way && !(answer.plan && answer.plan->controls.size() < way->controls.size())) answer = {std::move(way)};
+    if (answer.plan)
+      place.ways.push_back({*answer.plan, closed});
     else
-      place.hopeless.push_back(closed);
-    return plan;
+      place.hopeless.emplace_back(closed, answer.none);
+    return answer;
   }
 
-  bool is_hopeless_from_start(const Pose& from, RoadblockSet closed) {
-    const Pose start{course.start.x, course.start.y, 0};
-    return from != start && !plan(start, closed);
-  }
-
-  const Plan* plan(const Pose& from, RoadblockSet closed) {
+  Answer& answer(const Pose& from, RoadblockSet closed) {
     const std::tuple key{from.x, from.y, from.heading, closed};
     auto at = kept.find(key);
     if (at == kept.end()) at = kept.emplace(key, found(from, closed)).first;
-    return at->second ? &*at->second : nullptr;
+    return at->second;
   }
 
-  std::optional<Plan> search(const Pose& from, RoadblockSet closed) {
-    if (!known(closed).disc.reaches({from.x, from.y})) return std::nullopt;
+  Answer search(const Pose& from, RoadblockSet closed) {
+    if (!known(closed).disc.reaches({from.x, from.y})) return {std::nullopt, None::no_disc};
     ++plans;
+    if (known(closed).distance.steps_from(from) == detail::PoseDistance::kFar && !may_reach(from, closed))
+      return {std::nullopt, None::proven};
+    detail::LatticeAnswer last;
     for (const detail::Lattice& lattice : kLattices) {
-      // The car came from the start: where that has no way, neither has this, and the fine lattice takes long to say so.
-      if (&lattice == &kLattices.back() && is_hopeless_from_start(from, closed)) return std::nullopt;
-      if (const auto plan = detail::lattice_search(known(closed).obstacles, known(closed).disc, known(closed).distance,
-                                                   lattice, from, expanded))
-        return detail::with_shortcuts(from, *plan, known(closed).obstacles, lattice.slack);
+      if (&lattice == &kLattices.back()) {
+        if (!may_reach(from, closed)) return {std::nullopt, None::proven};
+        // The car came from the start: where that has no way, neither has this, and the fine lattice takes long to say so.
+        const Pose start{course.start.x, course.start.y, 0};
+        if (from != start && !answer(start, closed).plan) return {std::nullopt, answer(start, closed).none};
+      }
+      const Known& now = known(closed);
+      last = detail::lattice_search(now.obstacles, now.disc, now.distance, lattice, from, expanded);
+      if (last.plan) return {detail::with_shortcuts(from, *last.plan, now.obstacles, lattice.slack)};
     }
-    return std::nullopt;
+    return {std::nullopt, last.exhausted ? None::exhausted : None::capped};
+  }
+
+  /// False is a proof.
+  bool may_reach(const Pose& from, RoadblockSet closed) {
+    auto at = cells.find(closed);
+    if (at == cells.end()) {
+      if (cells.size() >= kMostCells) cells.clear();
+      at = cells.emplace(closed, detail::PoseCells(known(closed).obstacles, course.goal)).first;
+    }
+    return at->second.reaches(from);
   }
 
   const Course& course;
   WallReading reading;
   std::map<RoadblockSet, Known> by_closed;
-  std::map<std::tuple<double, double, double, RoadblockSet>, std::optional<Plan>> kept;
+  std::size_t uses = 0;
+  std::map<RoadblockSet, detail::PoseCells> cells;
+  std::map<std::tuple<double, double, double, RoadblockSet>, Answer> kept;
+  std::map<std::tuple<double, double, double, RoadblockSet>, double> estimates;
   std::map<std::tuple<double, double, double>, Place> places;
   std::size_t expanded = 0;
   std::size_t plans = 0;
@@ -142,7 +190,16 @@ LatticePlanner::LatticePlanner(const Course& course, WallReading reading)
 
 LatticePlanner::~LatticePlanner() = default;
 
-const Plan* LatticePlanner::plan(const Pose& from, RoadblockSet closed) { return impl_->plan(from, closed); }
+const Plan* LatticePlanner::plan(const Pose& from, RoadblockSet closed) {
+  const auto& plan = impl_->answer(from, closed).plan;
+  return plan ? &*plan : nullptr;
+}
+
+bool LatticePlanner::gave_up(const Pose& from, RoadblockSet closed) {
+  const Impl::Answer& answer = impl_->answer(from, closed);
+  if (answer.plan) return false;
+  return answer.none == Impl::None::capped || (answer.none == Impl::None::no_disc && impl_->may_reach(from, closed));
+}
 
 void LatticePlanner::adopt(const Plan& plan, std::size_t steps, RoadblockSet shut) {
   const Pose& there = plan.poses[steps - 1];
@@ -154,8 +211,11 @@ void LatticePlanner::adopt(const Plan& plan, std::size_t steps, RoadblockSet shu
 }
 
 std::optional<double> LatticePlanner::estimate(const Pose& from, RoadblockSet closed) {
-  const double steps = impl_->known(closed).distance.steps_from(from);
-  return steps == detail::PoseDistance::kFar ? std::nullopt : std::optional(steps);
+  const std::tuple key{from.x, from.y, from.heading, closed};
+  auto at = impl_->estimates.find(key);
+  if (at == impl_->estimates.end())
+    at = impl_->estimates.emplace(key, impl_->known(closed).distance.steps_from(from)).first;
+  return at->second == detail::PoseDistance::kFar ? std::nullopt : std::optional(at->second);
 }
 
 const Course& LatticePlanner::course() const { return impl_->course; }

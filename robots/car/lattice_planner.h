@@ -30,8 +30,10 @@ bool crosses(const Pose& from, const Plan& plan, const Roadblock& block, WallRea
 ///     strictly a lower bound: plans are not proven to be the shortest of the lattice; they are mostly within 3 % of it.
 ///     Where even the disc cannot pass (between centres at most 2 apart in points) there is no way, and none is searched for.
 ///  4. Plans are then shortened by continuous controls (detail/shortcuts.h), which brings them below what the lattice has.
-///  5. An absent plan: none exists in the finest lattice (1/10 and 64 headings), or none was found in it by 600 000 expansions. That is no proof: a gap that leaves the car
-///     less play may be missed. Precondition: the car can have come to `from` from the course's start; where that has no way, `from` is not searched in the finest lattice.
+///  5. An absent plan is sure (gave_up() is false) when cells of poses prove that no controls whatever lead to the goal (detail/pose_cells.h), or when the finest
+///     lattice (1/10 and 64 headings) was searched without a rest; the latter leaves out ways that give the car less play than the lattice needs. Where it was left after
+///     600 000 expansions, the planner gave up. Precondition: the car can have come to `from` from the course's start; where that has no way, `from` is not searched
+///     in the finest lattice.
 /// Plans are kept: the same question again costs nothing, nor does one whose answer a kept plan from there is: planned around fewer closed roadblocks, and
 /// clear of all. The estimate for a set of closed roadblocks is repaired from one with fewer closed. Same questions, same answers.
 class LatticePlanner {
@@ -43,6 +45,9 @@ class LatticePlanner {
 
   /// The controls from `from`, whose heading is taken as the nearest on the lattice. Null when there is no way; valid as long as the planner.
   const Plan* plan(const Pose& from, RoadblockSet closed);
+
+  /// After plan() gave null for the same: is that unproven?
+  bool gave_up(const Pose& from, RoadblockSet closed);
 
   /// A way that is known: `plan`, found with `shut` closed, from its pose after `steps` steps on. From there plan() searches no other where that is the best for sure,
   /// and gives none that is longer.

@@ -15,35 +15,45 @@ namespace {
 constexpr double kHalfDiagonal = 0.5 * std::numbers::sqrt2 / kRaster;
 constexpr double kCircumscribed = 1.803;              // more than half the car's diagonal
 constexpr double kReach = 1.5 * std::numbers::sqrt2;  // more than half the car's diagonal, and a step
-constexpr int kRoomSeen = 3;                          // cells around which room is measured
+constexpr float kRoomSeen = 2.8F;                     // more room is not measured
 
 double distance_to(Cell c, Point p, WallReading reading) {
   const double half = reading == WallReading::squares ? 0.5 : 0;
-  return std::hypot(std::max(std::abs(p.x - c.x) - half, 0.0), std::max(std::abs(p.y - c.y) - half, 0.0));
+  const double dx = std::max(std::abs(p.x - c.x) - half, 0.0), dy = std::max(std::abs(p.y - c.y) - half, 0.0);
+  return std::sqrt(dx * dx + dy * dy);
 }
 
 }  // namespace
 
 Obstacles::Obstacles(const Course& course, RoadblockSet closed, WallReading reading)
     : course_(&course), reading_(reading), closed_(course.walls) {
-  for (std::size_t i = 0; i < course.roadblocks.size(); ++i)
-    if ((closed >> i) & 1)
-      for (const Cell c : course.roadblocks[i].cells) closed_[course.index(c)] = 1;
-  measure_room();
+  room_.assign(closed_.size() * kRaster * kRaster, kRoomSeen);
+  for (int y = 1; y <= course.height; ++y)
+    for (int x = 1; x <= course.width; ++x)
+      if (is_closed({x, y})) lessen_room({x, y});
+  *this = with(closed);
 }
 
-void Obstacles::measure_room() {
-  const int columns = course_->width * kRaster, rows = course_->height * kRaster;
-  room_.reserve(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
-  for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i) {
-      const Point p{middle(i), middle(j)};
-      const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
-      double least = kRoomSeen;
-      for (int dy = -kRoomSeen; dy <= kRoomSeen; ++dy)
-        for (int dx = -kRoomSeen; dx <= kRoomSeen; ++dx)
-          if (is_closed({x + dx, y + dy})) least = std::min(least, distance_to({x + dx, y + dy}, p, reading_));
-      room_.push_back(static_cast<float>(std::max(0.0, least - kHalfDiagonal - 1e-4)));
+Obstacles Obstacles::with(RoadblockSet closed) const {
+  Obstacles more = *this;
+  for (std::size_t i = 0; i < course_->roadblocks.size(); ++i)
+    if ((closed >> i) & 1)
+      for (const Cell c : course_->roadblocks[i].cells) {
+        more.closed_[course_->index(c)] = 1;
+        more.lessen_room(c);
+      }
+  return more;
+}
+
+void Obstacles::lessen_room(Cell closed) {
+  const int columns = course_->width * kRaster, rows = course_->height * kRaster, reach = 4 * kRaster;
+  const int x = raster(closed.x), y = raster(closed.y);
+  for (int j = std::max(0, y - reach); j < std::min(rows, y + reach); ++j)
+    for (int i = std::max(0, x - reach); i < std::min(columns, x + reach); ++i) {
+      float& room =
+          room_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(i)];
+      const double distance = distance_to(closed, {middle(i), middle(j)}, reading_) - kHalfDiagonal - 1e-4;
+      room = std::min(room, static_cast<float>(std::max(0.0, distance)));
     }
 }
 
@@ -93,14 +103,11 @@ class DiscRoom {
       for (int i = 0; i < columns_; ++i)
         free_[at(i, j)] = obstacles.room({middle(i), middle(j)}) > kHalfWidth - 2 * kHalfDiagonal - 2e-4;
     // A gate of two centres at most 2 apart (squares: of facing sides) lets no car through, though raster cells in its middle are wider.
-    const int widest = obstacles.reading() == WallReading::points ? 2 : 3;
-    const Course& course = obstacles.course();
-    for (int y = 1; y <= course.height; ++y)
-      for (int x = 1; x <= course.width; ++x) {
-        if (!obstacles.is_closed({x, y})) continue;
-        if (obstacles.is_closed({x + widest, y})) shut(x, y, widest, 0);
-        if (obstacles.is_closed({x, y + widest})) shut(x, y, 0, widest);
-      }
+    obstacles.each_gate([&](const Box& band) {
+      for (int j = std::max(0, raster(band.min.y)); j < std::min(rows_, raster(band.max.y)); ++j)
+        for (int i = std::max(0, raster(band.min.x)); i < std::min(columns_, raster(band.max.x)); ++i)
+          free_[at(i, j)] = 0;
+    });
   }
 
   bool is_free(int i, int j) const { return i >= 0 && j >= 0 && i < columns_ && j < rows_ && free_[at(i, j)] != 0; }
@@ -111,11 +118,6 @@ class DiscRoom {
   int rows() const { return rows_; }
 
  private:
-  void shut(int x, int y, int dx, int dy) {
-    for (int j = raster(y) - (dx > 0); j <= raster(y + dy); ++j)
-      for (int i = raster(x) - (dy > 0); i <= raster(x + dx); ++i) free_[at(i, j)] = 0;
-  }
-
   int columns_, rows_;
   std::vector<std::uint8_t> free_;
 };

@@ -118,19 +118,19 @@ class Search {
     lay_steps();
   }
 
-  std::optional<Plan> run(std::size_t& expanded) {
+  LatticeAnswer run(std::size_t& expanded) {
     Node start{from_.x, from_.y, 0, Bins::kNone, 0, 0, 0, at_goal(from_, obstacles_.course(), -kMargin)};
     push(start);
     std::size_t done = 0;
     while (const std::optional<std::uint32_t> next = open_.pop()) {
       const Node node = nodes_[*next];
-      if (node.arrived) return plan_to(*next);
+      if (node.arrived) return {plan_to(*next), false};
       if (bins_.at(node.x, node.y, node.heading) != *next) continue;
-      if (++done > most_) return std::nullopt;
+      if (++done > most_) return {};
       ++expanded;
       for (std::size_t i = 0; i < primitives_.size(); ++i) extend(*next, node, i);
     }
-    return std::nullopt;
+    return {std::nullopt, true};
   }
 
  private:
@@ -217,8 +217,8 @@ class Search {
 
 }  // namespace
 
-std::optional<Plan> lattice_search(const Obstacles& obstacles, const DiscDistance& disc, const PoseDistance& distance,
-                                   const Lattice& lattice, const Pose& from, std::size_t& expanded) {
+LatticeAnswer lattice_search(const Obstacles& obstacles, const DiscDistance& disc, const PoseDistance& distance,
+                             const Lattice& lattice, const Pose& from, std::size_t& expanded) {
   return Search(obstacles, disc, distance, lattice, from).run(expanded);
 }
 

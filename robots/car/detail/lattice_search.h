@@ -17,8 +17,13 @@ struct Lattice {
   std::size_t most = 1'000'000;  ///< states to expand: then it gives up
 };
 
+struct LatticeAnswer {
+  std::optional<Plan> plan;
+  bool exhausted = false;  ///< without a plan: all of the lattice that the start is connected to was searched
+};
+
 /// A*. Adds to `expanded`.
-std::optional<Plan> lattice_search(const Obstacles& obstacles, const DiscDistance& disc, const PoseDistance& distance,
-                                   const Lattice& lattice, const Pose& from, std::size_t& expanded);
+LatticeAnswer lattice_search(const Obstacles& obstacles, const DiscDistance& disc, const PoseDistance& distance,
+                             const Lattice& lattice, const Pose& from, std::size_t& expanded);
 
 }  // namespace taut::car::detail

@@ -15,13 +15,32 @@ constexpr int kHeadings = PoseDistance::kTableHeadings;
 constexpr double kUnit = 2 * std::numbers::pi / kHeadings;
 constexpr double kArc = kUnit / kTurn;                                      // steps of an arc to the next heading
 constexpr std::int32_t kNever = std::numeric_limits<std::uint16_t>::max();  // and what costs more, 16 thousand steps
-constexpr double kCircumscribed = 1.803;  // half the car's diagonal: with so much room every heading is free
 
 constexpr double kMostLost = 0.1;    // of all states: beyond that a repair takes longer than a new search
 constexpr int kTouch = 3 * kRaster;  // raster cells from a closed cell to where the car may touch it, and more
 constexpr int kFarthest = 5;         // raster cells that a move spans
 
 int wrapped(int heading) { return (heading + kHeadings) % kHeadings; }
+
+/// Around a closed cell, kTouch raster cells to all sides: the headings in which a car there, smaller by kTableSlack, touches it.
+using Touches = std::array<std::uint32_t, static_cast<std::size_t>((2 * kTouch + 1) * (2 * kTouch + 1))>;
+
+Touches touches_around(WallReading reading) {
+  Touches all{};
+  std::size_t k = 0;
+  for (int j = -kTouch; j <= kTouch; ++j)
+    for (int i = -kTouch; i <= kTouch; ++i, ++k)
+      for (int h = 0; h < kHeadings; ++h)
+        if (touches({(i + 0.5) / kRaster, (j + 0.5) / kRaster, h * kUnit}, Cell{0, 0}, reading,
+                    -PoseDistance::kTableSlack))
+          all[k] |= 1U << h;
+  return all;
+}
+
+const Touches& touches_of(WallReading reading) {
+  static const Touches kPoints = touches_around(WallReading::points), kSquares = touches_around(WallReading::squares);
+  return reading == WallReading::points ? kPoints : kSquares;
+}
 
 /// Short raster vectors close to the headings of the first eighth.
 constexpr std::array<std::array<int, 2>, 5> kAhead{{{1, 0}, {5, 1}, {5, 2}, {3, 2}, {1, 1}}};
@@ -86,7 +105,11 @@ PoseDistance::PoseDistance(const Obstacles& obstacles, const DiscDistance& disc,
     : columns_(obstacles.course().width * kRaster), rows_(obstacles.course().height * kRaster) {
   lay_moves();
   for (int j = 0; j < rows_; ++j)
-    for (int i = 0; i < columns_; ++i) free_.push_back(free_headings(i, j, obstacles, disc));
+    for (int i = 0; i < columns_; ++i) free_.push_back(disc.reaches({middle(i), middle(j)}) ? ~0U : 0);
+  const Course& course = obstacles.course();
+  for (int y = 1; y <= course.height; ++y)
+    for (int x = 1; x <= course.width; ++x)
+      if (obstacles.is_closed({x, y})) close({x, y}, obstacles.reading());
   cost_.assign(free_.size() * kHeadings, kNever);
   Queue queue;
   for (int j = std::max(0, raster(goal.y - 2)); j <= std::min(rows_ - 1, raster(goal.y + 2)); ++j)
@@ -129,14 +152,19 @@ void PoseDistance::lay_moves() {
   }
 }
 
-std::uint32_t PoseDistance::free_headings(int i, int j, const Obstacles& obstacles, const DiscDistance& disc) const {
-  const Point p{middle(i), middle(j)};
-  if (!disc.reaches(p)) return 0;
-  if (obstacles.room(p) > kCircumscribed) return ~0U;
-  std::uint32_t bits = 0;
-  for (int h = 0; h < kHeadings; ++h)
-    if (obstacles.is_free({p.x, p.y, h * kUnit}, -kTableSlack)) bits |= 1U << h;
-  return bits;
+template <typename Visit>
+void PoseDistance::each_cell_around(int i, int j, int reach, Visit visit) const {
+  for (int y = std::max(0, j - reach); y <= std::min(rows_ - 1, j + reach); ++y)
+    for (int x = std::max(0, i - reach); x <= std::min(columns_ - 1, i + reach); ++x) visit(x, y);
+}
+
+/// Takes the headings in which the car touches the cell.
+void PoseDistance::close(Cell cell, WallReading reading) {
+  const Touches& touches = touches_of(reading);
+  each_cell_around(raster(cell.x), raster(cell.y), kTouch, [&](int i, int j) {
+    free_[at(i, j)] &= ~touches[static_cast<std::size_t>((j - raster(cell.y) + kTouch) * (2 * kTouch + 1) + i -
+                                                         raster(cell.x) + kTouch)];
+  });
 }
 
 /// From and to are in the raster, hence what lies between.
@@ -224,28 +252,21 @@ std::vector<PoseDistance::State> PoseDistance::unsettle(Queue& queue, const std:
   return lost;
 }
 
-template <typename Visit>
-void PoseDistance::each_cell_around(int i, int j, int reach, Visit visit) const {
-  for (int y = std::max(0, j - reach); y <= std::min(rows_ - 1, j + reach); ++y)
-    for (int x = std::max(0, i - reach); x <= std::min(columns_ - 1, i + reach); ++x) visit(x, y);
-}
-
 /// Takes the new closed cells' poses from what is free; the states that may have leant on one: themselves, and those a move away.
 std::vector<PoseDistance::State> PoseDistance::shut(const Obstacles& before, const Obstacles& obstacles,
                                                     const DiscDistance& disc) {
-  std::vector<std::uint8_t> touched(free_.size()), near(free_.size());
+  const std::vector<std::uint32_t> were = free_;
   const Course& course = obstacles.course();
   for (int y = 1; y <= course.height; ++y)
     for (int x = 1; x <= course.width; ++x)
-      if (obstacles.is_closed({x, y}) && !before.is_closed({x, y}))
-        each_cell_around(raster(x), raster(y), kTouch, [&](int i, int j) { touched[at(i, j)] = 1; });
+      if (obstacles.is_closed({x, y}) && !before.is_closed({x, y})) close({x, y}, obstacles.reading());
+  std::vector<std::uint8_t> near(free_.size());
   for (int j = 0; j < rows_; ++j)
     for (int i = 0; i < columns_; ++i) {
-      std::uint32_t& bits = free_[at(i, j)];
-      const std::uint32_t were = bits;
-      if (were == 0) continue;
-      bits &= touched[at(i, j)] ? free_headings(i, j, obstacles, disc) : disc.reaches({middle(i), middle(j)}) ? ~0U : 0;
-      if (bits != were) each_cell_around(i, j, kFarthest, [&](int x, int y) { near[at(x, y)] = 1; });
+      if (were[at(i, j)] == 0) continue;
+      if (!disc.reaches({middle(i), middle(j)})) free_[at(i, j)] = 0;
+      if (free_[at(i, j)] != were[at(i, j)])
+        each_cell_around(i, j, kFarthest, [&](int x, int y) { near[at(x, y)] = 1; });
     }
   std::vector<State> states;
   for (std::size_t cell = 0; cell < near.size(); ++cell)

@@ -39,7 +39,7 @@ class PoseDistance {
   void lay_moves();
   template <typename Visit>
   void each_cell_around(int i, int j, int reach, Visit visit) const;
-  std::uint32_t free_headings(int i, int j, const Obstacles& obstacles, const DiscDistance& disc) const;
+  void close(Cell cell, WallReading reading);
   std::vector<State> shut(const Obstacles& before, const Obstacles& obstacles, const DiscDistance& disc);
   std::vector<State> unsettle(Queue& queue, const std::vector<std::uint16_t>& old);
   void spread(Queue& queue);
