@@ -115,14 +115,17 @@ Pose last_pose(const Record& record) {
 }
 
 MouseSheet sheet_of(const GridMaze& maze, const MousePicture& picture) {
-  std::vector<MouseSheet::Key> keys{{"run1", "run 1"},
-                                    {"run2", "run 2"},
-                                    {"seen", "wall seen"},
-                                    {"unseen", "wall not seen"},
-                                    {"goal", "goal"},
-                                    {"start", "start"},
-                                    {"scale", "first seen: early to late"}};
-  if (picture.flood) keys.push_back({"flood", "fewest steps to the goal, unknown walls open"});
+  using enum detail::SvgKey::Sample;
+  std::vector<std::string> colours;
+  for (int i = 0; i < kShades; ++i) colours.push_back(shade_name(i));
+  std::vector<detail::SvgKey> keys{{"run1", "run 1", line, {}},
+                                   {"run2", "run 2", line, {}},
+                                   {"seen", "wall seen", line, {}},
+                                   {"unseen", "wall not seen", line, {}},
+                                   {"goal", "goal", patch, {}},
+                                   {"start", "start", patch, {}},
+                                   {"sight", "first seen: early to late", scale, std::move(colours)}};
+  if (picture.flood) keys.push_back({"flood", "fewest steps to the goal, unknown walls open", digit, {}});
   return {maze, picture.title, picture.facts, keys};
 }
 
@@ -265,7 +268,7 @@ std::string film_counter(const MouseSheet& sheet, const Record& record, const Fi
                     svg_number(at.y - 8), last ? "" : " opacity=\"0\"", s.run, step,
                     s.action.reset ? " \xC2\xB7 reset" : "", last ? film.from(begin) : film.between(begin, begin + 1));
   }
-  return MouseSheet::group("legend", out);
+  return MouseSheet::group("counter", out);
 }
 
 }  // namespace
