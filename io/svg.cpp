@@ -104,7 +104,7 @@ class Picture {
 
   std::vector<std::string> facts() const {
     std::vector<std::string> facts = what_.facts;
-    if (what_.roadmap && !roadmap_is_drawn())
+    if (what_.roadmap && what_.roadmap->edge_count() > kSvgRoadmapEdges)
       facts.push_back(fmt::format("roadmap of {} edges not drawn", what_.roadmap->edge_count()));
     if (what_.diagram && !diagram_is_drawn())
       facts.push_back(fmt::format("diagram of {} edges not drawn", what_.diagram->edges().size()));
@@ -113,7 +113,9 @@ class Picture {
 
   bool diagram_is_drawn() const { return what_.diagram && what_.diagram->edges().size() <= kSvgRoadmapEdges; }
 
-  bool roadmap_is_drawn() const { return what_.roadmap && what_.roadmap->edge_count() <= kSvgRoadmapEdges; }
+  bool roadmap_is_drawn() const {
+    return what_.roadmap && what_.roadmap->edge_count() > 0 && what_.roadmap->edge_count() <= kSvgRoadmapEdges;
+  }
 
   std::optional<Point> goal_point() const {
     if (what_.goal.point) return what_.goal.point;
