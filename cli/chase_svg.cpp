@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -16,18 +17,21 @@ using namespace pursuit;
 
 namespace {
 
-constexpr double kSide = 960, kLegend = 64;
+constexpr double kSide = 960, kLegend = 92;
 constexpr int kMostPixels = 1000;
 constexpr Pixel kWall{52, 60, 82};
 
+// Every rule begins with .chase: pictures within one page leave each other alone.
 constexpr const char* kStyle =
-    "<style>text{font:15px sans-serif;fill:#222}.robot{stroke:#0b62d6}.target{stroke:#d3221f}"
-    ".way{fill:none;stroke-width:3;stroke-linejoin:round;stroke-linecap:round}"
-    ".casing{stroke:#fff;stroke-width:5.5;stroke-opacity:.8}"
-    ".rest{stroke-width:1.5;stroke-dasharray:3 5}circle{fill:#fff;stroke-width:2.5}"
-    ".mark text{font-size:12px;paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}"
-    ".robot text{fill:#0b62d6}.target text{fill:#d3221f}circle.solid.robot{fill:#0b62d6;stroke:#fff}"
-    "circle.solid.target{fill:#d3221f;stroke:#fff}image{image-rendering:pixelated}</style>";
+    "<style>.chase text{font:15px sans-serif;fill:#222}.chase .robot{stroke:#0b62d6}.chase .target{stroke:#d3221f}"
+    ".chase .way{fill:none;stroke-width:3;stroke-linejoin:round;stroke-linecap:round}"
+    ".chase .casing{stroke:#fff;stroke-width:5.5;stroke-opacity:.8}"
+    ".chase .rest{stroke-width:1.5;stroke-dasharray:3 5}.chase circle{fill:#fff;stroke-width:2.5}"
+    ".chase .mark text{font-size:12px;paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}"
+    ".chase .robot text{fill:#0b62d6}.chase .target text{fill:#d3221f}.chase "
+    "circle.solid.robot{fill:#0b62d6;stroke:#fff}"
+    ".chase circle.solid.target{fill:#d3221f;stroke:#fff}.chase .key text{font-size:13px}"
+    ".chase image{image-rendering:pixelated}</style>";
 
 std::string escaped(const std::string& text) {
   std::string out;
@@ -48,7 +52,10 @@ class Shades {
   }
   Pixel of(double cost) const {
     const double range = std::log1p(static_cast<double>(most_) - static_cast<double>(least_));
-    const double at = range > 0 ? std::log1p(std::max(0.0, cost - static_cast<double>(least_))) / range : 0;
+    return at(range > 0 ? std::log1p(std::max(0.0, cost - static_cast<double>(least_))) / range : 0);
+  }
+  /// From 0, the cheapest, to 1.
+  static Pixel at(double at) {
     const auto mix = [&](double light, double dark) { return static_cast<std::uint8_t>(light + (dark - light) * at); };
     return {mix(252, 206), mix(250, 150), mix(244, 92)};
   }
@@ -83,6 +90,15 @@ Pixels pixels_of(const ChaseMap& map, int side) {
   return image;
 }
 
+/// Each pixel becomes times x times: not every viewer heeds image-rendering and leaves cells sharp.
+Pixels enlarged(const Pixels& image, int times) {
+  Pixels out{image.width * times, image.height * times, {}};
+  for (int row = 0; row < out.height; ++row)
+    for (int column = 0; column < out.width; ++column)
+      out.pixels.push_back(image.pixels[static_cast<std::size_t>(row / times * image.width + column / times)]);
+  return out;
+}
+
 /// A round number of seconds between marks.
 int mark_step(int seconds) {
   int step = 1;
@@ -90,6 +106,15 @@ int mark_step(int seconds) {
     if (seconds / step > 8) step = times;
   return step;
 }
+
+constexpr double kDigit = 7, kLine = 12;  // the size of a label's letters, roughly
+
+struct Label {
+  double x = 0, y = 0, width = 0;
+  bool overlaps(const Label& other) const {
+    return x < other.x + other.width && other.x < x + width && std::abs(y - other.y) < kLine;
+  }
+};
 
 class Picture {
  public:
@@ -106,9 +131,10 @@ class Picture {
   std::string drawn(bool moves) {
     const double page = std::max(width_, 520.0);
     out_ = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
-        "{1:.0f}\">{2}<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-        page, height_ + kLegend, kStyle);
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chase\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 "
+        "{0:.0f} "
+        "{1:.0f}\"><title>{3}</title>{2}<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
+        page, height_ + kLegend, kStyle, escaped(title_of(map_.source())));
     draw_map();
     draw_ways();
     moves ? draw_runners() : draw_marks();
@@ -132,11 +158,12 @@ class Picture {
   void draw_map() {
     const int side = (std::max(map_.x_size(), map_.y_size()) + kMostPixels - 1) / kMostPixels;
     const Pixels image = pixels_of(map_, side);
+    const int times = std::max(1, kMostPixels / std::max(image.width, image.height));
     const double height = scale_ * side * image.height;  // the blocks at the top and at the right may stick out
     out_ += fmt::format(
         "<svg width=\"{:.2f}\" height=\"{:.2f}\"><image y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
         "preserveAspectRatio=\"none\" href=\"{}\"/></svg>\n",
-        width_, height_, height_ - height, scale_ * side * image.width, height, png_address(image));
+        width_, height_, height_ - height, scale_ * side * image.width, height, png_address(enlarged(image, times)));
   }
 
   std::string line(const std::vector<CellIndex>& cells) const {
@@ -166,12 +193,21 @@ class Picture {
     const auto [x, y] = place(cell);
     out_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\"/>", x, y);
     const bool right = x < width_ - 60;
+    const Label label{x + (right ? 6 : -6 - kDigit * static_cast<double>(text.size())),
+                      std::max(12.0, y + (above ? -6 : 14)), kDigit * static_cast<double>(text.size())};
+    for (const Label& other : labels_)
+      if (label.overlaps(other)) return;
+    labels_.push_back(label);
     out_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" stroke=\"none\">{}</text>",
-                        x + (right ? 6 : -6), std::max(12.0, y + (above ? -6 : 14)), right ? "start" : "end", text);
+                        x + (right ? 6 : -6), label.y, right ? "start" : "end", text);
   }
 
+  // Where there is no room for a label its mark is without one; the end comes first.
   void draw_marks() {
     const int step = mark_step(seconds());
+    out_ += "<g class=\"mark robot\">";
+    mark(robot_.back(), fmt::format("{} at {}", run_.is_caught() ? "caught" : "ends", seconds()), false);
+    out_ += "</g>\n";
     for (const auto& [who, above] : {std::pair{"target", true}, std::pair{"robot", false}}) {
       const bool is_robot = !above;
       out_ += fmt::format("<g class=\"mark {}\">", who);
@@ -183,9 +219,6 @@ class Picture {
       }
       out_ += "</g>\n";
     }
-    out_ += "<g class=\"mark robot\">";
-    mark(robot_.back(), fmt::format("{} at {}", run_.is_caught() ? "caught" : "ends", seconds()), false);
-    out_ += "</g>\n";
   }
 
   // The last twentieth of the time they stand still.
@@ -217,17 +250,39 @@ class Picture {
     out_ += fmt::format("<text x=\"8\" y=\"{:.0f}\">{}, cost {}, {} s, {} moves, planner {}, clock {}</text>",
                         height_ + 48, run_.is_caught() ? "caught" : "not caught", map_.cost_text(r.cost), r.time,
                         r.moves, run_.request.planner_name(), name(run_.request.clock));
-    const double x = std::max(width_, 520.0) - 150;
-    for (const auto& [who, down] : {std::pair{"robot", 0}, std::pair{"target", 75}})
-      out_ +=
-          fmt::format("<path class=\"way {0}\" d=\"M{1:.0f} {2:.0f}h18\"/><text x=\"{3:.0f}\" y=\"{4:.0f}\">{0}</text>",
-                      who, x + down, height_ + 19, x + down + 24, height_ + 24);
-    out_ += "\n";
+    out_ += "<g class=\"key\">";
+    double x = 8;
+    for (const char* who : {"robot", "target"}) key_of_line(x, who, who);
+    if (seconds() < static_cast<int>(map_.duration() + shift()) - 1) key_of_line(x, "rest target", "target later");
+    key_of_shades(x, {kWall}, "obstacle");
+    key_of_shades(x, {Shades::at(0), Shades::at(0.5), Shades::at(1)}, "cost, rising");
+    out_ += "</g>\n";
+  }
+
+  void key_text(double& x, std::string_view text) {
+    out_ += fmt::format("<text x=\"{:.0f}\" y=\"{:.0f}\">{}</text>", x + 6, height_ + 76, text);
+    x += 24 + 7.2 * static_cast<double>(text.size());
+  }
+
+  void key_of_line(double& x, std::string_view classes, std::string_view text) {
+    out_ += fmt::format("<path class=\"way {}\" d=\"M{:.0f} {:.0f}h18\"/>", classes, x, height_ + 72);
+    x += 18;
+    key_text(x, text);
+  }
+
+  void key_of_shades(double& x, const std::vector<Pixel>& shades, std::string_view text) {
+    for (const Pixel& p : shades) {
+      out_ += fmt::format("<rect x=\"{:.0f}\" y=\"{:.0f}\" width=\"14\" height=\"14\" fill=\"#{:02x}{:02x}{:02x}\"/>",
+                          x, height_ + 65, p[0], p[1], p[2]);
+      x += 14;
+    }
+    key_text(x, text);
   }
 
   const ChaseMap& map_;
   const ChaseRun& run_;
   double scale_ = 1, width_ = 0, height_ = 0;
+  std::vector<Label> labels_;
   std::vector<CellIndex> robot_;  // one a second
   std::string out_;
 };
