@@ -18,7 +18,7 @@ namespace {
 constexpr double kEpsilon = 3;
 
 double epsilon_of(const std::string& text) {
-  const double epsilon = number_of(text);
+  const double epsilon = number_of(text, "--epsilon");
   if (!(epsilon >= 1 && epsilon <= AnytimeSearch::kLargestEpsilon))
     throw CLI::ValidationError("--epsilon: '" + text + "' is not a factor from 1 to 1000000");
   return epsilon;

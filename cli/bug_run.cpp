@@ -118,7 +118,7 @@ Algorithm bug_algorithm_of(const std::string& text) {
 
 double bug_range_of(const std::string& text) {
   if (text == "inf") return std::numeric_limits<double>::infinity();
-  const double range = number_of(text);
+  const double range = number_of(text, "--range");
   if (range < 0) throw CLI::ValidationError("--range: '" + text + "' is not a range of 0 or more, or inf");
   return range;
 }

@@ -25,7 +25,8 @@ struct ChaseGenerateOptions {
 
 void set_size(ChaseRecipe& recipe, const std::string& text) {
   const std::size_t by = text.find('x');
-  const double x = number_of(text.substr(0, by)), y = by == std::string::npos ? x : number_of(text.substr(by + 1));
+  const auto number = [](const std::string& side) { return number_of(side, "--size"); };
+  const double x = number(text.substr(0, by)), y = by == std::string::npos ? x : number(text.substr(by + 1));
   for (const double side : {x, y})
     if (side < 3 || side > ChaseMap::kLongestSide || side != static_cast<int>(side))
       throw CLI::ValidationError(fmt::format("--size: '{}' is not XxY or N, of 3 to {}", text, ChaseMap::kLongestSide));
@@ -56,7 +57,7 @@ void add_generate_options(CLI::App& app, ChaseGenerateOptions& options) {
   app.add_option_function<std::string>(
          "--buildings",
          [&options](const std::string& text) {
-           options.recipe.buildings = number_of(text);
+           options.recipe.buildings = number_of(text, "--buildings");
            if (options.recipe.buildings < 0 || options.recipe.buildings > 0.6)
              throw CLI::ValidationError("--buildings: '" + text + "' is not a share of 0 to 0.6");
          },

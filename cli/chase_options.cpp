@@ -36,7 +36,7 @@ void add_chase_rule_options(CLI::App& app, ChaseRuleOptions& rules) {
   app.add_option_function<std::string>(
          "--plan-seconds",
          [&rules](const std::string& text) {
-           rules.plan_seconds = number_of(text);
+           rules.plan_seconds = number_of(text, "--plan-seconds");
            if (*rules.plan_seconds < 0) throw CLI::ValidationError("--plan-seconds: '" + text + "' is below 0");
          },
          "Let exact, report and weighted plan for that long; exact then takes its best so far. 0: to the end (default: "

@@ -34,6 +34,8 @@ constexpr const char* kStyle = R"(.taut .robot{stroke:#0b62d6}
 .taut image{image-rendering:pixelated}
 )";
 
+std::string colour_of(const Pixel& p) { return fmt::format("#{:02x}{:02x}{:02x}", p[0], p[1], p[2]); }
+
 /// Cells as shades: the dearer the darker, by orders of magnitude.
 class Shades {
  public:
@@ -57,8 +59,7 @@ class Shades {
     std::vector<std::string> colours;
     const double range = std::log1p(static_cast<double>(most_) - static_cast<double>(least_));
     for (int i = 0; i < 24; ++i) {
-      const Pixel p = of(least_ + std::expm1(range * i / 23));
-      colours.push_back(fmt::format("#{:02x}{:02x}{:02x}", p[0], p[1], p[2]));
+      colours.push_back(colour_of(of(least_ + std::expm1(range * i / 23))));
     }
     return colours;
   }
@@ -92,6 +93,15 @@ Pixels pixels_of(const ChaseMap& map, const Shades& shades, int side) {
   return image;
 }
 
+/// Each pixel becomes times x times: not every viewer heeds image-rendering and leaves cells sharp.
+Pixels enlarged(const Pixels& image, int times) {
+  Pixels out{image.width * times, image.height * times, {}};
+  for (int row = 0; row < out.height; ++row)
+    for (int column = 0; column < out.width; ++column)
+      out.pixels.push_back(image.pixels[static_cast<std::size_t>(row / times * image.width + column / times)]);
+  return out;
+}
+
 /// A round number of seconds between marks.
 int mark_step(int seconds) {
   int step = 1;
@@ -99,6 +109,15 @@ int mark_step(int seconds) {
     if (seconds / step > 8) step = times;
   return step;
 }
+
+constexpr double kDigit = 7, kLine = 12;  // the size of a label's letters, roughly
+
+struct Label {
+  double x = 0, y = 0, width = 0;
+  bool overlaps(const Label& other) const {
+    return x < other.x + other.width && other.x < x + width && std::abs(y - other.y) < kLine;
+  }
+};
 
 class Picture {
  public:
@@ -117,7 +136,7 @@ class Picture {
   }
 
   std::string drawn(bool moves) {
-    out_ = frame_.head(kStyle);
+    out_ = frame_.head(kStyle + fmt::format(".taut .obstacle{{fill:{}}}\n", colour_of(kWall)));
     out_ += fmt::format("<g transform=\"translate({:.2f} {:.2f})\">\n", frame_.map().min.x, frame_.map().min.y);
     draw_map();
     draw_ways();
@@ -141,11 +160,12 @@ class Picture {
   void draw_map() {
     const int side = (std::max(map_.x_size(), map_.y_size()) + kMostPixels - 1) / kMostPixels;
     const Pixels image = pixels_of(map_, shades_, side);
+    const int times = std::max(1, kMostPixels / std::max(image.width, image.height));
     const double height = scale_ * side * image.height;  // the blocks at the top and at the right may stick out
     out_ += fmt::format(
         "<svg width=\"{:.2f}\" height=\"{:.2f}\"><image y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
         "preserveAspectRatio=\"none\" href=\"{}\"/></svg>\n",
-        width_, height_, height_ - height, scale_ * side * image.width, height, png_address(image));
+        width_, height_, height_ - height, scale_ * side * image.width, height, png_address(enlarged(image, times)));
   }
 
   std::string line(const std::vector<CellIndex>& cells) const {
@@ -175,12 +195,20 @@ class Picture {
     const auto [x, y] = place(cell);
     out_ += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"3.5\"/>", x, y);
     const bool right = x < width_ - 60;
+    const double width = kDigit * static_cast<double>(text.size());
+    const Label label{x + (right ? 6 : -6 - width), std::max(12.0, y + (above ? -6 : 14)), width};
+    if (std::any_of(labels_.begin(), labels_.end(), [&](const Label& other) { return label.overlaps(other); })) return;
+    labels_.push_back(label);
     out_ += fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\" stroke=\"none\">{}</text>",
-                        x + (right ? 6 : -6), std::max(12.0, y + (above ? -6 : 14)), right ? "start" : "end", text);
+                        x + (right ? 6 : -6), label.y, right ? "start" : "end", text);
   }
 
+  // Where there is no room for a label its mark is without one; the end comes first.
   void draw_marks() {
     const int step = mark_step(seconds());
+    out_ += "<g class=\"mark robot\">";
+    mark(robot_.back(), fmt::format("{} at {}", run_.is_caught() ? "caught" : "ends", seconds()), false);
+    out_ += "</g>\n";
     for (const auto& [who, above] : {std::pair{"target", true}, std::pair{"robot", false}}) {
       const bool is_robot = !above;
       out_ += fmt::format("<g class=\"mark {}\">", who);
@@ -192,9 +220,6 @@ class Picture {
       }
       out_ += "</g>\n";
     }
-    out_ += "<g class=\"mark robot\">";
-    mark(robot_.back(), fmt::format("{} at {}", run_.is_caught() ? "caught" : "ends", seconds()), false);
-    out_ += "</g>\n";
   }
 
   // The last twentieth of the time they stand still.
@@ -231,10 +256,14 @@ class Picture {
 
   std::vector<detail::SvgKey> keys() const {
     using enum detail::SvgKey::Sample;
-    return {{"robot", "robot", line, {}},
-            {"target", "target", line, {}},
-            {"cost", fmt::format("cost {} to {}", map_.cost_text(shades_.least()), map_.cost_text(shades_.most())),
-             scale, shades_.scale()}};
+    std::vector<detail::SvgKey> keys{{"robot", "robot", line, {}}, {"target", "target", line, {}}};
+    if (run_.result.track.back().second + 1 < static_cast<int>(map_.duration() + shift()))
+      keys.push_back({"target rest", "target later", line, {}});
+    keys.push_back({"obstacle", "obstacle", patch, {}});
+    keys.push_back({"cost",
+                    fmt::format("cost {} to {}", map_.cost_text(shades_.least()), map_.cost_text(shades_.most())),
+                    scale, shades_.scale()});
+    return keys;
   }
 
   const ChaseMap& map_;
@@ -242,6 +271,7 @@ class Picture {
   Shades shades_;
   double scale_, width_, height_;
   detail::SvgFrame frame_;
+  std::vector<Label> labels_;
   std::vector<CellIndex> robot_;  // one a second
   std::string out_;
 };

@@ -243,7 +243,7 @@ void add_clearance_options(CLI::App& app, ClearanceQuery& query) {
          "--clearance",
          [&query, choose](const std::string& text) {
            choose(Kind::at_least);
-           query.clearance = number_of(text);
+           query.clearance = number_of(text, "--clearance");
            if (query.clearance < 0) throw CLI::ValidationError("--clearance: '" + text + "' is negative");
          },
          "The shortest way along the Voronoi diagram that keeps this far from walls and from the limits of the world")

@@ -63,9 +63,20 @@ Kind kind_of(const std::string& text) {
 }
 
 double loops_of(const std::string& text) {
-  const double share = number_of(text);
+  const double share = number_of(text, "--loops");
   if (share < 0 || share > 1) throw CLI::ValidationError("--loops: '" + text + "' is not a share of 0 to 1");
   return share;
+}
+
+// Options that would be without effect, or mazes that a format cannot hold.
+void check(const CLI::App& app, const GenerateOptions& options) {
+  const bool roadblocks = options.kind == Kind::roadblocks;
+  if (roadblocks && app.count("--format") + app.count("--loops") > 0)
+    throw CLI::ValidationError("--kind roadblocks writes maps of a format of their own: not with --format or --loops");
+  if (!roadblocks && app.count("--roadblocks") + app.count("--samples") > 0)
+    throw CLI::ValidationError("--roadblocks and --samples need --kind roadblocks");
+  if (options.kind == Kind::biased && options.format == Format::cell_values)
+    throw CLI::ValidationError("--format cells knows no openings in the border: take --kind backtracker");
 }
 
 void add_options(CLI::App& app, GenerateOptions& options) {
@@ -79,7 +90,7 @@ void add_options(CLI::App& app, GenerateOptions& options) {
   add("--size", options.size, size_of, "WxH", "Width and height in cells, or one number for both")->required();
   add("--kind", options.kind, kind_of, "NAME",
       "biased (default): a spanning tree of varied texture, open at two corners; backtracker: long corridors, closed, "
-      "goal top right; roadblocks: rooms and narrow lanes for taut drive");
+      "goal top right; roadblocks: rooms and narrow lanes for taut drive, 24 or more a side");
   app.add_option("--roadblocks", options.roadblocks, "With --kind roadblocks: how many, at most (default: 4)")
       ->group("Maze");
   app.add_option("--samples", options.samples, "With --kind roadblocks: how many (default: 10)")->group("Maze");
@@ -90,6 +101,7 @@ void add_options(CLI::App& app, GenerateOptions& options) {
   app.add_option("-o,--output", options.file, "Write to this file instead of standard output")
       ->type_name("FILE")
       ->group("Maze");
+  app.callback([&app, &options] { check(app, options); });
 }
 
 GridMaze maze_of(const GenerateOptions& options) {

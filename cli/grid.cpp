@@ -75,7 +75,7 @@ GridAlgorithm grid_algorithm_of(const std::string& text) {
 }
 
 double grid_weight_of(const std::string& text) {
-  const double weight = number_of(text);
+  const double weight = number_of(text, "--weight");
   if (weight < 1 || weight > 1000) throw CLI::ValidationError("--weight: '" + text + "' is not 1 to 1000");
   return weight;
 }

@@ -62,9 +62,21 @@ int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
   return kUsage;
 }
 
+// `taut chase --online compare MAP`: what stands before `compare` would be without effect.
+void refuse_stray_options(const CLI::App& at) {
+  const CLI::App* const parent = at.get_parent();
+  if (parent == nullptr) return;
+  for (const CLI::Option* option : parent->get_options())
+    if (option->count() > 0)
+      throw CLI::ValidationError(option->get_name() + " stands before `" + at.get_name() +
+                                 "`, which knows nothing of it");
+  refuse_stray_options(*parent);
+}
+
 int parse(CLI::App& app, int argc, char** argv) {
   try {
     app.parse(argc, argv);
+    refuse_stray_options(chosen(app));
     return -1;
   } catch (const CLI::CallForVersion& version) {
     print(std::string(version.what()) + "\n");

@@ -4,6 +4,9 @@
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>
 
+#include <algorithm>
+#include <array>
+#include <optional>
 #include <utility>
 
 #include <taut/cli/exit_code.h>
@@ -30,12 +33,20 @@ std::string explorer_names() {
   return names;
 }
 
+Format maze_format_of(const std::string& text) {
+  constexpr std::array kMazes{Format::cell_values, Format::drawing, Format::maz, Format::num};
+  const std::optional<Format> format = format_named(text);
+  if (!format || std::ranges::find(kMazes, *format) == kMazes.end())
+    throw CLI::ValidationError("--format: '" + text + "' is not cells, drawing, maz or num");
+  return *format;
+}
+
 }  // namespace
 
 void add_maze_options(CLI::App& app, MazeOptions& options, const char* name) {
   app.add_option(name, options.file, "The maze to read; - is standard input")->required();
   app.add_option_function<std::string>(
-         "--format", [&options](const std::string& text) { options.format = format_of(text); },
+         "--format", [&options](const std::string& text) { options.format = maze_format_of(text); },
          "What it is written in: cells, drawing, maz, num (default: found out from its content)")
       ->type_name("NAME")
       ->group("World");

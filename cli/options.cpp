@@ -59,6 +59,14 @@ double thickness_of(const std::string& text) {
   return value;
 }
 
+std::uint64_t seed_of(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size())
+    refuse(text, "a whole number from 0 to 18446744073709551615");
+  return value;
+}
+
 double seconds_of(const std::string& text) {
   const double value = number_of(text);
   if (value < 0) refuse(text, "a time of 0 or more");
@@ -67,10 +75,11 @@ double seconds_of(const std::string& text) {
 
 }  // namespace
 
-double number_of(const std::string& text) {
+double number_of(const std::string& text, const char* option) {
   const std::optional<double> value = number_in(text);
-  if (!value) refuse(text, "a number");
-  return *value;
+  if (value) return *value;
+  if (!option) refuse(text, "a number");
+  throw CLI::ValidationError(std::string(option) + ": '" + text + "' is not a number");
 }
 
 Point point_of(const std::string& text) {
@@ -182,7 +191,7 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
       "Stop when more is needed, with exit code 4: 500M, 2G")
       ->type_name("SIZE")
       ->group("Limits");
-  app.add_option("--seed", options.seed, "Seed of whatever is random (default: 1)")->type_name("N")->group("Limits");
+  add(app, "--seed", options.seed, seed_of, "Seed of whatever is random (default: 1)")->type_name("N")->group("Limits");
 }
 
 }  // namespace taut::cli

@@ -59,8 +59,10 @@ void add_animate_option(CLI::App& app, std::string& animation, const std::string
 void settle_animation(const CLI::App& app, std::string& animation, std::string& svg);
 
 // Values of options. Throw CLI::ValidationError.
-Point point_of(const std::string& text);          ///< `1.5,-2`
-double number_of(const std::string& text);        ///< finite, of magnitude <= World::kLargest
+Point point_of(const std::string& text);  ///< `1.5,-2`
+double number_of(
+    const std::string& text,
+    const char* option = nullptr);  ///< finite, of magnitude <= World::kLargest; `option` is named in the error
 Footprint footprint_of(const std::string& text);  ///< `point`, `disc:R`, `square:R`
 Format format_of(const std::string& text);        ///< a name of format_named
 std::size_t memory_of(const std::string& text);   ///< `500M`, `2G`; a bare number counts megabytes

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <filesystem>
 #include <mutex>
+#include <set>
 #include <utility>
 
 #include <taut/geometry/errors.h>
@@ -105,8 +106,9 @@ void replace(const fs::path& target, const std::string& path, std::string_view b
 
 }  // namespace
 
-void require_writable(const std::string& path) {
-  if (path.empty() || path == "-") return;
+namespace {
+
+void refuse_unwritable(const std::string& path) {
   const auto refuse = [&](const std::string& why) { throw InputError(path, 0, "cannot write: " + why); };
   std::error_code error;
   const fs::file_status status = fs::status(path, error);  // through links, /dev/stdout among them
@@ -118,10 +120,22 @@ void require_writable(const std::string& path) {
   if (::access(folder.c_str(), W_OK | X_OK) != 0) refuse(reason());
 }
 
+}  // namespace
+
+void require_writable(const std::string& path) {
+  static std::set<fs::path> promised;
+  if (path.empty() || path == "-") return;
+  refuse_unwritable(path);
+  std::error_code error;
+  if (fs::is_other(path, error)) return;  // /dev/null
+  if (!promised.insert(fs::weakly_canonical(resolved(path), error)).second)
+    throw InputError(path, 0, "cannot write: two outputs have this name");
+}
+
 void write_file(const std::string& path, std::string_view bytes) {
   if (path.empty()) return;
   if (path == "-") return print(bytes);
-  require_writable(path);
+  refuse_unwritable(path);
   struct stat old {};
   const bool exists = ::stat(path.c_str(), &old) == 0;
   if (!exists || S_ISREG(old.st_mode))

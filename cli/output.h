@@ -13,7 +13,8 @@ struct WriteError : std::runtime_error {
 };
 
 /// Can a file of this name be made? Found out before the work begins, without touching anything. Throws InputError
-/// when not: a folder, no such folder, no permission. `-` and an empty name are fine.
+/// when not: a folder, no such folder, no permission, or asked before (each output is asked for once). `-` and an empty
+/// name are fine.
 void require_writable(const std::string& path);
 
 /// Replaces the file at once: written beside it under another name, then renamed, so that nobody ever sees half of it

@@ -57,7 +57,7 @@ PrmConnection connection_of(const std::string& text) {
 }
 
 double clearance_of(const std::string& text) {
-  const double clearance = number_of(text);
+  const double clearance = number_of(text, "--prm-clearance");
   if (clearance < 0) throw CLI::ValidationError("--prm-clearance: '" + text + "' is not a distance of 0 or more");
   return clearance;
 }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <taut/geometry/errors.h>
+#include <taut/robots/micromouse/detail/json_file.h>
 
 namespace taut::micromouse {
 
@@ -42,20 +43,6 @@ std::string list(const std::vector<Item>& items, const char* between) {
 class Reader {
  public:
   explicit Reader(std::string source) : source_(std::move(source)) {}
-
-  Json parse(std::string_view bytes) const {
-    const auto shallow = [&](int depth, Json::parse_event_t, Json&) {
-      if (depth > kDeepest) throw InputError(source_, 0, "is no certificate: nested too deep");
-      return true;
-    };
-    try {
-      return Json::parse(bytes.begin(), bytes.end(), shallow);
-    } catch (const Json::parse_error& error) {
-      const std::size_t at = std::min(error.byte, bytes.size());
-      const auto line = 1 + std::count(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-      throw InputError(source_, static_cast<int>(line), "is no certificate: this is not JSON");
-    }
-  }
 
   const Json& member(const Json& object, const char* key) const {
     if (!object.is_object() || !object.contains(key)) refuse(key, "is missing");
@@ -153,7 +140,7 @@ std::string certificate_text(const CertificateFile& file) {
 
 CertificateFile read_certificate(std::string_view text, const std::string& source) {
   const Reader reader(source);
-  const Json json = reader.parse(text);
+  const Json json = detail::parse_json(text, source, "certificate", kDeepest);
   reader.admit(json);
   CertificateFile file;
   file.certificate = {reader.task(json), reader.number(reader.member(json, "steps"), "steps"),

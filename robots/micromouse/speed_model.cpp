@@ -8,6 +8,7 @@
 #include <utility>
 
 #include <taut/geometry/errors.h>
+#include <taut/robots/micromouse/detail/json_file.h>
 
 namespace taut::micromouse {
 
@@ -20,7 +21,8 @@ constexpr double kLargest = 1e6;
 
 class ModelReader {
  public:
-  ModelReader(std::string_view text, std::string source) : source_(std::move(source)), json_(parse(text)) {}
+  ModelReader(std::string_view text, std::string source)
+      : source_(std::move(source)), json_(detail::parse_json(text, source_, "speed model", kDeepest)) {}
 
   SpeedModel model() const {
     SpeedModel model;
@@ -37,21 +39,6 @@ class ModelReader {
 
  private:
   [[noreturn]] void refuse(const std::string& what) const { throw InputError(source_, 0, what); }
-
-  Json parse(std::string_view text) const {
-    const auto shallow = [&](int depth, Json::parse_event_t, Json&) {
-      if (depth > kDeepest) refuse("is nested too deep for a speed model");
-      return true;
-    };
-    try {
-      return Json::parse(text.begin(), text.end(), shallow);
-    } catch (const Json::exception& error) {
-      const auto* at = dynamic_cast<const Json::parse_error*>(&error);
-      const std::size_t byte = at != nullptr ? std::min(at->byte, text.size()) : 0;
-      const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(byte), '\n');
-      throw InputError(source_, static_cast<int>(line), "is no speed model: this is not JSON");
-    }
-  }
 
   void allow(const Json& object, const std::string& what, const std::vector<std::string_view>& names) const {
     if (!object.is_object()) refuse(what + " is not an object {...}");

@@ -87,6 +87,17 @@ TEST_F(ExitCode, IsTwoWhenTheCommandLineMakesNoSense) {
                                 "generate --size 3 --kind magic",
                                 "generate --size 3 --format maz",
                                 "generate --size 3 --format pdf",
+                                "generate --size 4 --format cells",
+                                "generate --size 30 --kind roadblocks --format maz",
+                                "generate --size 30 --kind roadblocks --loops 0.5",
+                                "generate --size 3 --samples 2",
+                                "mouse run - --seed -1",
+                                "mouse run - --seed 99999999999999999999",
+                                "mouse run - --format wkt",
+                                "chase --online compare -",
+                                "chase - compare -",
+                                "bug --range 3 compare -",
+                                "chase - --plan-seconds soon",
                                 "convert -",
                                 "convert - --to pdf"}) {
     SCOPED_TRACE(arguments);

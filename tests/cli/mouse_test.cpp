@@ -222,6 +222,7 @@ TEST_F(MouseCheck, NamesWhatIsWrongWithACertificateFile) {
   expect_error("{\"certificate\": 2}", "a format other than 1");
   expect_error("{\"certificate\": 1, \"width\": 1e9}", "'width' is not a whole number");
   expect_error("{\"certificate\": 1, \"width\": 99999999999}", "'width' is out of range");
+  expect_error("{\"certificate\": 1e400}", "bad.json: is no certificate: a number in it is too large");
   expect_error(std::string(100000, '['), "nested too deep");
 }
 
@@ -457,6 +458,9 @@ TEST_F(MouseSpeed, TakesItsModelFromAFile) {
   const Outcome bad = run_taut(query + model + folder.file("bad.json", "{\"wheels\": 4}"));
   EXPECT_EQ(bad.code, 3);
   EXPECT_THAT(bad.err, HasSubstr("bad.json: unknown name 'wheels'"));
+  const Outcome huge = run_taut(query + model + folder.file("huge.json", "{\"cell\": 1e400}"));
+  EXPECT_EQ(huge.code, 3);
+  EXPECT_THAT(huge.err, HasSubstr("huge.json: is no speed model: a number in it is too large"));
 }
 
 TEST_F(MouseSpeed, DrawsBothAndListsItsDrives) {

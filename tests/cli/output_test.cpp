@@ -57,6 +57,15 @@ TEST_F(Output, LeavesTheOldFileAloneWhenTheInputIsWrong) {
   EXPECT_EQ(files(), 1);
 }
 
+TEST_F(Output, IsRefusedWhenTwoWouldHaveOneName) {
+  const std::string a = (folder / "a").string(), again = (folder / "." / "a").string();
+  const Outcome run = run_taut("solve - --svg " + a + " --json " + again, kRoom);
+  EXPECT_EQ(run.code, 3);
+  EXPECT_THAT(run.err, HasSubstr("two outputs have this name"));
+  EXPECT_EQ(files(), 0);
+  EXPECT_EQ(run_taut("solve - --svg /dev/null --json /dev/null", kRoom).code, 0);
+}
+
 TEST_F(Output, LeavesTheOldFileAloneWhenStopped) {
   const std::string old = folder.file("a.svg", "old"), endless = (folder / "endless").string();
   ASSERT_EQ(mkfifo(endless.c_str(), 0600), 0);
