@@ -16,8 +16,8 @@ namespace taut::car {
 
 namespace {
 
-constexpr std::size_t kMostKnown =
-    64;  // sets of closed roadblocks whose estimates are kept: some 3 MB each on a map of 50 x 50
+constexpr std::size_t kMemory = 300'000'000;  // bytes for estimates that are kept: some 4 MB for a set of closed roadblocks on a map of 50 x 50
+constexpr std::size_t kLeastKnown = 8;
 constexpr std::size_t kMostCells = 4;  // likewise, 30 MB each
 constexpr double kNear = 3;            // more than half the car's diagonal, half a square's and a step
 
@@ -69,7 +69,8 @@ struct LatticePlanner::Impl {
     auto at = by_closed.find(closed);
     if (at == by_closed.end()) {
       at = by_closed.emplace(closed, made(closed)).first;
-      if (by_closed.size() > kMostKnown) by_closed.erase(longest_unused());
+      if (by_closed.size() > std::max(kLeastKnown, kMemory / at->second.distance.bytes()))
+        by_closed.erase(longest_unused());
     }
     at->second.used = ++uses;
     return at->second;

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <numeric>
 #include <vector>
 
 namespace taut::car::detail {
@@ -28,22 +28,21 @@ class CostQueue {
   }
 
   /// Before run(): at any cost.
-  void seed(std::int32_t cost, State s) { seeds_.push_back(static_cast<std::uint64_t>(cost) << 32 | s); }
+  void seed(std::int32_t cost, State s) { seeds_.push_back({cost, s}); }
 
   template <typename Visit>
   void each_seed(Visit visit) const {
-    for (const std::uint64_t seed : seeds_) visit(static_cast<std::int32_t>(seed >> 32), static_cast<State>(seed));
+    for (const Seed& seed : seeds_) visit(seed.cost, seed.state);
   }
 
   /// Calls visit(cost, state) by rising cost; it may push what is dearer, by one move.
   template <typename Visit>
   void run(Visit visit) {
-    std::ranges::sort(seeds_, std::greater<>());
+    sort_seeds();
     std::vector<State> states;
     for (std::int32_t cost = 0; in_ring_ != 0 || !seeds_.empty(); ++cost) {
-      if (in_ring_ == 0) cost = static_cast<std::int32_t>(seeds_.back() >> 32);
-      for (; !seeds_.empty() && static_cast<std::int32_t>(seeds_.back() >> 32) <= cost; seeds_.pop_back())
-        push(cost, static_cast<State>(seeds_.back()));
+      if (in_ring_ == 0) cost = seeds_.back().cost;
+      for (; !seeds_.empty() && seeds_.back().cost <= cost; seeds_.pop_back()) push(cost, seeds_.back().state);
       states.clear();
       states.swap(ring_[static_cast<std::size_t>(cost) % kRing]);
       in_ring_ -= states.size();
@@ -53,9 +52,26 @@ class CostQueue {
 
  private:
   static constexpr std::size_t kRing = 512;
+  struct Seed {
+    std::int32_t cost;
+    State state;
+  };
+
+  /// The dearest first, by counting.
+  void sort_seeds() {
+    if (seeds_.empty()) return;
+    const auto dearest = static_cast<std::size_t>(std::ranges::max_element(seeds_, {}, &Seed::cost)->cost);
+    std::vector<std::size_t> place(dearest + 2);
+    for (const Seed& seed : seeds_) ++place[dearest - static_cast<std::size_t>(seed.cost) + 1];
+    std::partial_sum(place.begin(), place.end(), place.begin());
+    std::vector<Seed> sorted(seeds_.size());
+    for (const Seed& seed : seeds_) sorted[place[dearest - static_cast<std::size_t>(seed.cost)]++] = seed;
+    seeds_.swap(sorted);
+  }
+
   std::array<std::vector<State>, kRing> ring_;
   std::size_t in_ring_ = 0;
-  std::vector<std::uint64_t> seeds_;  ///< the cost in the upper half
+  std::vector<Seed> seeds_;
 };
 
 }  // namespace taut::car::detail

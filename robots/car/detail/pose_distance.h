@@ -25,6 +25,8 @@ class PoseDistance {
   /// Steps, between the nearest headings; kFar where the lattice knows no way (the car may).
   double steps_from(const Pose& pose) const;
 
+  std::size_t bytes() const { return entries_.size() * (sizeof(entries_[0]) + sizeof(cost_[0])); }  ///< about
+
   static constexpr double kFar = 1e9;
   static constexpr int kTableHeadings = 32;
   static constexpr double kTableSlack = 0.15;
