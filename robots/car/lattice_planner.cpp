@@ -21,8 +21,10 @@ constexpr std::size_t kLeastKnown = 8;
 constexpr std::size_t kMostCells = 4;  // likewise, 30 MB each
 constexpr double kNear = 3;            // more than half the car's diagonal, half a square's and a step
 
-/// From coarse to fine: the next one is asked only when there is no way in the former.
-constexpr std::array<detail::Lattice, 2> kLattices{{{4, 4, 0.02, 1'000'000}, {10, 2, kMargin, 600'000}}};
+/// From coarse to fine: the next one is asked only when there is no way in the former. The first is a short look at the second: where it does not
+/// suffice, a proof that there is no way comes sooner.
+constexpr std::array<detail::Lattice, 3> kLattices{
+    {{4, 4, 0.02, 60'000}, {4, 4, 0.02, 1'000'000}, {10, 2, kMargin, 600'000}}};
 
 }  // namespace
 
@@ -151,8 +153,9 @@ struct LatticePlanner::Impl {
       return {std::nullopt, None::proven};
     detail::LatticeAnswer last;
     for (const detail::Lattice& lattice : kLattices) {
+      if (&lattice == &kLattices[1] && last.exhausted) continue;
+      if (&lattice != &kLattices.front() && !may_reach(from, closed)) return {std::nullopt, None::proven};
       if (&lattice == &kLattices.back()) {
-        if (!may_reach(from, closed)) return {std::nullopt, None::proven};
         // The car came from the start: where that has no way, neither has this, and the fine lattice takes long to say so.
         const Pose start{course.start.x, course.start.y, 0};
         if (from != start && !answer(start, closed).plan) return {std::nullopt, answer(start, closed).none};

@@ -81,7 +81,8 @@ bool Obstacles::is_clear(const Pose& from, double control, const Pose& to, doubl
   if (space > kReach) return true;
   if (reading_ == WallReading::points) return is_free(to, slack);
   if (space < kInscribed + slack && is_inside({to.x, to.y})) return false;
-  return none_near({to.x, to.y}, 2.7, [&](Cell c) { return meets(from, control, c, reading_, slack); });
+  const Step step(from, control);
+  return none_near({to.x, to.y}, 2.7, [&](Cell c) { return step.meets(c, reading_, slack); });
 }
 
 bool Obstacles::is_inside(Point p) const {
