@@ -9,6 +9,7 @@ namespace {
 
 /// A pose's axes.
 struct Frame {
+  Frame(Point at, Point ahead) : x(at.x), y(at.y), c(ahead.x), s(ahead.y) {}
   explicit Frame(const Pose& pose) : x(pose.x), y(pose.y), c(std::cos(pose.heading)), s(std::sin(pose.heading)) {}
 
   Point inwards(Point p) const { return {c * (p.x - x) + s * (p.y - y), c * (p.y - y) - s * (p.x - x)}; }
@@ -102,17 +103,6 @@ bool sweeps(const Pose& from, double control, Cell cell, double slack) {
   return false;
 }
 
-/// Cheap and sure: the car half-way, wider by more than it moves and turns from there to either end, does not touch the square.
-bool is_out_of_reach(const Pose& from, double control, Cell cell, double slack) {
-  constexpr double kAlong = 0.11,
-                   kAcross = 0.045;  // 0.075 ahead, 0.025 radians of the sides and the ends, and the arc's height
-  const bool ahead = turns(control);
-  const double way = ahead ? kForward / 2 : control == kReverse ? -kBackward / 2 : 0;
-  const double turn = ahead ? kTurn * control : 0, chord = from.heading + turn / 4;
-  const Pose half{from.x + way * std::cos(chord), from.y + way * std::sin(chord), from.heading + turn / 2};
-  return !overlap(Frame(half), cell, kHalfLength + slack + kAlong, kHalfWidth + slack + kAcross);
-}
-
 }  // namespace
 
 Pose stepped(const Pose& from, double control) {
@@ -147,10 +137,28 @@ bool touches(const Pose& pose, Cell cell, WallReading reading, double slack) {
 }
 
 bool meets(const Pose& from, double control, Cell cell, WallReading reading, double slack) {
-  if (reading == WallReading::squares && is_out_of_reach(from, control, cell, slack)) return false;
-  if (touches(stepped(from, control), cell, reading, slack)) return true;
-  if (reading == WallReading::points || (control != kReverse && !turns(control))) return false;
-  return sweeps(from, control, cell, slack);
+  return Step(from, control).meets(cell, reading, slack);
+}
+
+Step::Step(const Pose& from, double control) : from_(from), control_(control) {
+  const double way = turns(control) ? kForward / 2 : control == kReverse ? -kBackward / 2 : 0;
+  const double heading = from.heading + (turns(control) ? kTurn * control / 2 : 0);
+  ahead_ = {std::cos(heading), std::sin(heading)};
+  middle_ = {from.x + way * ahead_.x, from.y + way * ahead_.y};
+}
+
+/// Cheap and sure: the car half-way, wider by more than it moves and turns from there to either end, does not touch the square.
+bool Step::is_out_of_reach(Cell cell, double slack) const {
+  // 0.075 ahead, 0.025 radians of the sides and the ends, the arc's height, and 0.001 that the middle is beside it.
+  constexpr double kAlong = 0.112, kAcross = 0.047;
+  return !overlap(Frame(middle_, ahead_), cell, kHalfLength + slack + kAlong, kHalfWidth + slack + kAcross);
+}
+
+bool Step::meets(Cell cell, WallReading reading, double slack) const {
+  if (reading == WallReading::squares && is_out_of_reach(cell, slack)) return false;
+  if (touches(stepped(from_, control_), cell, reading, slack)) return true;
+  if (reading == WallReading::points || (control_ != kReverse && !turns(control_))) return false;
+  return sweeps(from_, control_, cell, slack);
 }
 
 }  // namespace taut::car

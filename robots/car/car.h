@@ -51,4 +51,19 @@ bool touches(const Pose& pose, Cell cell, WallReading reading, double slack = 0)
 /// rectangle widened by `slack`: with slack 1e-9 rounding cannot hide a contact.
 bool meets(const Pose& from, double control, Cell cell, WallReading reading, double slack = 0);
 
+/// The same step asked about many cells: most are told to be out of its reach without a root or a sine.
+class Step {
+ public:
+  Step(const Pose& from, double control);
+  bool meets(Cell cell, WallReading reading, double slack = 0) const;
+
+ private:
+  bool is_out_of_reach(Cell cell, double slack) const;
+
+  Pose from_;
+  double control_;
+  Point middle_;  ///< about half-way
+  Point ahead_;   ///< the heading there
+};
+
 }  // namespace taut::car

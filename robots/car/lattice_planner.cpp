@@ -16,13 +16,15 @@ namespace taut::car {
 
 namespace {
 
-constexpr std::size_t kMostKnown =
-    64;  // sets of closed roadblocks whose estimates are kept: some 3 MB each on a map of 50 x 50
+constexpr std::size_t kMemory = 300'000'000;  // bytes for estimates that are kept: some 4 MB for a set of closed roadblocks on a map of 50 x 50
+constexpr std::size_t kLeastKnown = 8;
 constexpr std::size_t kMostCells = 4;  // likewise, 30 MB each
 constexpr double kNear = 3;            // more than half the car's diagonal, half a square's and a step
 
-/// From coarse to fine: the next one is asked only when there is no way in the former.
-constexpr std::array<detail::Lattice, 2> kLattices{{{4, 4, 0.02, 1'000'000}, {10, 2, kMargin, 600'000}}};
+/// From coarse to fine: the next one is asked only when there is no way in the former. The first is a short look at the second: where it does not
+/// suffice, a proof that there is no way comes sooner.
+constexpr std::array<detail::Lattice, 3> kLattices{
+    {{4, 4, 0.02, 60'000}, {4, 4, 0.02, 1'000'000}, {10, 2, kMargin, 600'000}}};
 
 }  // namespace
 
@@ -69,7 +71,8 @@ struct LatticePlanner::Impl {
     auto at = by_closed.find(closed);
     if (at == by_closed.end()) {
       at = by_closed.emplace(closed, made(closed)).first;
-      if (by_closed.size() > kMostKnown) by_closed.erase(longest_unused());
+      if (by_closed.size() > std::max(kLeastKnown, kMemory / at->second.distance.bytes()))
+        by_closed.erase(longest_unused());
     }
     at->second.used = ++uses;
     return at->second;
@@ -150,8 +153,9 @@ struct LatticePlanner::Impl {
       return {std::nullopt, None::proven};
     detail::LatticeAnswer last;
     for (const detail::Lattice& lattice : kLattices) {
+      if (&lattice == &kLattices[1] && last.exhausted) continue;
+      if (&lattice != &kLattices.front() && !may_reach(from, closed)) return {std::nullopt, None::proven};
       if (&lattice == &kLattices.back()) {
-        if (!may_reach(from, closed)) return {std::nullopt, None::proven};
         // The car came from the start: where that has no way, neither has this, and the fine lattice takes long to say so.
         const Pose start{course.start.x, course.start.y, 0};
         if (from != start && !answer(start, closed).plan) return {std::nullopt, answer(start, closed).none};

@@ -16,7 +16,6 @@ namespace {
 constexpr std::size_t kManyPlans = 400;  // of the planner, after which a choice gets a fifth of its searches
 constexpr std::size_t kMostWays = 64;    // to choose from in one place
 
-constexpr int kMostTold = 1;     // unknown roadblocks for whose outcomes bounds are made
 constexpr double kTrust = 0.98;  // in estimates, as bounds
 
 /// A way to choose: followed for `steps`, where `seen` comes into sight. Without a sight it leads to the goal.
@@ -83,7 +82,7 @@ struct RoadblockPolicy::Impl {
     const Choice optimist{direct, static_cast<double>(direct->controls.size()), false};
     if (crossed(from, *direct, open) == 0) return Choice{direct, optimist.value, true};
     if (is_spent()) return optimist;
-    const double floor = least_from(from, open, closed);
+    const double floor = least_from(from, closed);
     if (floor >= limit) return std::nullopt;
     Choice best{nullptr, limit, true};
     bool exact = true;
@@ -125,18 +124,9 @@ struct RoadblockPolicy::Impl {
     return {&plan, shut, plan.poses.size(), 0};
   }
 
-  /// What even somebody needs from there who is told everything: the mean, or the maximum, of estimates over all outcomes. Where there is no way, nothing.
-  double least_from(const Pose& there, RoadblockSet open, RoadblockSet closed) {
-    RoadblockSet rest = unknown(open, closed);
-    while (std::popcount(rest) > kMostTold) rest &= rest - 1;  // the others open
-    double least = 0;
-    for (RoadblockSet now_open = rest;; now_open = (now_open - 1) & rest) {
-      if (const double p = probability(now_open, rest); p > 0)
-        if (const auto steps = planner.estimate(there, closed | (rest & ~now_open)))
-          least = aim == Aim::expected ? least + p * kTrust * *steps : std::max(least, kTrust * *steps);
-      if (now_open == 0) break;
-    }
-    return least;
+  /// What even somebody needs from there who finds all unknown ones open. Where there is no way, nothing.
+  double least_from(const Pose& there, RoadblockSet closed) {
+    return kTrust * planner.estimate(there, closed).value_or(0);
   }
 
   struct Outcome {
@@ -151,7 +141,7 @@ struct RoadblockPolicy::Impl {
     for (RoadblockSet now_open = way.seen;; now_open = (now_open - 1) & way.seen) {
       if (const double p = probability(now_open, way.seen); p > 0) {
         const RoadblockSet now_closed = closed | (way.seen & ~now_open);
-        all.push_back({p, open | now_open, now_closed, kTrust * planner.estimate(way.end(), now_closed).value_or(0)});
+        all.push_back({p, open | now_open, now_closed, least_from(way.end(), now_closed)});
       }
       if (now_open == 0) break;
     }
@@ -163,7 +153,7 @@ struct RoadblockPolicy::Impl {
   std::optional<Choice> along(const Way& way, RoadblockSet open, RoadblockSet closed, double limit) {
     const double steps = static_cast<double>(way.steps);
     if (way.seen == 0) return steps < limit ? std::optional(Choice{way.plan, steps, true}) : std::nullopt;
-    if (steps + least_from(way.end(), open, closed) >= limit) return std::nullopt;
+    if (steps + least_from(way.end(), closed) >= limit) return std::nullopt;
     planner.adopt(*way.plan, way.steps, way.shut);
     const std::vector<Outcome> all = outcomes(way, open, closed);
     double least = 0;  // of those not yet valued

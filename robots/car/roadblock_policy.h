@@ -31,7 +31,7 @@ enum class Aim : std::uint8_t {
 ///     costs kStranded more, so that such risks are taken only where every way has them.
 class RoadblockPolicy {
  public:
-  RoadblockPolicy(LatticePlanner& planner, Aim aim, std::size_t searches = 100);  ///< `planner` must outlive it
+  RoadblockPolicy(LatticePlanner& planner, Aim aim, std::size_t searches = 400);  ///< `planner` must outlive it
   ~RoadblockPolicy();
   RoadblockPolicy(const RoadblockPolicy&) = delete;
   RoadblockPolicy& operator=(const RoadblockPolicy&) = delete;

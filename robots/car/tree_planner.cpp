@@ -54,8 +54,8 @@ std::size_t TreePlanner::samples() const { return impl_->samples; }
 std::size_t most_samples(TreeKind kind) {
   switch (kind) {
     case TreeKind::rrt:
-    case TreeKind::rrt_field: return 300'000;
-    case TreeKind::rrt_star: return 40'000;
+    case TreeKind::rrt_field:
+    case TreeKind::rrt_star: return 300'000;
     case TreeKind::rrt_connect: break;
   }
   return 100'000;

@@ -23,8 +23,8 @@ enum class TreeKind : std::uint8_t { rrt, rrt_field, rrt_star, rrt_connect };
 ///     most 0.05. What follows is then simulated from where the car really is, and the joint is refused if anything on it is not clear.
 ///  2. The tree to the goal of rrt_connect consists of poses from which the known controls, driven forwards, lead to the goal. It is not the forward tree
 ///     mirrored: this car goes back straight only, and slower.
-///  3. The cost is the number of steps. rrt_star draws at least 6000 samples, the others stop at the first plan. No plan is called the shortest: rrt_star converges to the best
-///     of its kinds of joints at most.
+///  3. The cost is the number of steps. rrt_star draws 6000 samples; where these give no plan it grows without joints, as rrt does and as far, until there is one, and draws 2000
+///     more with joints; the others stop at the first plan. No plan is called the shortest: rrt_star converges to the best of its kinds of joints at most.
 ///  4. `proven_none` only when not even a disc inside the car gets to the goal.
 /// The draws go on from plan to plan: same seed and same questions, same answers.
 class TreePlanner {

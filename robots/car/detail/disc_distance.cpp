@@ -15,6 +15,7 @@ namespace {
 constexpr double kHalfDiagonal = 0.5 * std::numbers::sqrt2 / kRaster;
 constexpr double kCircumscribed = 1.803;              // more than half the car's diagonal
 constexpr double kReach = 1.5 * std::numbers::sqrt2;  // more than half the car's diagonal, and a step
+constexpr double kInscribed = kHalfWidth - 2 * kHalfDiagonal - 1e-3;  // room below it: a disc in the car collides
 constexpr float kRoomSeen = 2.8F;                     // more room is not measured
 
 double distance_to(Cell c, Point p, WallReading reading) {
@@ -76,12 +77,22 @@ bool Obstacles::none_near(Point p, double reach, Test test) const {
 }
 
 bool Obstacles::is_clear(const Pose& from, double control, const Pose& to, double slack) const {
-  if (room({to.x, to.y}) > kReach) return true;
+  const double space = room({to.x, to.y});
+  if (space > kReach) return true;
   if (reading_ == WallReading::points) return is_free(to, slack);
-  return none_near({to.x, to.y}, 2.7, [&](Cell c) { return meets(from, control, c, reading_, slack); });
+  if (space < kInscribed + slack && is_inside({to.x, to.y})) return false;
+  const Step step(from, control);
+  return none_near({to.x, to.y}, 2.7, [&](Cell c) { return step.meets(c, reading_, slack); });
+}
+
+bool Obstacles::is_inside(Point p) const {
+  return p.x >= 0.5 && p.y >= 0.5 && p.x < course_->width + 0.5 && p.y < course_->height + 0.5;
 }
 
 bool Obstacles::is_free(const Pose& pose, double slack) const {
+  const double space = room({pose.x, pose.y});
+  if (space > kCircumscribed + slack) return true;
+  if (space < kInscribed + slack && is_inside({pose.x, pose.y})) return false;
   if (reading_ == WallReading::squares)
     return none_near({pose.x, pose.y}, 2.6, [&](Cell cell) { return touches(pose, cell, reading_, slack); });
   const double c = std::cos(pose.heading), s = std::sin(pose.heading);

@@ -38,6 +38,7 @@ class Obstacles {
 
  private:
   void lessen_room(Cell closed);
+  bool is_inside(Point p) const;  ///< of the grid
   template <typename Test>
   bool none_near(Point p, double reach, Test test) const;
 

@@ -43,4 +43,17 @@ class Growth {
   std::vector<std::vector<double>> motions_;
 };
 
+inline constexpr std::uint32_t kRoot = ~0U;  ///< the parent of a tree's first node
+
+/// All controls from the root to a node, whose `controls` lead to it from `parent`.
+template <typename Node>
+std::vector<double> controls_to(const std::vector<Node>& nodes, std::uint32_t last) {
+  std::vector<std::uint32_t> way;
+  for (std::uint32_t n = last; n != kRoot; n = nodes[n].parent) way.push_back(n);
+  std::vector<double> all;
+  for (std::size_t i = way.size(); i-- > 0;)
+    all.insert(all.end(), nodes[way[i]].controls.begin(), nodes[way[i]].controls.end());
+  return all;
+}
+
 }  // namespace taut::car::detail

@@ -17,7 +17,10 @@ constexpr double kTurnOfCell = std::numbers::pi / kHeadings;  // from a cell's m
 constexpr double kHalfCell = 0.5 / kCells;
 constexpr double kRounding = 1e-9;
 
-double heading(int h) { return 2 * std::numbers::pi / kHeadings * h; }
+constexpr int kStep = 3;  // cells, more than a step
+
+/// A cell's middle.
+double heading(int h) { return 2 * std::numbers::pi / kHeadings * (h + 0.5); }
 
 /// How much smaller a rectangle is that lies in the rectangles of all poses of a cell, or larger that holds all of them.
 Point change(double angle) {
@@ -89,6 +92,33 @@ std::vector<Offset> offsets() {
   return all;
 }
 
+/// The headings on both sides of 0 and a half turn, or of the quarter turns between.
+struct Sides {
+  explicit Sides(int first) {
+    for (const int h : {first, first + kHeadings / 2}) {
+      above.set(h);
+      below.set((h + kHeadings - 1) % kHeadings);
+    }
+  }
+  PoseCells::Bits above, below;
+};
+
+/// Each cell's bits with those of all cells at most kStep away.
+std::vector<std::uint8_t> widest(const std::vector<std::uint8_t>& bits, int columns, int rows) {
+  std::vector<std::uint8_t> along = bits, all;
+  const auto spread = [](const std::vector<std::uint8_t>& from, std::vector<std::uint8_t>& to, std::size_t cell,
+                         int place, int places, std::ptrdiff_t stride) {
+    for (int k = -std::min(kStep, place); k <= std::min(kStep, places - 1 - place); ++k)
+      to[cell] |= from[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(cell) + k * stride)];
+  };
+  for (std::size_t cell = 0; cell < bits.size(); ++cell)
+    spread(bits, along, cell, static_cast<int>(cell) % columns, columns, 1);
+  all = along;
+  for (std::size_t cell = 0; cell < bits.size(); ++cell)
+    spread(along, all, cell, static_cast<int>(cell) / columns, rows, columns);
+  return all;
+}
+
 }  // namespace
 
 PoseCells::PoseCells(const Obstacles& obstacles, Point goal)
@@ -98,6 +128,7 @@ PoseCells::PoseCells(const Obstacles& obstacles, Point goal)
   reached_.resize(open_.size());
   close(obstacles);
   close_gates(obstacles);
+  find_quarters(obstacles);
   spread(goal);
 }
 
@@ -123,6 +154,33 @@ void PoseCells::close_gates(const Obstacles& obstacles) {
     for (int j = index(band.min.y); j < index(band.max.y); ++j)
       for (int i = index(band.min.x); i < index(band.max.x); ++i) open_[at(i, j)] = {};
   });
+}
+
+void PoseCells::find_quarters(const Obstacles& obstacles) {
+  quarters_.assign(open_.size(), 3);
+  if (obstacles.reading() == WallReading::points) return;
+  std::vector<std::uint8_t> free(open_.size(), 3);
+  const Course& course = obstacles.course();
+  const auto shut = [&](Cell c, double half_x, double half_y, int bit) {
+    for (int j = index(c.y - 0.5 - half_y); j < index(c.y + 0.5 + half_y); ++j)
+      for (int i = index(c.x - 0.5 - half_x); i < index(c.x + 0.5 + half_x); ++i)
+        free[at(i, j)] &= static_cast<std::uint8_t>(~bit);
+  };
+  for (int y = 1; y <= course.height; ++y)
+    for (int x = 1; x <= course.width; ++x)
+      if (obstacles.is_closed({x, y})) {
+        shut({x, y}, kHalfLength, kHalfWidth, 1);
+        shut({x, y}, kHalfWidth, kHalfLength, 2);
+      }
+  quarters_ = widest(free, columns_, rows_);
+}
+
+PoseCells::Bits PoseCells::wider(std::size_t cell, const Bits& bits) const {
+  static const Sides kHalves(0), kQuarters(kHeadings / 4);
+  Bits rising = bits, falling = bits;
+  if (!(quarters_[cell] & 1)) rising = rising.without(kHalves.below), falling = falling.without(kHalves.above);
+  if (!(quarters_[cell] & 2)) rising = rising.without(kQuarters.below), falling = falling.without(kQuarters.above);
+  return bits | rising.up() | falling.down();
 }
 
 void PoseCells::spread(Point goal) {
@@ -156,7 +214,7 @@ void PoseCells::spread(Point goal) {
       const int x = i + to.i, y = j + to.j;
       if (x < 0 || y < 0 || x >= columns_ || y >= rows_) continue;
       const Bits steps = bits & to.headings;
-      if (steps.any()) reach(x, y, steps.wider());
+      if (steps.any()) reach(x, y, wider(at(i, j), steps));
     }
   }
 }
@@ -164,8 +222,11 @@ void PoseCells::spread(Point goal) {
 bool PoseCells::reaches(const Pose& pose) const {
   const int i = index(pose.x), j = index(pose.y);
   if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return true;
-  const auto h = static_cast<long>(std::lround(pose.heading / (2 * kTurnOfCell)));
-  return reached_[at(i, j)].has(static_cast<int>((h % kHeadings + kHeadings) % kHeadings));
+  const auto reached = [&](double heading) {
+    const auto h = static_cast<long>(std::floor(heading / (2 * kTurnOfCell)));
+    return reached_[at(i, j)].has(static_cast<int>((h % kHeadings + kHeadings) % kHeadings));
+  };
+  return reached(pose.heading - kRounding) || reached(pose.heading + kRounding);
 }
 
 }  // namespace taut::car::detail

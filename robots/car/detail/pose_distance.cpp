@@ -1,10 +1,10 @@
 #include <taut/robots/car/detail/pose_distance.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
 
 namespace taut::car::detail {
 
@@ -58,49 +58,6 @@ std::array<int, 2> ahead(int heading) {
 
 }  // namespace
 
-/// States by cost, in a ring of buckets that is longer than twice the dearest move.
-class PoseDistance::Queue {
- public:
-  void push(std::int32_t cost, State s) {
-    ring_[static_cast<std::size_t>(cost) % kRing].push_back(s);
-    ++in_ring_;
-  }
-
-  /// Within run(): it ends.
-  void stop() {
-    for (std::vector<State>& states : ring_) states.clear();
-    seeds_.clear();
-    in_ring_ = 0;
-  }
-
-  /// Before run(): at any cost.
-  void seed(std::int32_t cost, State s) { seeds_.emplace_back(cost, s); }
-
-  template <typename Visit>
-  void each_seed(Visit visit) const {
-    for (const auto& [cost, s] : seeds_) visit(cost, s);
-  }
-
-  /// Calls visit(cost, state) by rising cost; it may push what is dearer, by one move.
-  template <typename Visit>
-  void run(Visit visit) {
-    std::ranges::sort(seeds_, std::greater<>());
-    for (std::int32_t cost = 0; in_ring_ != 0 || !seeds_.empty(); ++cost) {
-      if (in_ring_ == 0) cost = seeds_.back().first;
-      for (; !seeds_.empty() && seeds_.back().first <= cost; seeds_.pop_back()) push(cost, seeds_.back().second);
-      const std::vector<State> states = std::exchange(ring_[static_cast<std::size_t>(cost) % kRing], {});
-      in_ring_ -= states.size();
-      for (const State s : states) visit(cost, s);
-    }
-  }
-
- private:
-  static constexpr std::size_t kRing = 512;
-  std::array<std::vector<State>, kRing> ring_;
-  std::size_t in_ring_ = 0;
-  std::vector<std::pair<std::int32_t, State>> seeds_;
-};
-
 PoseDistance::PoseDistance(const Obstacles& obstacles, const DiscDistance& disc, Point goal)
     : columns_(obstacles.course().width * kRaster), rows_(obstacles.course().height * kRaster) {
   lay_moves();
@@ -110,8 +67,14 @@ PoseDistance::PoseDistance(const Obstacles& obstacles, const DiscDistance& disc,
   for (int y = 1; y <= course.height; ++y)
     for (int x = 1; x <= course.width; ++x)
       if (obstacles.is_closed({x, y})) close({x, y}, obstacles.reading());
-  cost_.assign(free_.size() * kHeadings, kNever);
-  Queue queue;
+  entries_.resize(free_.size() * kHeadings);
+  for (std::size_t s = 0; s < entries_.size(); ++s) entries_[s] = entries(static_cast<State>(s));
+  search(goal);
+}
+
+void PoseDistance::search(Point goal) {
+  cost_.assign(entries_.size(), kNever);
+  CostQueue queue;
   for (int j = std::max(0, raster(goal.y - 2)); j <= std::min(rows_ - 1, raster(goal.y + 2)); ++j)
     for (int i = std::max(0, raster(goal.x - 2)); i <= std::min(columns_ - 1, raster(goal.x + 2)); ++i)
       for (int h = 0; h < kHeadings; ++h) {
@@ -129,12 +92,15 @@ void PoseDistance::lay_moves() {
     const int x = static_cast<int>(std::lround(dx)), y = static_cast<int>(std::lround(dy));
     const double way = std::hypot(dx, dy), rounded = std::hypot(x, y);
     const double scale = way == 0 ? 1 : rounded / way;  // no speed is gained by rounding
-    Move move{x, y, turn, std::max(1, static_cast<int>(std::lround(cost * scale * kParts))), {}};
+    Move move{x, y, turn, std::max(1, static_cast<int>(std::lround(cost * scale * kParts))), 0, 0, {}};
     for (int k = 1, n = std::max(std::abs(x), std::abs(y)); k < n; ++k)
       move.between.push_back({static_cast<int>(std::lround(1.0 * k * x / n)),
                               static_cast<int>(std::lround(1.0 * k * y / n)), 2 * k > n ? turn : 0});
+    move.by = (y * columns_ + x) * kHeadings + wrapped(h + turn) - h;
+    std::vector<Move>& into = moves_into_[static_cast<std::size_t>(wrapped(h + turn))];
+    move.entry = into.size();
     moves_[static_cast<std::size_t>(h)].push_back(move);
-    moves_into_[static_cast<std::size_t>(wrapped(h + turn))].push_back(move);
+    into.push_back(move);
   };
   const double chord = 2 * (kForward / kTurn) * std::sin(kUnit / 2) * kRaster;
   for (int h = 0; h < kHeadings; ++h) {
@@ -174,31 +140,38 @@ bool PoseDistance::is_passable(int i, int j, int h, const Move& move) const {
   });
 }
 
-template <typename Visit>
-void PoseDistance::each_before(State s, Visit visit) const {
+std::uint8_t PoseDistance::entries(State s) const {
+  std::uint8_t bits = 0;
+  if (!is_free(s)) return bits;
   const int cell = static_cast<int>(s / kHeadings), i = cell % columns_, j = cell / columns_;
   const int h = static_cast<int>(s % kHeadings);
   for (const Move& m : moves_into_[static_cast<std::size_t>(h)]) {
     const int x = i - m.dx, y = j - m.dy;
     if (x < 0 || y < 0 || x >= columns_ || y >= rows_) continue;
-    const State before = static_cast<State>((y * columns_ + x) * kHeadings + wrapped(h - m.turn));
-    if (is_free(before) && is_passable(x, y, wrapped(h - m.turn), m)) visit(before, m.cost);
+    if (is_free(s - static_cast<State>(m.by)) && is_passable(x, y, wrapped(h - m.turn), m))
+      bits |= static_cast<std::uint8_t>(1U << m.entry);
+  }
+  return bits;
+}
+
+template <typename Visit>
+void PoseDistance::each_before(State s, Visit visit) const {
+  const Move* into = moves_into_[s % kHeadings].data();
+  for (unsigned bits = entries_[s]; bits != 0; bits &= bits - 1) {
+    const Move& m = into[std::countr_zero(bits)];
+    visit(s - static_cast<State>(m.by), m.cost);
   }
 }
 
 template <typename Visit>
 void PoseDistance::each_after(State s, Visit visit) const {
-  const int cell = static_cast<int>(s / kHeadings), i = cell % columns_, j = cell / columns_;
-  const int h = static_cast<int>(s % kHeadings);
-  for (const Move& m : moves_[static_cast<std::size_t>(h)]) {
-    const int x = i + m.dx, y = j + m.dy;
-    if (x < 0 || y < 0 || x >= columns_ || y >= rows_) continue;
-    const State after = static_cast<State>((y * columns_ + x) * kHeadings + wrapped(h + m.turn));
-    if (is_free(after) && is_passable(i, j, h, m)) visit(after, m.cost);
+  for (const Move& m : moves_[s % kHeadings]) {
+    const State after = s + static_cast<State>(m.by);  // beyond a border it has no such entry
+    if (after < entries_.size() && (entries_[after] >> m.entry) & 1) visit(after, m.cost);
   }
 }
 
-void PoseDistance::spread(Queue& queue) {
+void PoseDistance::spread(CostQueue& queue) {
   queue.run([&](std::int32_t cost, State s) {
     if (cost_[s] != cost) return;
     each_before(s, [&](State before, int by) {
@@ -212,14 +185,14 @@ void PoseDistance::spread(Queue& queue) {
 PoseDistance::PoseDistance(const PoseDistance& before, const Obstacles& before_obstacles, const Obstacles& obstacles,
                            const DiscDistance& disc)
     : PoseDistance(before) {
-  Queue queue;
-  for (const State s : shut(before_obstacles, obstacles, disc)) queue.seed(cost_[s], s);
+  CostQueue queue;
+  shut(before_obstacles, obstacles, disc, queue);
   const std::vector<State> lost = unsettle(queue, before.cost_);
   if (static_cast<double>(lost.size()) > kMostLost * static_cast<double>(settled_)) {
-    *this = PoseDistance(obstacles, disc, obstacles.course().goal);
+    search(obstacles.course().goal);
     return;
   }
-  Queue again;
+  CostQueue again;
   for (const State s : lost) {
     std::int32_t best = kNever;
     each_after(s, [&](State after, int by) {
@@ -232,7 +205,7 @@ PoseDistance::PoseDistance(const PoseDistance& before, const Obstacles& before_o
 }
 
 /// By old costs: when a state is looked at, all that it could lean on is decided.
-std::vector<PoseDistance::State> PoseDistance::unsettle(Queue& queue, const std::vector<std::uint16_t>& old) {
+std::vector<PoseDistance::State> PoseDistance::unsettle(CostQueue& queue, const std::vector<std::uint16_t>& old) {
   std::vector<State> lost;
   const auto most = static_cast<std::size_t>(kMostLost * static_cast<double>(settled_));
   queue.run([&](std::int32_t cost, State s) {
@@ -252,9 +225,8 @@ std::vector<PoseDistance::State> PoseDistance::unsettle(Queue& queue, const std:
   return lost;
 }
 
-/// Takes the new closed cells' poses from what is free; the states that may have leant on one: themselves, and those a move away.
-std::vector<PoseDistance::State> PoseDistance::shut(const Obstacles& before, const Obstacles& obstacles,
-                                                    const DiscDistance& disc) {
+/// Takes the new closed cells' poses from what is free, and the moves that are lost; seeds the states that leant on one.
+void PoseDistance::shut(const Obstacles& before, const Obstacles& obstacles, const DiscDistance& disc, CostQueue& queue) {
   const std::vector<std::uint32_t> were = free_;
   const Course& course = obstacles.course();
   for (int y = 1; y <= course.height; ++y)
@@ -268,11 +240,18 @@ std::vector<PoseDistance::State> PoseDistance::shut(const Obstacles& before, con
       if (free_[at(i, j)] != were[at(i, j)])
         each_cell_around(i, j, kFarthest, [&](int x, int y) { near[at(x, y)] = 1; });
     }
-  std::vector<State> states;
+  const auto lose = [&](State s) {
+    if (entries_[s] == 0) return;
+    const std::uint8_t left = entries(s), lost = entries_[s] & static_cast<std::uint8_t>(~left);
+    entries_[s] = left;
+    if (cost_[s] == kNever) return;
+    if (cost_[s] == 0 && !is_free(s)) queue.seed(0, s);
+    for (const Move& m : moves_into_[s % kHeadings])
+      if (const State from = s - static_cast<State>(m.by); (lost >> m.entry) & 1 && cost_[from] == cost_[s] + m.cost)
+        queue.seed(cost_[from], from);
+  };
   for (std::size_t cell = 0; cell < near.size(); ++cell)
-    for (std::size_t s = cell * kHeadings; near[cell] && s < (cell + 1) * kHeadings; ++s)
-      if (cost_[s] != kNever) states.push_back(static_cast<State>(s));
-  return states;
+    for (std::size_t s = cell * kHeadings; near[cell] && s < (cell + 1) * kHeadings; ++s) lose(static_cast<State>(s));
 }
 
 double PoseDistance::steps_from(const Pose& pose) const {

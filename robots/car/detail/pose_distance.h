@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <taut/robots/car/detail/cost_queue.h>
 #include <taut/robots/car/detail/disc_distance.h>
 
 namespace taut::car::detail {
@@ -24,6 +25,8 @@ class PoseDistance {
   /// Steps, between the nearest headings; kFar where the lattice knows no way (the car may).
   double steps_from(const Pose& pose) const;
 
+  std::size_t bytes() const { return entries_.size() * (sizeof(entries_[0]) + sizeof(cost_[0])); }  ///< about
+
   static constexpr double kFar = 1e9;
   static constexpr int kTableHeadings = 32;
   static constexpr double kTableSlack = 0.15;
@@ -32,17 +35,20 @@ class PoseDistance {
   using State = std::uint32_t;
   struct Move {
     int dx, dy, turn, cost;
+    std::int32_t by = 0;    ///< from a state's number to that of the state it leads to
+    std::size_t entry = 0;  ///< its place among the moves into the heading that it leads to
     std::vector<std::array<int, 3>> between;  ///< cells passed over, from its begin, and the turn there
   };
-  class Queue;
 
   void lay_moves();
+  void search(Point goal);
+  std::uint8_t entries(State s) const;
   template <typename Visit>
   void each_cell_around(int i, int j, int reach, Visit visit) const;
   void close(Cell cell, WallReading reading);
-  std::vector<State> shut(const Obstacles& before, const Obstacles& obstacles, const DiscDistance& disc);
-  std::vector<State> unsettle(Queue& queue, const std::vector<std::uint16_t>& old);
-  void spread(Queue& queue);
+  void shut(const Obstacles& before, const Obstacles& obstacles, const DiscDistance& disc, CostQueue& queue);
+  std::vector<State> unsettle(CostQueue& queue, const std::vector<std::uint16_t>& old);
+  void spread(CostQueue& queue);
   template <typename Visit>
   void each_before(State s, Visit visit) const;
   template <typename Visit>
@@ -56,9 +62,10 @@ class PoseDistance {
   int columns_ = 0, rows_ = 0;
   std::array<std::vector<Move>, kTableHeadings> moves_;  ///< from each heading
   std::array<std::vector<Move>, kTableHeadings> moves_into_;
-  std::vector<std::uint32_t> free_;  ///< of raster cells, a bit a heading
-  std::vector<std::uint16_t> cost_;  ///< in 1/kParts steps
-  std::size_t settled_ = 0;          ///< states with a value, when last made anew
+  std::vector<std::uint32_t> free_;    ///< of raster cells, a bit a heading
+  std::vector<std::uint8_t> entries_;  ///< a bit for each of moves_into_ its heading that can be made
+  std::vector<std::uint16_t> cost_;    ///< in 1/kParts steps
+  std::size_t settled_ = 0;            ///< states with a value, when last made anew
 };
 
 }  // namespace taut::car::detail

@@ -8,7 +8,6 @@ namespace taut::car::detail {
 
 namespace {
 
-constexpr std::uint32_t kRoot = ~0U;
 constexpr std::uint32_t kGoalEvery = 20;
 constexpr double kFieldAhead = 3;
 
@@ -27,7 +26,7 @@ class Rrt {
       const auto branch = growth_.towards(towards, nodes_[from].pose, nodes_[from].reach);
       if (!branch) continue;
       add({branch->end, from, branch->controls, {}});
-      if (room_.is_goal(branch->end)) return controls_to(nodes_.size() - 1);
+      if (room_.is_goal(branch->end)) return controls_to(nodes_, static_cast<std::uint32_t>(nodes_.size() - 1));
     }
     return std::nullopt;
   }
@@ -51,15 +50,6 @@ class Rrt {
   void add(const Node& node) {
     index_.insert(node.pose, static_cast<std::uint32_t>(nodes_.size()));
     nodes_.push_back(node);
-  }
-
-  std::vector<double> controls_to(std::size_t last) const {
-    std::vector<std::size_t> way;
-    for (std::size_t n = last; n != kRoot; n = nodes_[n].parent) way.push_back(n);
-    std::vector<double> all;
-    for (std::size_t i = way.size(); i-- > 0;)
-      all.insert(all.end(), nodes_[way[i]].controls.begin(), nodes_[way[i]].controls.end());
-    return all;
   }
 
   const TreeRoom& room_;

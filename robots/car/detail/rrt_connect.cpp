@@ -12,7 +12,6 @@ namespace taut::car::detail {
 
 namespace {
 
-constexpr std::uint32_t kRoot = ~0U;
 constexpr int kGoalHeadings = 16;
 
 using Controls = std::vector<double>;

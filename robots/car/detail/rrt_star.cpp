@@ -12,25 +12,28 @@ namespace taut::car::detail {
 
 namespace {
 
-constexpr std::uint32_t kRoot = ~0U;
 constexpr std::uint32_t kGoalEvery = 20;
 constexpr unsigned kNear = 12;
-constexpr std::size_t kEnough = 6'000;  // samples, if they gave a plan
+constexpr std::size_t kEnough = 6'000;  // samples with joints, before there is a plan and in all
+constexpr std::size_t kLater = 2'000;   // such samples after a plan that came later
 
 class RrtStar {
  public:
   RrtStar(const TreeRoom& room, const Pose& from, Samples samples)
       : room_(room), samples_(samples), growth_(room, Growth::Time::forwards) {
-    add({from, kRoot, 0, {}, {}, {}});
+    add({kRoot, 0, from, {}});
   }
 
+  /// Joints first. Where they give no plan, only growth, which is that of RRT and a twentieth of the time, until there is one; then joints again.
   std::optional<std::vector<double>> run() {
-    for (std::size_t i = 0; i < samples_.most && (i < kEnough || goals_.empty()); ++i) {
-      ++samples_.drawn;
-      if (const auto added = grow(sample())) rewire(*added);
+    for (std::size_t joined = 0; joined < kEnough && draw(); ++joined) grow_jointly();
+    if (goals_.empty()) {
+      while (goals_.empty() && draw()) grow();
+      note_goals();
+      for (std::size_t joined = 0; joined < kLater && draw(); ++joined) grow_jointly();
     }
     if (goals_.empty()) return std::nullopt;
-    return controls_to(*std::ranges::min_element(goals_, {}, [&](std::uint32_t n) { return nodes_[n].cost; }));
+    return controls_to(nodes_, *std::ranges::min_element(goals_, {}, [&](std::uint32_t n) { return nodes_[n].cost; }));
   }
 
  private:
@@ -51,18 +54,25 @@ class RrtStar {
     std::vector<double> controls;
   };
 
+  bool draw() {
+    if (drawn_ == samples_.most) return false;
+    ++drawn_;
+    ++samples_.drawn;
+    return true;
+  }
+
   Pose sample() {
     Draws& draws = samples_.draws;
     if (draws.below(kGoalEvery) != 0) return room_.sample(draws);
     return {room_.course().goal.x, room_.course().goal.y, draws.unit() * 2 * std::numbers::pi};
   }
 
-  std::uint32_t add(Node node) {
+  std::uint32_t add(Joint by) {
     const auto which = static_cast<std::uint32_t>(nodes_.size());
-    if (node.parent != kRoot) nodes_[node.parent].children.push_back(which);
-    index_.insert(node.pose, which);
-    if (room_.is_goal(node.pose)) goals_.push_back(which);
-    nodes_.push_back(std::move(node));
+    if (by.from != kRoot) nodes_[by.from].children.push_back(which);
+    index_.insert(by.end, which);
+    if (room_.is_goal(by.end)) goals_.push_back(which);
+    nodes_.push_back({by.end, by.from, by.cost, std::move(by.controls), {}, {}});
     return which;
   }
 
@@ -85,16 +95,27 @@ class RrtStar {
     return rest != DiscDistance::kFar && cost + 0.9 * rest < least_;
   }
 
-  std::optional<std::uint32_t> grow(const Pose& sample) {
-    const std::uint32_t from = index_.nearest(sample);
-    const auto branch = growth_.towards(sample, nodes_[from].pose, nodes_[from].reach);
+  /// As far as growth alone gets.
+  std::optional<Joint> grown() {
+    const Pose towards = sample();
+    const std::uint32_t from = index_.nearest(towards);
+    const auto branch = growth_.towards(towards, nodes_[from].pose, nodes_[from].reach);
     if (!branch) return std::nullopt;
     const auto& [to, controls] = *branch;
-    Joint best{from, nodes_[from].cost + static_cast<int>(controls.size()), to, {controls.begin(), controls.end()}};
+    return Joint{from, nodes_[from].cost + static_cast<int>(controls.size()), to, {controls.begin(), controls.end()}};
+  }
+
+  void grow() {
+    if (auto joint = grown()) add(std::move(*joint));
+  }
+
+  void grow_jointly() {
+    auto best = grown();
+    if (!best) return;
+    const Pose to = best->end;
     for (const std::uint32_t near : index_.nearest(to, kNear))
-      if (auto other = joint(near, to, best.cost)) best = std::move(*other);
-    if (!may_improve(best.end, best.cost)) return std::nullopt;
-    return add({best.end, best.from, best.cost, std::move(best.controls), {}, {}});
+      if (auto other = joint(near, to, best->cost)) best = std::move(*other);
+    if (may_improve(best->end, best->cost)) rewire(add(std::move(*best)));
   }
 
   void rewire(std::uint32_t added) {
@@ -136,15 +157,6 @@ class RrtStar {
     nodes_[root].controls = std::move(by.controls);
   }
 
-  std::vector<double> controls_to(std::uint32_t last) const {
-    std::vector<std::uint32_t> way;
-    for (std::uint32_t n = last; n != kRoot; n = nodes_[n].parent) way.push_back(n);
-    std::vector<double> all;
-    for (std::size_t i = way.size(); i-- > 0;)
-      all.insert(all.end(), nodes_[way[i]].controls.begin(), nodes_[way[i]].controls.end());
-    return all;
-  }
-
   const TreeRoom& room_;
   Samples samples_;
   Growth growth_;
@@ -152,6 +164,7 @@ class RrtStar {
   PoseIndex index_;
   std::vector<std::uint32_t> goals_;
   int least_ = 1 << 29;
+  std::size_t drawn_ = 0;
 };
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include <taut/robots/car/detail/curve_bound.h>
+
 namespace taut::car::detail {
 
 namespace {
@@ -12,35 +14,32 @@ namespace {
 using Vector = std::array<double, 3>;
 
 constexpr double kSame = 1e-11;    // two poses, when their differences are below it
+constexpr double kRounding = 1e-9;  // of a step, in a bound
 constexpr int kIterations = 7;     // of Newton's method
 constexpr double kAstray = 2;      // a control beyond it will not come back to 1
 constexpr std::size_t kLeast = 8;  // steps of a stretch
 constexpr double kShrink = 0.85;   // a stretch's length from one round to the next
 constexpr int kRounds = 8;
+constexpr int kCoarse = 6;  // steps between the first looks
 constexpr std::array<double, 5> kSides{0, 0.5, -0.5, 0.95, -0.95};  // where the goal comes to lie across the car
 constexpr std::array<std::array<double, 2>, 9> kSplits{
     {{1 / 3.0, 1 / 3.0}, {0.2, 0.6}, {0.15, 0.35}, {0.5, 0.35}, {.1, .8}, {.1, .1}, {.8, .1}, {.1, .5}, {.4, .5}}};
 
-/// Solves a x = b by elimination; nothing when it is (nearly) singular.
-std::optional<Vector> solved(std::array<Vector, 3> a, Vector b) {
-  for (std::size_t k = 0; k < 3; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t r = k + 1; r < 3; ++r)
-      if (std::abs(a[r][k]) > std::abs(a[pivot][k])) pivot = r;
-    if (std::abs(a[pivot][k]) < 1e-9) return std::nullopt;
-    std::swap(a[k], a[pivot]);
-    std::swap(b[k], b[pivot]);
-    for (std::size_t r = k + 1; r < 3; ++r) {
-      const double f = a[r][k] / a[k][k];
-      for (std::size_t c = k; c < 3; ++c) a[r][c] -= f * a[k][c];
-      b[r] -= f * b[k];
-    }
-  }
-  for (std::size_t k = 3; k-- > 0;) {
-    for (std::size_t c = k + 1; c < 3; ++c) b[k] -= a[k][c] * b[c];
-    b[k] /= a[k][k];
-  }
-  return b;
+double product(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// Solves a x = b by Cramer's rule; nothing when it is (nearly) singular.
+std::optional<Vector> solved(const std::array<Vector, 3>& a, const Vector& b) {
+  const std::array<Vector, 3> minors{cross(a[1], a[2]), cross(a[2], a[0]), cross(a[0], a[1])};
+  const double volume = product(a[0], minors[0]);
+  if (std::abs(volume) < 1e-12) return std::nullopt;
+  Vector x{};
+  for (std::size_t k = 0; k < 3; ++k)
+    x[k] = (b[0] * minors[0][k] + b[1] * minors[1][k] + b[2] * minors[2][k]) / volume;
+  return x;
 }
 
 /// A value with its slopes in the three controls.
@@ -53,23 +52,39 @@ struct VaryingPose {
   Varying x, y, heading;
 };
 
+/// So many steps on.
+Pose after(const Pose& from, double control, int steps) {
+  const double turn = kTurn * control * steps, half = turn / 2;
+  const double chord = kForward * steps * (std::abs(half) < 1e-4 ? 1 - half * half / 6 : std::sin(half) / half);
+  return {from.x + chord * std::cos(from.heading + half), from.y + chord * std::sin(from.heading + half),
+          from.heading + turn};
+}
+
 /// Three arcs from a pose, some steps each.
 struct Stretch {
+  Stretch(const Pose& pose, const std::array<int, 3>& numbers)
+      : from(pose), steps(numbers), ahead{std::cos(pose.heading), std::sin(pose.heading)} {}
+
   Pose from;
   std::array<int, 3> steps;
+  Point ahead;
 
   /// Where controls lead: what stepped() gives, in one go.
   VaryingPose end(const Vector& u) const {
     Pose at = from;
+    Point way = ahead;
     VaryingPose end;
     std::array<Point, 3> after;  // each arc
     std::array<Point, 3> bent;   // slope of the arc's own chord in its turn
     for (std::size_t k = 0; k < 3; ++k) {
-      const double length = kForward * steps[k], half = kTurn * u[k] * steps[k] / 2, middle = at.heading + half;
+      const double length = kForward * steps[k], half = kTurn * u[k] * steps[k] / 2;
       const bool straight = std::abs(half) < 1e-4;
-      const double sine = std::sin(half), share = straight ? 1 - half * half / 6 : sine / half;
-      const double share_slope = straight ? -half / 3 : (std::cos(half) - share) / half;
-      const double c = length * std::cos(middle), s = length * std::sin(middle);
+      const double sine = std::sin(half), cosine = std::cos(half);
+      const double share = straight ? 1 - half * half / 6 : sine / half;
+      const double share_slope = straight ? -half / 3 : (cosine - share) / half;
+      way = {cosine * way.x - sine * way.y, sine * way.x + cosine * way.y};  // in the arc's middle
+      const double c = length * way.x, s = length * way.y;
+      way = {cosine * way.x - sine * way.y, sine * way.x + cosine * way.y};
       bent[k] = {(share_slope * c - share * s) / 2, (share_slope * s + share * c) / 2};
       at = {at.x + share * c, at.y + share * s, at.heading + 2 * half};
       after[k] = {at.x, at.y};
@@ -151,7 +166,7 @@ class Shortcuts {
     if (is_one_arc(i, j) || !is_new(i, j)) return false;
     const Pose target = plan_.poses[j - 1];
     const auto least =
-        static_cast<int>(std::ceil(std::hypot(target.x - before(i).x, target.y - before(i).y) / kForward));
+        static_cast<int>(std::ceil(dubins_bound(before(i), target, kForward / kTurn) / kForward - kRounding));
     const int steps = static_cast<int>(j - i);
     const auto miss = [&](VaryingPose end, const Vector&) {
       end.x.value -= target.x, end.y.value -= target.y;
@@ -197,8 +212,8 @@ class Shortcuts {
   bool replaced(std::size_t i, std::size_t j, int steps, Miss miss) {
     for (const auto& [first, second] : kSplits) {
       const int a = std::max(1, static_cast<int>(first * steps)), b = std::max(1, static_cast<int>(second * steps));
-      const Stretch stretch{before(i), {a, b, steps - a - b}};
-      if (stretch.steps[2] < 1) continue;
+      if (steps - a - b < 1) continue;
+      const Stretch stretch(before(i), {a, b, steps - a - b});
       const auto found =
           controls_for([&](const Vector& u) { return miss(stretch.end(u), u); }, guess(i, j, stretch.steps));
       if (found && put(i, j, stretch, *found)) return true;
@@ -220,8 +235,21 @@ class Shortcuts {
     return u;
   }
 
+  /// Every few steps: most stretches that collide do so for longer.
+  bool may_be_clear(const Stretch& stretch, const Vector& u) const {
+    Pose at = stretch.from;
+    for (std::size_t k = 0; k < 3; ++k) {
+      for (int steps = kCoarse; steps < stretch.steps[k]; steps += kCoarse)
+        if (!obstacles_.is_free(after(at, u[k], steps), slack_)) return false;
+      at = after(at, u[k], stretch.steps[k]);
+      if (!obstacles_.is_free(at, slack_)) return false;
+    }
+    return true;
+  }
+
   /// Takes the stretch when it and what follows is clear.
   bool put(std::size_t i, std::size_t j, const Stretch& stretch, const Vector& u) {
+    if (!may_be_clear(stretch, u)) return false;
     std::vector<double> controls;
     for (std::size_t k = 0; k < 3; ++k)
       controls.insert(controls.end(), static_cast<std::size_t>(stretch.steps[k]), u[k]);

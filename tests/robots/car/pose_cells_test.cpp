@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 #include <vector>
 
 #include <taut/robots/car/detail/pose_cells.h>
+#include <taut/robots/car/lattice_planner.h>
 #include <taut/robots/car/road_map_generator.h>
 
 namespace taut::car {
@@ -61,6 +63,33 @@ TEST(PoseCells, ProveThatAGapOfTwoIsNoWayAndOneOfThreeMayBe) {
       EXPECT_EQ(cells.reaches({6, 7, 0}), gap == 3);
       EXPECT_TRUE(cells.reaches({20, 7, 1}));
     }
+}
+
+/// Two rooms, one above the other, and between them a lane that runs down to the left and then to the right, each row one cell on.
+Course bent_lane(int open) {
+  Course course = walled_room(30, 27);
+  for (int y = 11; y <= 17; ++y)
+    for (int x = 2; x < 30; ++x) {
+      const int first = 12 + std::abs(y - 14);
+      if (x < first || x >= first + open) course.walls[course.index({x, y})] = 1;
+    }
+  course.start = {6, 22};
+  course.goal = {20, 5};
+  return course;
+}
+
+TEST(PoseCells, ProveThatABendWhichTheCarFillsSquarelyIsNoWayForSquares) {
+  for (const int open : {4, 5}) {
+    const Course course = bent_lane(open);
+    const detail::PoseCells squares(detail::Obstacles(course, 0, WallReading::squares), course.goal);
+    EXPECT_EQ(squares.reaches({6, 22, 0}), open == 5) << "4 wide: straight down the car is 2 wide in 2, or 3 long in 3";
+    EXPECT_TRUE(squares.reaches({20, 7, 1}));
+    const detail::PoseCells points(detail::Obstacles(course, 0, WallReading::points), course.goal);
+    EXPECT_TRUE(points.reaches({6, 22, 0})) << "steps may turn past the place";
+    LatticePlanner planner(course, WallReading::squares);
+    EXPECT_EQ(planner.plan({6, 22, 0}, 0) != nullptr, open == 5);
+    EXPECT_FALSE(planner.gave_up({6, 22, 0}, 0));
+  }
 }
 
 TEST(PoseCells, KnowTheWayAroundOutsideOfAGridWithoutBorder) {
