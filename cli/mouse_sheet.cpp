@@ -1,4 +1,5 @@
 #include <taut/cli/mouse_sheet.h>
+#include <taut/io/colour_scale.h>
 
 #include <fmt/format.h>
 
@@ -6,7 +7,6 @@
 #include <array>
 
 #include <taut/io/detail/svg_path.h>
-#include <taut/io/svg.h>
 
 namespace taut::cli {
 

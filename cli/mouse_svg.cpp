@@ -1,16 +1,14 @@
 #include <taut/cli/mouse_svg.h>
+#include <taut/io/colour_scale.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <set>
 
 #include <taut/cli/mouse_report.h>
 #include <taut/cli/mouse_sheet.h>
 #include <taut/io/detail/svg_path.h>
-#include <taut/io/svg.h>
 #include <taut/robots/micromouse/steps.h>
 
 namespace taut::cli {

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include <taut/io/colour_scale.h>
 #include <taut/io/detail/svg_path.h>
 
 namespace taut {
@@ -16,18 +16,7 @@ constexpr std::size_t kShades = 64;
 constexpr double kPlaySeconds = 8;
 constexpr double kPathSeconds = 2;
 
-/// Dark blue to yellow, evenly in lightness: between five colours.
-std::string shade_colour(std::size_t shade) {
-  constexpr std::array<std::array<double, 3>, 5> kStops{
-      {{59, 54, 124}, {49, 104, 142}, {53, 160, 133}, {128, 204, 92}, {247, 228, 80}}};
-  const double at = static_cast<double>(shade) / (kShades - 1) * (kStops.size() - 1);
-  const auto i = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
-  const double part = at - static_cast<double>(i);
-  const auto mixed = [&](std::size_t c) {
-    return static_cast<int>(std::lround(kStops[i][c] + part * (kStops[i + 1][c] - kStops[i][c])));
-  };
-  return fmt::format("#{:02x}{:02x}{:02x}", mixed(0), mixed(1), mixed(2));
-}
+std::string colour_of(std::size_t shade) { return flood_colour(static_cast<double>(shade) / (kShades - 1)); }
 
 class GridPage {
  public:
@@ -82,7 +71,7 @@ class GridPage {
     put(runs[kBlocked], "#2b3240", "/>");
     for (std::size_t s = 0; s < kShades; ++s) {
       if (what_.animated) put(runs[s], "#ffffff", "/>");
-      put(runs[s], shade_colour(s), appears(kPlaySeconds * static_cast<double>(s) / kShades));
+      put(runs[s], colour_of(s), appears(kPlaySeconds * static_cast<double>(s) / kShades));
     }
   }
 
@@ -156,7 +145,7 @@ class GridPage {
     out_ += "<defs><linearGradient id=\"order\">";
     for (std::size_t s = 0; s < kShades; s += 9)
       out_ += fmt::format("<stop offset=\"{:.3f}\" stop-color=\"{}\"/>", static_cast<double>(s) / (kShades - 1),
-                          shade_colour(s));
+                          colour_of(s));
     out_ += "</linearGradient></defs>\n";
     out_ += fmt::format("<rect x=\"{}\" y=\"{:.2f}\" width=\"120\" height=\"10\" fill=\"url(#order)\"/>\n", kMargin,
                         top + 70);

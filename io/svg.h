@@ -13,14 +13,11 @@
 
 namespace taut {
 
-/// A path in a colour of its own: 0 the dark end of the scale, 1 the bright one.
+/// A path in a colour of its own (shade_colour): 0 the dark end of the scale, 1 the bright one.
 struct SvgShade {
   std::vector<VoronoiCurve> curves;
   double shade = 0;
 };
-
-/// The scale of SvgShade as `#rrggbb`.
-std::string shade_colour(double shade);
 
 /// A word beside a dot.
 struct SvgLabel {
@@ -71,9 +68,5 @@ struct SvgPicture {
 std::string svg(const FreeSpace& space, const SvgPicture& picture = {});
 
 inline constexpr std::size_t kSvgRoadmapEdges = 200'000;
-
-/// The mean width of the space between obstacles: twice the free area by the length of what bounds it (zero-thickness
-/// walls count twice), at most an eighth of the box's longer side. In the world's unit. > 0.
-double corridor_width(const FreeSpace& space);
 
 }  // namespace taut
