@@ -11,7 +11,6 @@
 #include <random>
 #include <string>
 
-#include <taut/geometry/maze_generator.h>
 #include <taut/io/query_lines.h>
 #include <taut/io/read_world.h>
 #include <taut/roadmaps/cell_graph.h>
@@ -19,9 +18,12 @@
 #include <taut/search/polyanya.h>
 #include <taut/search/shortest_path.h>
 
+#include "mazes.h"
+
 namespace {
 
 using namespace taut;
+using bench::opened_maze;
 
 struct Pair {
   Point from, to;
@@ -37,9 +39,7 @@ constexpr double kOpened = 0.1;
 constexpr std::size_t kLandmarks = 8;
 
 Case maze(int cells, double opened) {
-  auto grid = std::make_shared<GridMaze>(generate_backtracker(cells, cells, 1));
-  open_walls(*grid, opened, 1);
-  Case made{FreeSpace(world_of(std::move(grid))), {}};
+  Case made{FreeSpace(opened_maze(cells, opened)), {}};
   std::mt19937_64 engine(5);
   const auto place = [&] {
     const double x = static_cast<double>(engine() % static_cast<unsigned>(cells)) + 0.5,

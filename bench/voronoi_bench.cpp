@@ -9,7 +9,6 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>

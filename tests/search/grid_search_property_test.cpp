@@ -1,8 +1,6 @@
 // Every search against an independent least cost: Bellman-Ford style relaxation on counts, compared in long double and checked by squares.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <optional>
 #include <vector>
 
 #include <taut/geometry/detail/draws.h>
