@@ -3,12 +3,10 @@
 
 #include <CLI/App.hpp>
 
-#include <optional>
-#include <string>
-
-#include <taut/cli/options.h>
 #include <taut/io/grid_csv.h>
 #include <taut/search/grid_search.h>
+#include <optional>
+#include <string>
 
 namespace taut::cli {
 

@@ -8,13 +8,12 @@
 
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>
-#include <taut/cli/grid.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
 #include <taut/cli/stop.h>
-#include <taut/geometry/errors.h>
 #include <taut/geometry/grid_generator.h>
 #include <taut/io/movingai.h>
+#include <taut/search/grid_search.h>
 
 namespace taut::cli {
 

@@ -4,8 +4,6 @@
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>
 
-#include <utility>
-
 #include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/report.h>

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <taut/cli/roadmap_kinds.h>
-#include <taut/search/verify.h>
 
 namespace taut::cli {
 

@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include <taut/geometry/detail/expects.h>
 #include <taut/geometry/detail/free_space_impl.h>

@@ -1,7 +1,5 @@
 // The cells of a grid maze as a roadmap: what a search on a grid sees of the plane. For comparison with the exact answer.
 #pragma once
-
-#include <array>
 #include <optional>
 #include <vector>
 

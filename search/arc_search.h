@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include <taut/roadmaps/tangent_graph.h>
 #include <taut/search/arc_path.h>

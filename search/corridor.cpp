@@ -1,7 +1,6 @@
 #include <taut/search/corridor.h>
 
 #include <algorithm>
-#include <utility>
 
 #include <taut/geometry/predicates.h>
 

@@ -1,7 +1,5 @@
 // Cells of a grid, and which moves lead from one to the next.
 #pragma once
-
-#include <array>
 #include <compare>
 #include <cstdint>
 #include <optional>

@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include <taut/geometry/free_space.h>
 #include <taut/roadmaps/visibility_graph.h>

@@ -1,7 +1,5 @@
 // The check of a path that shares nothing with the planners.
 #pragma once
-
-#include <optional>
 #include <string>
 
 #include <taut/geometry/free_space.h>

@@ -1,11 +1,9 @@
 // The check of a disc's path that shares nothing with its planner.
 #pragma once
 
-#include <string>
-
-#include <taut/geometry/free_space.h>
 #include <taut/roadmaps/gates.h>
 #include <taut/search/arc_path.h>
+#include <string>
 
 namespace taut {
 

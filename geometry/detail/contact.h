@@ -1,8 +1,6 @@
 // Where a straight leg touches constraints, and on which side it passes. Private: the ground of verify() and of the
 // brute-force visibility graph, written without the triangulation so that both can judge what is built on it.
 #pragma once
-
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>

@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include <taut/geometry/length.h>
-#include <taut/geometry/point.h>
 
 namespace taut::detail {
 

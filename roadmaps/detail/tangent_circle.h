@@ -3,9 +3,6 @@
 
 #include <gmpxx.h>
 
-#include <span>
-#include <vector>
-
 #include <taut/roadmaps/detail/tangent_line.h>
 
 namespace taut::detail {

@@ -1,7 +1,5 @@
 // What TangentGraph keeps, and how a further place joins it. Private.
 #pragma once
-
-#include <optional>
 #include <vector>
 
 #include <taut/roadmaps/detail/tangent_walls.h>

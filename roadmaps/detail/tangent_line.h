@@ -1,11 +1,8 @@
 // A common tangent of two circles, and exactly what it touches. Private.
 #pragma once
-
-#include <array>
 #include <memory>
 
 #include <taut/geometry/point.h>
-#include <taut/geometry/triangulation.h>
 #include <taut/roadmaps/detail/surd.h>
 
 namespace taut::detail {

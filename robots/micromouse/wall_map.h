@@ -1,7 +1,5 @@
 // What a robot knows of a maze: each wall is unknown, open or closed.
 #pragma once
-
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>

@@ -1,7 +1,5 @@
 // The question of a chase and its answers: where the target can be met, and the pursuer's way there.
 #pragma once
-
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>

@@ -1,7 +1,6 @@
 #include <taut/robots/pursuit/read_chase_map.h>
 
 #include <algorithm>
-#include <bit>
 #include <optional>
 #include <utility>
 

@@ -1,7 +1,6 @@
 #include <taut/search/detail/polyanya_engine.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace taut::detail {
 

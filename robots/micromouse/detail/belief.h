@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <taut/geometry/detail/draws.h>
-#include <taut/robots/micromouse/detail/boards.h>
 #include <taut/robots/micromouse/wall_map.h>
 
 namespace taut::micromouse::detail {

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include <taut/robots/micromouse/detail/boards.h>
 #include <taut/robots/micromouse/detail/flood_step.h>
+#include <taut/robots/micromouse/steps.h>
 
 namespace taut::micromouse::detail {
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 
 #include <taut/robots/pursuit/detail/reduced.h>
 
