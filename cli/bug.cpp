@@ -38,8 +38,9 @@ struct BugOptions {
   std::string animation;
 };
 
-void require_sense(const CLI::App& app, const BugOptions& options) {
+void require_sense(const CLI::App& app, BugOptions& options) {
   if (options.world.file.empty()) throw CLI::RequiredError("FILE");
+  settle_animation(app, options.animation, options.output.svg);
   if ((options.output.svg == "-") + (options.output.json == "-") + (options.animation == "-") > 1)
     throw CLI::ValidationError("only one of --svg, --animate and --json can have standard output");
   if (app.count("--range") > 0 && options.bug.algorithm != Algorithm::tangent)
@@ -63,9 +64,7 @@ void add_options(CLI::App& app, BugOptions& options) {
       ->group("Query");
   add_turn_option(app, options.bug);
   add_output_options(app, options.output);
-  app.add_option("--animate", options.animation, "Write a picture in which the robot moves")
-      ->type_name("FILE")
-      ->group("Output");
+  add_animate_option(app, options.animation, "Write a picture in which the robot moves");
   app.require_subcommand(0, 1);
   app.callback([&app, &options] {
     if (app.get_subcommands().empty()) require_sense(app, options);

@@ -75,9 +75,7 @@ void add_options(CLI::App& app, ChaseOptions& options) {
       ->group("Rules");
   add_chase_rule_options(app, options.rules);
   add_output_options(app, options.output);
-  app.add_option("--animate", options.animation, "Write a moving picture (SVG); - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
+  add_animate_option(app, options.animation, "Write a moving picture (SVG)");
   app.add_flag("--path", options.path, "Print where the robot is at each second: `SECOND X,Y`")->group("Output");
   app.require_subcommand(0, 1);
   app.callback([&app, &options] {
@@ -86,6 +84,7 @@ void add_options(CLI::App& app, ChaseOptions& options) {
     if (options.horizon && !options.online) throw CLI::ValidationError("--horizon needs --online");
     if (options.online && options.names_planner)
       throw CLI::ValidationError("--online plans by itself, without --planner");
+    settle_animation(app, options.animation, options.output.svg);
     require_one_stdout(options);
   });
 }

@@ -8,6 +8,7 @@
 
 #include <taut/cli/png.h>
 #include <taut/cli/report.h>
+#include <taut/io/detail/svg_frame.h>
 
 namespace taut::cli {
 
@@ -15,25 +16,22 @@ using namespace pursuit;
 
 namespace {
 
-constexpr double kSide = 960, kLegend = 64;
 constexpr int kMostPixels = 1000;
 constexpr Pixel kWall{52, 60, 82};
 
-constexpr const char* kStyle =
-    "<style>text{font:15px sans-serif;fill:#222}.robot{stroke:#0b62d6}.target{stroke:#d3221f}"
-    ".way{fill:none;stroke-width:3;stroke-linejoin:round;stroke-linecap:round}"
-    ".casing{stroke:#fff;stroke-width:5.5;stroke-opacity:.8}"
-    ".rest{stroke-width:1.5;stroke-dasharray:3 5}circle{fill:#fff;stroke-width:2.5}"
-    ".mark text{font-size:12px;paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}"
-    ".robot text{fill:#0b62d6}.target text{fill:#d3221f}circle.solid.robot{fill:#0b62d6;stroke:#fff}"
-    "circle.solid.target{fill:#d3221f;stroke:#fff}image{image-rendering:pixelated}</style>";
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text)
-    out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '>' ? "&gt;" : std::string(1, c >= 0 && c < 32 ? '?' : c);
-  return out;
-}
+constexpr const char* kStyle = R"(.taut .robot{stroke:#0b62d6}
+.taut .target{stroke:#d3221f}
+.taut .way{fill:none;stroke-width:3;stroke-linejoin:round;stroke-linecap:round}
+.taut .casing{stroke:#fff;stroke-width:5.5;stroke-opacity:.8}
+.taut .rest{stroke-width:1.5;stroke-dasharray:3 5}
+.taut circle{fill:#fff;stroke-width:2.5}
+.taut .mark text{font-size:12px;paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}
+.taut .robot text{fill:#0b62d6}
+.taut .target text{fill:#d3221f}
+.taut circle.robot{fill:#0b62d6;stroke:#fff}
+.taut circle.target{fill:#d3221f;stroke:#fff}
+.taut image{image-rendering:pixelated}
+)";
 
 /// Cells as shades: the dearer the darker, by orders of magnitude.
 class Shades {
@@ -50,6 +48,18 @@ class Shades {
     const double at = range > 0 ? std::log1p(std::max(0.0, cost - static_cast<double>(least_))) / range : 0;
     const auto mix = [&](double light, double dark) { return static_cast<std::uint8_t>(light + (dark - light) * at); };
     return {mix(252, 206), mix(250, 150), mix(244, 92)};
+  }
+  std::uint32_t least() const { return least_; }
+  std::uint32_t most() const { return most_; }
+  /// From the least to the greatest, in equal steps of shade.
+  std::vector<std::string> scale() const {
+    std::vector<std::string> colours;
+    const double range = std::log1p(static_cast<double>(most_) - static_cast<double>(least_));
+    for (int i = 0; i < 24; ++i) {
+      const Pixel p = of(least_ + std::expm1(range * i / 23));
+      colours.push_back(fmt::format("#{:02x}{:02x}{:02x}", p[0], p[1], p[2]));
+    }
+    return colours;
   }
 
  private:
@@ -73,8 +83,7 @@ Pixel block(const ChaseMap& map, const Shades& shades, int x0, int y0, int side)
   return 2 * walls >= free + walls ? kWall : shades.of(sum / free);
 }
 
-Pixels pixels_of(const ChaseMap& map, int side) {
-  const Shades shades(map);
+Pixels pixels_of(const ChaseMap& map, const Shades& shades, int side) {
   Pixels image{(map.x_size() + side - 1) / side, (map.y_size() + side - 1) / side, {}};
   for (int row = image.height - 1; row >= 0; --row)
     for (int column = 0; column < image.width; ++column)
@@ -92,10 +101,14 @@ int mark_step(int seconds) {
 
 class Picture {
  public:
-  Picture(const ChaseMap& map, const ChaseRun& run) : map_(map), run_(run) {
-    scale_ = kSide / std::max(map.x_size(), map.y_size());
-    width_ = scale_ * map.x_size();
-    height_ = scale_ * map.y_size();
+  Picture(const ChaseMap& map, const ChaseRun& run)
+      : map_(map),
+        run_(run),
+        shades_(map),
+        scale_(detail::kMapPixels / std::max(map.x_size(), map.y_size())),
+        width_(scale_ * map.x_size()),
+        height_(scale_ * map.y_size()),
+        frame_({width_, height_}, title_of(map.source()), facts(), keys()) {
     const std::vector<ChaseStep>& track = run.result.track;
     for (std::size_t i = 0; i + 1 < track.size(); ++i)
       robot_.insert(robot_.end(), static_cast<std::size_t>(track[i + 1].second - track[i].second), track[i].cell);
@@ -103,16 +116,12 @@ class Picture {
   }
 
   std::string drawn(bool moves) {
-    const double page = std::max(width_, 520.0);
-    out_ = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
-        "{1:.0f}\">{2}<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
-        page, height_ + kLegend, kStyle);
+    out_ = frame_.head(kStyle);
+    out_ += fmt::format("<g transform=\"translate({:.2f} {:.2f})\">\n", frame_.map().min.x, frame_.map().min.y);
     draw_map();
     draw_ways();
     moves ? draw_runners() : draw_marks();
-    draw_legend();
-    return out_ + "</svg>\n";
+    return out_ + "</g>\n" + frame_.foot();
   }
 
  private:
@@ -130,7 +139,7 @@ class Picture {
 
   void draw_map() {
     const int side = (std::max(map_.x_size(), map_.y_size()) + kMostPixels - 1) / kMostPixels;
-    const Pixels image = pixels_of(map_, side);
+    const Pixels image = pixels_of(map_, shades_, side);
     const double height = scale_ * side * image.height;  // the blocks at the top and at the right may stick out
     out_ += fmt::format(
         "<svg width=\"{:.2f}\" height=\"{:.2f}\"><image y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\" "
@@ -202,31 +211,36 @@ class Picture {
       for (int s = 0; s < seconds(); s += every) add(s);
       for (int i = 0; i <= pause; ++i) add(seconds());
       out_ += fmt::format(
-          "<circle class=\"solid {}\" r=\"8\"><animate attributeName=\"cx\" dur=\"{:.1f}s\" repeatCount=\"indefinite\" "
+          "<circle class=\"{}\" r=\"8\"><animate attributeName=\"cx\" dur=\"{:.1f}s\" repeatCount=\"indefinite\" "
           "values=\"{}\"/><animate attributeName=\"cy\" dur=\"{:.1f}s\" repeatCount=\"indefinite\" "
           "values=\"{}\"/></circle>\n",
           who, lasts, xs, lasts, ys);
     }
   }
 
-  void draw_legend() {
+  std::vector<std::string> facts() const {
     const ChaseResult& r = run_.result;
-    out_ += fmt::format("<text x=\"8\" y=\"{:.0f}\" font-weight=\"bold\">{}</text>", height_ + 24,
-                        escaped(title_of(map_.source())));
-    out_ += fmt::format("<text x=\"8\" y=\"{:.0f}\">{}, cost {}, {} s, {} moves, planner {}, clock {}</text>",
-                        height_ + 48, run_.is_caught() ? "caught" : "not caught", map_.cost_text(r.cost), r.time,
-                        r.moves, run_.request.planner_name(), name(run_.request.clock));
-    const double x = std::max(width_, 520.0) - 150;
-    for (const auto& [who, down] : {std::pair{"robot", 0}, std::pair{"target", 75}})
-      out_ +=
-          fmt::format("<path class=\"way {0}\" d=\"M{1:.0f} {2:.0f}h18\"/><text x=\"{3:.0f}\" y=\"{4:.0f}\">{0}</text>",
-                      who, x + down, height_ + 19, x + down + 24, height_ + 24);
-    out_ += "\n";
+    return {run_.is_caught() ? "caught" : "not caught",
+            "cost " + map_.cost_text(r.cost),
+            fmt::format("{} s", r.time),
+            fmt::format("{} moves", r.moves),
+            fmt::format("planner {}", run_.request.planner_name()),
+            fmt::format("clock {}", name(run_.request.clock))};
+  }
+
+  std::vector<detail::SvgKey> keys() const {
+    using enum detail::SvgKey::Sample;
+    return {{"robot", "robot", line, {}},
+            {"target", "target", line, {}},
+            {"cost", fmt::format("cost {} to {}", map_.cost_text(shades_.least()), map_.cost_text(shades_.most())),
+             scale, shades_.scale()}};
   }
 
   const ChaseMap& map_;
   const ChaseRun& run_;
-  double scale_ = 1, width_ = 0, height_ = 0;
+  Shades shades_;
+  double scale_, width_, height_;
+  detail::SvgFrame frame_;
   std::vector<CellIndex> robot_;  // one a second
   std::string out_;
 };

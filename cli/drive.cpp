@@ -36,11 +36,9 @@ struct DriveOptions {
   const car::Peer* peer = nullptr;  ///< instead
   car::Aim aim = car::Aim::expected;
   car::WallReading walls = car::WallReading::points;
-  std::string svg, json;
-  bool animate = false;
+  DriveOutput output;
   bool show_values = false;
   bool controls = false;
-  bool quiet = false;
   WorldDriveOptions world;
   CommonOptions common;
 };
@@ -75,15 +73,14 @@ car::WallReading walls_of(const std::string& word) {
 void require_consistent(const DriveOptions& options) {
   if (options.sample.has_value() + options.all + !options.bits.empty() > 1)
     throw CLI::ValidationError("only one of --sample, --all and --open");
-  if (options.svg == "-" && options.json == "-")
-    throw CLI::ValidationError("only one of --svg and --json can have standard output");
+  if (options.output.on_stdout() > 1)
+    throw CLI::ValidationError("only one of --svg, --animate and --json can have standard output");
   if (options.world.car && (options.sample || options.all || !options.bits.empty() || options.controls))
     throw CLI::ValidationError("--car drives in a world of walls: not with --sample, --all, --open or --controls");
   if (!options.world.car && !options.world.first().empty())
     throw CLI::ValidationError(options.world.first() + " needs --car: a roadblock map says where its own car starts");
-  if (!options.svg.empty() && options.all) throw CLI::ValidationError("--svg draws one drive: give --sample I");
-  if (options.animate && options.svg.empty()) throw CLI::ValidationError("--animate needs --svg");
-  if (options.show_values && options.svg.empty()) throw CLI::ValidationError("--show-values needs --svg");
+  if (options.output.draws() && options.all) throw CLI::ValidationError("--svg draws one drive: give --sample I");
+  if (options.show_values && !options.output.draws()) throw CLI::ValidationError("--show-values needs --svg");
 }
 
 void add_options(CLI::App& app, DriveOptions& options) {
@@ -105,18 +102,21 @@ void add_options(CLI::App& app, DriveOptions& options) {
          "points (default, the course's rule): a wall is its cell's centre, tested at the end of a step; squares: "
          "whole cells, the whole step")
       ->type_name("NAME");
-  app.add_option("--svg", options.svg, "Draw the drive; - is standard output")->type_name("FILE")->group("Output");
-  app.add_flag("--animate", options.animate, "Let the car drive in the picture")->group("Output");
+  app.add_option("--svg", options.output.svg, "Draw the drive; - is standard output")
+      ->type_name("FILE")
+      ->group("Output");
+  add_animate_option(app, options.output.animation, "Draw the car as it drives, an SVG that plays in a browser");
   app.add_flag("--show-values", options.show_values,
                "Draw the surface and the arrows of value iteration; --planner value-iteration does")
       ->group("Output");
-  app.add_option("--json", options.json, "An array of results, one a sample; - is standard output")
+  app.add_option("--json", options.output.json, "An array of results, one a sample; - is standard output")
       ->type_name("FILE")
       ->group("Output");
   app.add_flag("--controls", options.controls, "Put each drive's controls into the JSON")->group("Output");
-  app.add_flag("-q,--quiet", options.quiet, "Print no table")->group("Output");
-  app.callback([&options] {
+  app.add_flag("-q,--quiet", options.output.quiet, "Print no table")->group("Output");
+  app.callback([&app, &options] {
     options.file = options.world.world.file;
+    settle_animation(app, options.output.animation, options.output.svg);
     require_consistent(options);
   });
 }
@@ -175,19 +175,23 @@ ExitCode code_of(car::Outcome outcome) {
 
 /// With what was known at the end, as a driver along values would plan from the start.
 ValueLayer last_values(const car::Course& course, const car::Drive& drive, car::WallReading walls) {
-  car::RoadblockSet closed = 0;
-  for (const auto& [steps, seen] : drive.sights) closed |= seen & ~drive.open;
   car::ValuePlanner planner(course, walls);
-  planner.plan(drive.poses.front(), closed);
+  planner.plan(drive.poses.front(), drive.known() & ~drive.open);
   if (!planner.grid()) return {};
-  return value_layer(*planner.grid(), *planner.values(), 1, legend_row(course));
+  return value_layer(*planner.grid(), *planner.values());
 }
 
-std::string picture_of(const car::Drive& drive, const car::Course& course, const DriveOptions& options,
-                       const std::string& title) {
-  const bool values = options.show_values || planner_name(options) == "value-iteration";
-  const ValueLayer layer = values ? last_values(course, drive, options.walls) : ValueLayer{};
-  return drive_svg(course, drive, options.walls, options.animate, title, values ? &layer : nullptr);
+std::string picture_of(const DriveResult& result, const car::Course& course, const DriveOptions& options,
+                       const std::string& name, bool animate) {
+  const bool has_values = options.show_values || planner_name(options) == "value-iteration";
+  const ValueLayer values = has_values ? last_values(course, result.drive, options.walls) : ValueLayer{};
+  DrivePicture picture{fmt::format("{}, sample {}", title_of(name), result.sample.number),
+                       {std::string(car::name(result.drive.outcome)), count_text(result.steps(), "step"),
+                        count_text(static_cast<std::size_t>(result.drive.replans), "replan"), planner_name(options)},
+                       options.walls,
+                       animate,
+                       has_values ? &values : nullptr};
+  return drive_svg(course, result.drive, picture);
 }
 
 /// Trees draw anew for each sample; a sample drives the same alone and among all.
@@ -200,25 +204,24 @@ std::unique_ptr<car::Driver> driver_for(const car::Sample& sample, const car::Co
 
 void write_results(const DriveOptions& options, const car::Course& course, const std::string& name,
                    const std::vector<DriveResult>& results) {
-  const car::Drive& last = results.back().drive;
-  if (!options.svg.empty())
-    write_file(options.svg, picture_of(last, course, options,
-                                       fmt::format("{}, sample {}: {}, {} steps, {} replans", title_of(name),
-                                                   results.back().sample.number, car::name(last.outcome),
-                                                   last.controls.size(), last.replans)));
+  const std::string still = options.output.svg.empty() ? "" : picture_of(results.back(), course, options, name, false);
+  const std::string film =
+      options.output.animation.empty() ? "" : picture_of(results.back(), course, options, name, true);
+  write_file(options.output.svg, still);
+  write_file(options.output.animation, film);
   const DriveReportOptions report{planner_name(options), options.common.seed, options.controls, options.all};
-  write_file(options.json, drive_json(results, course, report));
-  if (!options.quiet && options.svg != "-" && options.json != "-") print(drive_table(results, course, report));
+  write_file(options.output.json, drive_json(results, course, report));
+  if (!options.output.quiet && options.output.on_stdout() == 0) print(drive_table(results, course, report));
 }
 
 int run(const DriveOptions& options) {
-  require_writable(options.svg);
-  require_writable(options.json);
+  require_writable(options.output.svg);
+  require_writable(options.output.animation);
+  require_writable(options.output.json);
   begin_stage("read");
   const std::string name = options.file == "-" ? "<stdin>" : options.file;
   const std::string bytes = read_bytes(options.file);
-  if (options.world.car)
-    return drive_in_world(options.world, bytes, name, {options.svg, options.json, options.animate, options.quiet});
+  if (options.world.car) return drive_in_world(options.world, bytes, name, options.output);
   require_road_map(bytes, name);
   const car::RoadMap map = car::read_road_map(bytes, name);
   car::require_start_free(map.course, options.walls, name);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace taut::cli {
 
@@ -14,30 +16,39 @@ constexpr std::size_t kEvery = 8;      // poses an outline
 constexpr std::size_t kFrames = 1500;  // of an animation, at most
 constexpr double kStepsPerSecond = 60;
 
-constexpr const char* kStyle =
-    "<style>.page{fill:#fff}.seen{fill:#fff3c4}.wall{fill:#b9bec7}.dot{fill:#30343b}.open{fill:#5fb878}.closed{fill:#"
-    "d64545}"
-    ".unknown{fill:#9a8fd0}.letter,.legend{font:0.8px "
-    "sans-serif;fill:#fff;text-anchor:middle}.legend{font-size:1.3px;fill:#30343b;text-anchor:start}"
-    ".car{fill:none;stroke:#2b6cb0;stroke-width:.04;stroke-opacity:.45}.last{fill:#2b6cb0;fill-opacity:.5;stroke:#"
-    "1a4971;stroke-width:.08}"
-    ".way{fill:none;stroke:#1a4971;stroke-width:.16}.back{fill:none;stroke:#d9822b;stroke-width:.22}.start{fill:#"
-    "2b6cb0}.goal{fill:#c2255c}</style>\n";
+// In cells.
+constexpr const char* kStyle = R"(.taut .ground{fill:#fff}
+.taut .seen{fill:#e8a713;fill-opacity:.16}
+.taut .wall{fill:#ccd2dc}
+.taut .dot{fill:#2c3440}
+.taut .block{fill-opacity:.85}
+.taut .open{fill:#4aa96c}
+.taut .closed{fill:#d3245e}
+.taut .unknown{fill:#8b80c9}
+.taut .letter{font-size:.8px;fill:#fff;text-anchor:middle}
+.taut .outlines{fill:none;stroke:#0b7fc1;stroke-opacity:.4;stroke-width:.04}
+.taut .ahead{fill:none;stroke:#0b62a8;stroke-width:.18;stroke-linecap:round}
+.taut .back{fill:none;stroke:#ee8a10;stroke-width:.24;stroke-linecap:round}
+.taut .car{fill:#0b7fc1;fill-opacity:.55;stroke:#0a4a75;stroke-width:.08}
+@media (prefers-color-scheme:dark){
+.taut .ground{fill:#1d2430}
+.taut .seen{fill:#ffd166;fill-opacity:.14}
+.taut .wall{fill:#3c4656}
+.taut .dot{fill:#d4dbe6}
+.taut .outlines{stroke:#4cc2ff}
+.taut .ahead{stroke:#4cc2ff}
+.taut .car{fill:#4cc2ff;stroke:#bfe8ff}
+}
+.taut .sample.ahead,.taut .sample.back{stroke-width:4}
+)";
 
 /// On the surface's blue the way is warm.
-constexpr const char* kValueStyle =
-    "<style>.car{stroke:#e8590c;stroke-opacity:.4;stroke-width:.05}.way{stroke:#e8590c;stroke-width:.26}.back{stroke:#"
-    "f8b500;stroke-width:"
-    ".3}"
-    ".last{fill:#e8590c;fill-opacity:.8;stroke:#fff}.start{fill:#e8590c;stroke:#fff;stroke-width:.15}.goal{stroke:#fff;"
-    "stroke-width:.15}.wall{fill:#868e96}</style>\n";
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text)
-    out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '>' ? "&gt;" : c >= ' ' && c <= '~' ? std::string(1, c) : "?";
-  return out;
-}
+constexpr const char* kValueStyle = R"(.taut .wall{fill:#868e96}
+.taut .outlines{stroke:#ee5a10;stroke-width:.05}
+.taut .ahead{stroke:#ee5a10}
+.taut .back{stroke:#f8b500}
+.taut .car{fill:#ee5a10;fill-opacity:.8;stroke:#fff}
+)";
 
 std::string square_path(int x, int y) { return fmt::format("M{} {}h1v1h-1z", x - 0.5, y - 0.5); }
 
@@ -47,35 +58,59 @@ std::string outline(const Pose& pose) {
                      c[2].x, c[2].y, c[3].x, c[3].y);
 }
 
-class DrivePicture {
+class Picture {
  public:
-  DrivePicture(const car::Course& course, const car::Drive& drive) : course_(course), drive_(drive) {}
+  Picture(const car::Course& course, const car::Drive& drive, const DrivePicture& what)
+      : course_(course),
+        drive_(drive),
+        what_(what),
+        cell_(detail::kMapPixels / std::max(course.width, course.height)),
+        frame_({cell_ * course.width, cell_ * course.height}, what.title, what.facts, keys()) {}
 
-  std::string draw(car::WallReading reading, bool animate, const std::string& title, const ValueLayer* values) {
-    const int width = course_.width + 2, height = course_.height + 5, pixels = 960;
-    out_ = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"-0.5 -0.5 {} "
-        "{}\">\n<title>{}</title>\n",
-        pixels, pixels * height / width, width, height, escaped(title));
-    out_ += kStyle;
-    out_ += fmt::format("<rect class=\"page\" x=\"-0.5\" y=\"-0.5\" width=\"{}\" height=\"{}\"/>\n", width, height);
-    if (values) {
-      out_ += kValueStyle;
-      out_ += values->surface;
-    } else {
-      seen();
-    }
-    walls(reading);
-    if (values) out_ += values->arrows + values->legend;
+  std::string draw() {
+    out_ = frame_.head(std::string(kStyle) + (what_.values ? kValueStyle : ""));
+    const Box map = frame_.map();  // an inner <svg> cuts off what reaches beyond the map
+    out_ +=
+        fmt::format("<svg x=\"{:.3f}\" y=\"{:.3f}\" width=\"{:.3f}\" height=\"{:.3f}\" viewBox=\".5 .5 {} {}\">\n",
+                    map.min.x, map.min.y, map.max.x - map.min.x, map.max.y - map.min.y, course_.width, course_.height);
+    out_ += fmt::format("<rect class=\"ground\" x=\".5\" y=\".5\" width=\"{}\" height=\"{}\"/>\n", course_.width,
+                        course_.height);
+    what_.values ? void(out_ += what_.values->surface) : seen();
+    walls();
+    if (what_.values) out_ += what_.values->arrows;
     roadblocks();
     outlines();
     way();
-    ends(animate);
-    out_ += fmt::format("<text class=\"legend\" x=\"0.5\" y=\"{}\">{}</text>\n", course_.height + 2.6, escaped(title));
-    return std::move(out_ += "</svg>\n");
+    car();
+    out_ += "</svg>\n";
+    out_ += marker("start", course_.start) + marker("goal", course_.goal);
+    return out_ + frame_.foot();
   }
 
  private:
+  std::vector<detail::SvgKey> keys() const {
+    using enum detail::SvgKey::Sample;
+    std::vector<detail::SvgKey> keys{
+        {"start", "start", marker, {}}, {"goal", "goal", marker, {}}, {"ahead", "forward and turns", line, {}}};
+    if (std::count(drive_.controls.begin(), drive_.controls.end(), car::kReverse) > 0)
+      keys.push_back({"back", "reverse", line, {}});
+    const car::RoadblockSet known = drive_.known();
+    const auto all = (car::RoadblockSet{1} << course_.roadblocks.size()) - 1;
+    if (known & drive_.open) keys.push_back({"open", "seen open", patch, {}});
+    if (known & ~drive_.open) keys.push_back({"closed", "seen closed", patch, {}});
+    if (all & ~known) keys.push_back({"unknown", "never seen", patch, {}});
+    if (what_.values)
+      keys.push_back(what_.values->key);
+    else
+      keys.push_back({"seen", "in sight", patch, {}});
+    return keys;
+  }
+
+  std::string marker(const char* kind, Point at) const {
+    const Point pixel{frame_.map().min.x + cell_ * (at.x - 0.5), frame_.map().min.y + cell_ * (at.y - 0.5)};
+    return detail::marker(kind, pixel, std::clamp(0.45 * cell_, 6.0, 11.0), 4 * cell_);
+  }
+
   void path(const char* kind, const std::string& d) {
     if (!d.empty()) out_ += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", kind, d);
   }
@@ -102,9 +137,9 @@ class DrivePicture {
     return d;
   }
 
-  void walls(car::WallReading reading) {
+  void walls() {
     path("wall", cells([&](Cell c) { return course_.is_wall(c); }));
-    if (reading == car::WallReading::squares) return;
+    if (what_.reading == car::WallReading::squares) return;
     std::string d;
     for (int y = 1; y <= course_.height; ++y)
       for (int x = 1; x <= course_.width; ++x)
@@ -113,8 +148,7 @@ class DrivePicture {
   }
 
   void roadblocks() {
-    car::RoadblockSet known = 0;
-    for (const auto& [step, which] : drive_.sights) known |= which;
+    const car::RoadblockSet known = drive_.known();
     for (std::size_t i = 0; i < course_.roadblocks.size(); ++i) {
       const car::Roadblock& block = course_.roadblocks[i];
       const char* state = !((known >> i) & 1) ? "unknown" : (drive_.open >> i) & 1 ? "open" : "closed";
@@ -128,7 +162,7 @@ class DrivePicture {
   void outlines() {
     std::string d;
     for (std::size_t i = 0; i < drive_.poses.size(); i += kEvery) d += outline(drive_.poses[i]);
-    path("car", d);
+    path("outlines", d);
   }
 
   void way() {
@@ -139,33 +173,33 @@ class DrivePicture {
       d += fmt::format("M{:.3f} {:.3f}L{:.3f} {:.3f}", a.x, a.y, b.x, b.y);
     }
     path("back", back);
-    path("way", ahead);
+    path("ahead", ahead);
   }
 
-  void ends(bool animate) {
-    out_ += fmt::format("<circle class=\"start\" cx=\"{}\" cy=\"{}\" r=\".5\"/>\n", course_.start.x, course_.start.y);
-    out_ += fmt::format("<circle class=\"goal\" cx=\"{}\" cy=\"{}\" r=\".5\"/>\n", course_.goal.x, course_.goal.y);
-    if (!animate || drive_.controls.empty()) return path("last", outline(drive_.poses.back()));
+  void car() {
+    if (!what_.animate || drive_.controls.empty()) return path("car", outline(drive_.poses.back()));
     std::string frames;
     const std::size_t every = (drive_.controls.size() + kFrames - 1) / kFrames;
     for (std::size_t i = 0; i < drive_.poses.size(); i += every) frames += outline(drive_.poses[i]) + ";";
     frames += outline(drive_.poses.back());
     out_ += fmt::format(
-        "<path class=\"last\" d=\"{}\"><animate attributeName=\"d\" dur=\"{:.2f}s\" repeatCount=\"indefinite\" "
+        "<path class=\"car\" d=\"{}\"><animate attributeName=\"d\" dur=\"{:.2f}s\" repeatCount=\"indefinite\" "
         "values=\"{}\"/></path>\n",
         outline(drive_.poses.back()), static_cast<double>(drive_.controls.size()) / kStepsPerSecond, frames);
   }
 
   const car::Course& course_;
   const car::Drive& drive_;
+  const DrivePicture& what_;
+  double cell_;  // in pixels
+  detail::SvgFrame frame_;
   std::string out_;
 };
 
 }  // namespace
 
-std::string drive_svg(const car::Course& course, const car::Drive& drive, car::WallReading reading, bool animate,
-                      const std::string& title, const ValueLayer* values) {
-  return DrivePicture(course, drive).draw(reading, animate, title, values);
+std::string drive_svg(const car::Course& course, const car::Drive& drive, const DrivePicture& picture) {
+  return Picture(course, drive, picture).draw();
 }
 
 }  // namespace taut::cli

@@ -17,19 +17,12 @@ namespace {
 using car::ValueGrid;
 
 constexpr int kShades = 64;
-constexpr int kStops = 5;
 
 /// From cream at the goal over sea green to ink.
 std::string shade(int level) {
-  constexpr std::array<std::array<double, 3>, kStops> kColours{
+  static constexpr std::array<std::array<double, 3>, 5> kStops{
       {{255, 249, 219}, {178, 222, 190}, {92, 174, 182}, {59, 116, 158}, {52, 58, 106}}};
-  const double at = static_cast<double>(level) / (kShades - 1) * (kStops - 1);
-  const auto i = static_cast<std::size_t>(std::min(static_cast<int>(at), kStops - 2));
-  std::array<int, 3> mixed{};
-  for (std::size_t c = 0; c < 3; ++c)
-    mixed[c] =
-        static_cast<int>(std::lround(std::lerp(kColours[i][c], kColours[i + 1][c], at - static_cast<double>(i))));
-  return fmt::format("#{:02x}{:02x}{:02x}", mixed[0], mixed[1], mixed[2]);
+  return detail::colour_between(kStops, static_cast<double>(level) / (kShades - 1));
 }
 
 /// The heading of least value at a point, as a state.
@@ -52,21 +45,16 @@ std::string arrow(const car::Pose& pose, car::Action action) {
   return "M" + at(-0.3, 0) + "L" + at(0.3, 0) + "M" + at(0.1, 0.16) + "L" + at(0.3, 0) + "L" + at(0.1, -0.16);
 }
 
-std::string legend_of(double greatest, double x, double y) {
-  std::string out;
-  constexpr double kWidth = 0.25;
-  for (int level = 0; level < kShades; ++level)
-    out += fmt::format("<rect x=\"{:.2f}\" y=\"{}\" width=\"{}\" height=\".9\" fill=\"{}\"/>", x + 2.6 + level * kWidth,
-                       y, kWidth + 0.02, shade(level));
-  out += fmt::format("\n<text class=\"legend\" x=\"{}\" y=\"{}\">goal</text>", x - 0.6, y + 0.85);
-  out += fmt::format("<text class=\"legend\" x=\"{}\" y=\"{}\">{:.0f} cells to go, best heading</text>\n",
-                     x + 3.2 + kShades * kWidth, y + 0.85, greatest);
-  return out;
+detail::SvgKey scale_to(double greatest) {
+  std::vector<std::string> colours;
+  for (int level = 0; level < kShades; level += 3) colours.push_back(shade(level));
+  return {"values", fmt::format("0 to {:.0f} cells to go, best heading", greatest), detail::SvgKey::Sample::scale,
+          std::move(colours)};
 }
 
 }  // namespace
 
-ValueLayer value_layer(const car::ValueGrid& grid, const car::Values& values, double legend_x, double legend_y) {
+ValueLayer value_layer(const car::ValueGrid& grid, const car::Values& values) {
   ValueLayer layer;
   double greatest = 1;
   std::vector<std::pair<std::size_t, double>> points;
@@ -98,7 +86,7 @@ ValueLayer value_layer(const car::ValueGrid& grid, const car::Values& values, do
   layer.arrows = "<path fill=\"none\" stroke=\"#fff\" stroke-width=\".17\" stroke-opacity=\".45\" d=\"" + layer.arrows +
                  "\"/>\n<path fill=\"none\" stroke=\"#22304a\" stroke-width=\".07\" stroke-opacity=\".75\" d=\"" +
                  layer.arrows + "\"/>\n";
-  layer.legend = legend_of(greatest / grid.per_unit(), legend_x, legend_y);
+  layer.key = scale_to(greatest / grid.per_unit());
   return layer;
 }
 

@@ -88,12 +88,14 @@ class Driver {
     if (drive_.status == SearchStatus::none) explain(space);
     seconds_.total = total_.seconds();
     begin_stage("write");
-    const std::string picture = output_.svg.empty() ? "" : drawing(space);
+    const std::string still = output_.svg.empty() ? "" : drawing(space, false);
+    const std::string film = output_.animation.empty() ? "" : drawing(space, true);
     const std::string json = output_.json.empty() ? "" : json_text();
     finish();
-    write_file(output_.svg, picture);
+    write_file(output_.svg, still);
+    write_file(output_.animation, film);
     write_file(output_.json, json);
-    if (!output_.quiet && output_.svg != "-" && output_.json != "-") print(name_ + ": " + line() + "\n");
+    if (!output_.quiet && output_.on_stdout() == 0) print(name_ + ": " + line() + "\n");
     return drive_.status == SearchStatus::found ? kFound : drive_.status == SearchStatus::none ? kNone : kStopped;
   }
 
@@ -152,21 +154,21 @@ class Driver {
         count_text(reversals_of(drive_.legs), "reversal"), seconds_text(seconds_.total));
   }
 
-  std::string drawing(const car::CarSpace& space) const {
+  std::string drawing(const car::CarSpace& space, bool animate) const {
     WorldDrivePicture picture;
     picture.title = title_of(name_);
-    picture.facts = drive_.status == SearchStatus::found
-                        ? fmt::format("length {:.6g}, {}, {}", drive_.length, count_text(drive_.legs.size(), "leg"),
-                                      count_text(reversals_of(drive_.legs), "reversal"))
-                    : drive_.status == SearchStatus::none ? "no drive, proven"
-                                                          : "no drive found";
+    if (drive_.status == SearchStatus::found)
+      picture.facts = {fmt::format("length {:.6g}", drive_.length), count_text(drive_.legs.size(), "leg"),
+                       count_text(reversals_of(drive_.legs), "reversal")};
+    else
+      picture.facts = {drive_.status == SearchStatus::none ? "no drive, proven" : "no drive found"};
     picture.legs = drive_.legs;
     if (drive_.status == SearchStatus::found) picture.start_pose = drive_.start;
     picture.start = query_.start;
     picture.goals = query_.goals;
     picture.barrier = barrier_.walls;
     for (const Segment& gate : barrier_.gate_segments()) picture.barrier.push_back(gate);
-    picture.animate = output_.animate;
+    picture.animate = animate;
     return world_drive_svg(space.space().world(), *options_.car, picture);
   }
 

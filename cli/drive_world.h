@@ -34,9 +34,12 @@ void add_world_drive_options(CLI::App& app, WorldDriveOptions& options);
 
 /// What `taut drive` writes, whatever it drives in.
 struct DriveOutput {
-  std::string svg, json;
-  bool animate = false;
+  std::string svg, animation, json;
   bool quiet = false;
+
+  bool draws() const { return !svg.empty() || !animation.empty(); }
+  /// How many files are standard output.
+  int on_stdout() const { return (svg == "-") + (animation == "-") + (json == "-"); }
 };
 
 /// Throws InputError, with what helps, when these bytes are no roadblock map but a world that a general car could drive in. What is neither is left to the reader.

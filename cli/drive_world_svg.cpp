@@ -6,68 +6,90 @@
 #include <array>
 #include <cmath>
 
+#include <taut/io/detail/svg_frame.h>
+
 namespace taut::cli {
 
 namespace {
 
 using car::Pose;
 
-constexpr double kPixels = 960;
 constexpr std::size_t kFrames = 1200;   // of an animation, at most
 constexpr double kCarsASecond = 6;      // car lengths
 constexpr double kOutlinesEvery = 1.5;  // car lengths
 
-constexpr const char* kStyle =
-    "<style>.page{fill:#fff}.beyond{fill:#b9bec7}.free{fill:#fff}.solid{fill:#b9bec7;stroke:#30343b;stroke-width:1}"
-    ".wall{fill:none;stroke:#30343b;stroke-width:2;stroke-linecap:round}.thick{stroke:#b9bec7;stroke-linecap:square}"
-    ".swept{fill:#2b6cb0;fill-opacity:.16}.car{fill:none;stroke:#2b6cb0;stroke-width:.7;stroke-opacity:.6}"
-    ".last{fill:#2b6cb0;fill-opacity:.55;stroke:#1a4971;stroke-width:1}.way{fill:none;stroke:#1a4971;stroke-width:1.4}"
-    ".back{fill:none;stroke:#d9822b;stroke-width:1.8}.start{fill:#2b6cb0}.goal{fill:#c2255c}"
-    ".barrier{fill:none;stroke:#d64545;stroke-width:3}.legend{font:15px sans-serif;fill:#30343b}</style>\n";
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text)
-    out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c >= ' ' && c <= '~' ? std::string(1, c) : "?";
-  return out;
+constexpr const char* kStyle = R"(.taut .beyond{fill:#ccd2dc}
+.taut .free{fill:#fff}
+.taut .solid{fill:#ccd2dc;stroke:#2c3440}
+.taut .wall{fill:none;stroke:#2c3440;stroke-width:2;stroke-linecap:round}
+.taut .thick{stroke:#4b5668;stroke-linecap:square}
+.taut .swept{fill:#0b7fc1;fill-opacity:.16}
+.taut .outlines{fill:none;stroke:#0b7fc1;stroke-width:.7;stroke-opacity:.6}
+.taut .ahead{fill:none;stroke:#0b62a8;stroke-width:1.6}
+.taut .back{fill:none;stroke:#ee8a10;stroke-width:2}
+.taut .car{fill:#0b7fc1;fill-opacity:.55;stroke:#0a4a75}
+.taut .barrier{fill:none;stroke:#d3245e;stroke-width:3}
+@media (prefers-color-scheme:dark){
+.taut .beyond{fill:#3c4656}
+.taut .free{fill:#1d2430}
+.taut .solid{fill:#3c4656;stroke:#d4dbe6}
+.taut .wall{stroke:#d4dbe6}
+.taut .thick{stroke:#8e9aad}
+.taut .swept{fill:#4cc2ff}
+.taut .outlines,.taut .ahead{stroke:#4cc2ff}
+.taut .car{fill:#4cc2ff;stroke:#bfe8ff}
+.taut .barrier{stroke:#ff5c8d}
 }
+.taut .sample.ahead,.taut .sample.back{stroke-width:4}
+)";
 
 class Picture {
  public:
   Picture(const World& world, const car::CarShape& shape, const WorldDrivePicture& picture)
-      : world_(world), shape_(shape), picture_(picture), box_(world.box()) {
-    const double width = box_.max.x - box_.min.x, height = box_.max.y - box_.min.y;
-    scale_ = kPixels / std::max(width, height);
-    width_ = width * scale_ + 2 * kMargin;
-    height_ = height * scale_ + 2 * kMargin;
+      : world_(world),
+        shape_(shape),
+        picture_(picture),
+        box_(world.box()),
+        scale_(detail::kMapPixels / std::max(box_.max.x - box_.min.x, box_.max.y - box_.min.y)),
+        frame_({(box_.max.x - box_.min.x) * scale_, (box_.max.y - box_.min.y) * scale_}, picture.title, picture.facts,
+               keys()) {
     lay_poses();
   }
 
   std::string draw() {
-    out_ = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
-        "{1:.0f}\">\n<title>{2}</title>\n{3}",
-        width_, height_ + kLegend, escaped(picture_.title), kStyle);
-    out_ += fmt::format("<rect class=\"page\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", width_, height_ + kLegend);
+    out_ = frame_.head(kStyle);
     world();
     sweep();
     way();
     for (const Segment& s : picture_.barrier) path("barrier", line(s));
-    dot("start", picture_.start);
-    for (const Point goal : picture_.goals) dot("goal", goal);
     last();
-    out_ += fmt::format("<text class=\"legend\" x=\"{}\" y=\"{:.0f}\">{}: {}</text>\n", kMargin, height_ + 14,
-                        escaped(picture_.title), escaped(picture_.facts));
-    return std::move(out_ += "</svg>\n");
+    marker("start", picture_.start);
+    for (const Point goal : picture_.goals) marker("goal", goal);
+    return out_ + frame_.foot();
   }
 
  private:
-  static constexpr double kMargin = 12;
-  static constexpr double kLegend = 28;
+  std::vector<detail::SvgKey> keys() const {
+    using enum detail::SvgKey::Sample;
+    std::vector<detail::SvgKey> keys{{"start", "start", marker, {}}, {"goal", "goal", marker, {}}};
+    const auto goes = [&](bool backward) {
+      return std::any_of(picture_.legs.begin(), picture_.legs.end(),
+                         [&](const car::Leg& leg) { return leg.backward == backward; });
+    };
+    if (goes(false)) keys.push_back({"ahead", "forward", line, {}});
+    if (goes(true)) keys.push_back({"back", "reverse", line, {}});
+    if (!picture_.legs.empty()) keys.push_back({"swept", "swept by the car", patch, {}});
+    if (!picture_.barrier.empty()) keys.push_back({"barrier", "in the way", line, {}});
+    return keys;
+  }
 
-  std::string at(Point p) const {
+  Point pixel(Point p) const {
     const double y = world_.y_down() ? p.y - box_.min.y : box_.max.y - p.y;
-    return fmt::format("{:.2f} {:.2f}", (p.x - box_.min.x) * scale_ + kMargin, y * scale_ + kMargin);
+    return {(p.x - box_.min.x) * scale_ + frame_.map().min.x, y * scale_ + frame_.map().min.y};
+  }
+  std::string at(Point p) const {
+    const Point dot = pixel(p);
+    return fmt::format("{:.2f} {:.2f}", dot.x, dot.y);
   }
   std::string line(const Segment& s) const { return "M" + at(s.a) + "L" + at(s.b); }
   std::string ring(const Ring& points) const {
@@ -83,18 +105,18 @@ class Picture {
   void path(const char* kind, const std::string& d, const std::string& more = {}) {
     if (!d.empty()) out_ += fmt::format("<path class=\"{}\" d=\"{}\"{}/>\n", kind, d, more);
   }
-  void dot(const char* kind, Point p) {
-    const std::string place = at(p);
-    const std::size_t blank = place.find(' ');
-    out_ += fmt::format("<circle class=\"{}\" cx=\"{}\" cy=\"{}\" r=\"{:.2f}\"/>\n", kind, place.substr(0, blank),
-                        place.substr(blank + 1), std::clamp(0.4 * shape_.half_width * scale_, 3.0, 6.0));
+  void marker(const char* kind, Point p) {
+    const double half = shape_.half_width * scale_;
+    out_ += detail::marker(kind, pixel(p), std::clamp(0.8 * half, 5.0, 9.0), half);
   }
 
   void world() {
-    if (world_.boundary() == Boundary::walled)
-      out_ += fmt::format("<rect class=\"beyond\" width=\"{:.0f}\" height=\"{:.0f}\"/>\n", width_, height_);
+    const Box map = frame_.map();
+    const bool walled = world_.boundary() == Boundary::walled;
+    out_ += fmt::format("<rect class=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" height=\"{:.2f}\"/>\n",
+                        walled ? "beyond" : "free", map.min.x, map.min.y, map.max.x - map.min.x, map.max.y - map.min.y);
     for (const Area& area : world_.areas()) path("free", polygon(area.polygon), " fill-rule=\"evenodd\"");
-    if (world_.boundary() == Boundary::walled)
+    if (walled)
       for (const Area& area : world_.areas()) path("wall", polygon(area.polygon));
     for (const Area& solid : world_.solids()) path("solid", polygon(solid.polygon), " fill-rule=\"evenodd\"");
     std::string thin;
@@ -142,7 +164,7 @@ class Picture {
       if (i % every == 0) some += outline(poses_[i]);
     }
     path("swept", area);
-    path("car", some);
+    path("outlines", some);
   }
 
   void way() {
@@ -154,20 +176,20 @@ class Picture {
         d += (i == 0 ? "M" : "L") + at({p.x, p.y});
       }
     }
-    path("way", ahead);
+    path("ahead", ahead);
     path("back", back);
   }
 
   void last() {
     if (poses_.empty()) return;
-    if (!picture_.animate || poses_.size() < 2) return path("last", outline(poses_.back()));
+    if (!picture_.animate || poses_.size() < 2) return path("car", outline(poses_.back()));
     std::string frames;
     const std::size_t every = (poses_.size() + kFrames - 1) / kFrames;
     for (std::size_t i = 0; i < poses_.size(); i += every) frames += outline(poses_[i]) + ";";
     frames += outline(poses_.back());
     const double seconds = std::max(2.0, length_ / (shape_.front + shape_.back) / kCarsASecond);
     out_ += fmt::format(
-        "<path class=\"last\" d=\"{}\"><animate attributeName=\"d\" dur=\"{:.2f}s\" repeatCount=\"indefinite\" "
+        "<path class=\"car\" d=\"{}\"><animate attributeName=\"d\" dur=\"{:.2f}s\" repeatCount=\"indefinite\" "
         "values=\"{}\"/></path>\n",
         outline(poses_.back()), seconds, frames);
   }
@@ -176,7 +198,9 @@ class Picture {
   const car::CarShape& shape_;
   const WorldDrivePicture& picture_;
   Box box_;
-  double scale_ = 1, width_ = 0, height_ = 0, length_ = 0, spacing_ = 1;
+  double scale_;  // pixels a unit
+  detail::SvgFrame frame_;
+  double length_ = 0, spacing_ = 1;
   std::vector<Pose> poses_;
   std::string out_;
 };

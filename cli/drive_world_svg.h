@@ -12,7 +12,7 @@ namespace taut::cli {
 
 struct WorldDrivePicture {
   std::string title;
-  std::string facts;
+  std::vector<std::string> facts;
   std::vector<car::Leg> legs;
   std::optional<car::LatticePose> start_pose;
   Point start;

@@ -27,7 +27,7 @@ struct GridSolveOptions {
   GridSearchOptions search;
   CommonOptions common;
   std::string svg;
-  std::string animate;
+  std::string animation;
   std::string json;
   bool path = false;
 };
@@ -77,15 +77,14 @@ void add_options(CLI::App& app, GridSolveOptions& options) {
   app.add_option("--svg", options.svg, "Draw visited cells by order, frontier and path; - is standard output")
       ->type_name("FILE")
       ->group("Output");
-  app.add_option("--animate", options.animate, "The same as an SVG that plays in a browser")
-      ->type_name("FILE")
-      ->group("Output");
+  add_animate_option(app, options.animation, "The same as an SVG that plays in a browser");
   app.add_option("--json", options.json, "Write the result as JSON; - is standard output")
       ->type_name("FILE")
       ->group("Output");
   app.add_flag("--path", options.path, "Print the cells of the path, one `row,column` a line")->group("Output");
-  app.callback([&options] {
-    if ((options.svg == "-") + (options.animate == "-") + (options.json == "-") > 1)
+  app.callback([&app, &options] {
+    settle_animation(app, options.animation, options.svg);
+    if ((options.svg == "-") + (options.animation == "-") + (options.json == "-") > 1)
       throw CLI::ValidationError("only one of --svg, --animate and --json can have standard output");
     if (options.search.algorithm == GridAlgorithm::jps && options.grid.moves == GridMoves::four)
       throw CLI::ValidationError("jps jumps along diagonals: not with --moves 4");
@@ -170,13 +169,13 @@ void prepare_last_words(const GridSolveOptions& options) {
 }
 
 int solve(const GridSolveOptions& options) {
-  for (const std::string* file : {&options.svg, &options.animate, &options.json}) require_writable(*file);
+  for (const std::string* file : {&options.svg, &options.animation, &options.json}) require_writable(*file);
   prepare_last_words(options);
   double read = 0, seconds = 0;
   const GridInput input = timed("read", read, [&] { return read_grid_input(options.grid); });
   const GridMoves moves = moves_for(options.search.algorithm, options.grid, input);
   GridQuery query = grid_query(options.search, moves);
-  query.record = !options.svg.empty() || !options.animate.empty();
+  query.record = !options.svg.empty() || !options.animation.empty();
   GridSearch search(input.task.grid, moves);
   const GridResult result =
       timed("search", seconds, [&] { return search.find(*input.task.start, *input.task.goal, query); });
@@ -200,14 +199,14 @@ int solve(const GridSolveOptions& options) {
                       false};
   const std::string still = options.svg.empty() ? "" : grid_svg(input.task.grid, picture);
   picture.animated = true;
-  const std::string playing = options.animate.empty() ? "" : grid_svg(input.task.grid, picture);
+  const std::string playing = options.animation.empty() ? "" : grid_svg(input.task.grid, picture);
   finish();
   write_file(options.svg, still);
-  write_file(options.animate, playing);
+  write_file(options.animation, playing);
   if (!options.json.empty()) write_file(options.json, detail::json_text(json_of(result, query, moves, seconds)));
   if (options.path)
     for (const GridPlace& p : result.path) print(fmt::format("{},{}\n", p.row, p.column));
-  else if (options.svg != "-" && options.animate != "-" && options.json != "-")
+  else if (options.svg != "-" && options.animation != "-" && options.json != "-")
     print(fmt::format("{}: {}: {}, {}\n", input.name, title(query), joined(facts(result)), seconds_text(seconds)));
   return exit_code(result.status);
 }

@@ -53,9 +53,7 @@ void add_options(CLI::App& app, RunOptions& options) {
   app.add_option("--svg", options.svg, "Write a picture of both runs; - is standard output")
       ->type_name("FILE")
       ->group("Output");
-  app.add_option("--animate", options.animation, "Write a film of both runs that plays in a browser (SVG, no script)")
-      ->type_name("FILE")
-      ->group("Output");
+  add_animate_option(app, options.animation, "Write a film of both runs that plays in a browser (SVG, no script)");
   app.add_flag("--flood", options.flood, "Write into the pictures how many steps each cell is from the goal")
       ->group("Output");
   app.add_option("--json", options.json, "Write everything as JSON; - is standard output")
@@ -67,7 +65,8 @@ void add_options(CLI::App& app, RunOptions& options) {
       ->group("Output");
   app.add_flag("--quick", options.quick, "Leave out the floor with proof and benchmark 2")->group("Output");
   app.add_flag("--quiet,-q", options.quiet, "No table on standard output")->group("Output");
-  app.callback([&options] {
+  app.callback([&app, &options] {
+    settle_animation(app, options.animation, options.svg);
     int taken = 0;
     for (const std::string* file : options.files()) taken += *file == "-" ? 1 : 0;
     if (taken > 1) throw CLI::ValidationError("only one output can have standard output");

@@ -1,5 +1,4 @@
 #include <taut/cli/mouse_sheet.h>
-#include <taut/io/colour_scale.h>
 
 #include <fmt/format.h>
 
@@ -16,56 +15,30 @@ using detail::svg_number;
 using detail::xml_text;
 using micromouse::CellSide;
 
-constexpr double kMap = 960, kWidestCell = 48, kMargin = 24, kNarrowest = 660, kRow = 24;
+constexpr double kWidestCell = 48;
 
 constexpr std::string_view kColours = R"(
-.mouse{font:14px system-ui,sans-serif}
-.mouse .page{fill:#f7f6f2}
-.mouse .floor{fill:#fff}
-.mouse .sight{fill-opacity:.3}
-.mouse .goal{fill:#7a3fd4;fill-opacity:.22}
-.mouse .start{fill:#1d8f5a;fill-opacity:.25}
-.mouse .posts{fill:#c03a2b}
-.mouse .seen{stroke:#2c3440;fill:none}
-.mouse .unseen{stroke:#9aa3b2;fill:none}
-.mouse .run1{stroke:#2f6fb5;fill:none;stroke-opacity:.75}
-.mouse .run2{stroke:#e0651c;fill:none}
-.mouse .fastest{stroke:#1d8f5a;fill:none}
-.mouse .wedge{fill:#c2185b;stroke:#fff}
-.mouse .flood{fill:#5a6474}
-.mouse .legend{fill:#2c3440}
-.mouse .legend .fact{fill:#5a6474}
+.taut .floor{fill:#fff}
+.taut .sight{fill-opacity:.3}
+.taut .goal{fill:#7a3fd4;fill-opacity:.22;stroke:none}
+.taut .start{fill:#1d8f5a;fill-opacity:.25;stroke:none}
+.taut .posts{fill:#c03a2b}
+.taut .seen{stroke:#2c3440;fill:none}
+.taut .unseen{stroke:#9aa3b2;fill:none}
+.taut .run1{stroke:#2f6fb5;fill:none;stroke-opacity:.75}
+.taut .run2{stroke:#e0651c;fill:none}
+.taut .fastest{stroke:#1d8f5a;fill:none}
+.taut .wedge{fill:#c2185b;stroke:#fff}
+.taut .flood,.taut .flood text{fill:#5a6474}
 @media(prefers-color-scheme:dark){
-.mouse .page{fill:#15181d}
-.mouse .floor{fill:#1f242c}
-.mouse .seen{stroke:#e8ebf0}
-.mouse .unseen{stroke:#5a6474}
-.mouse .run1{stroke:#76b1ef}
-.mouse .fastest{stroke:#4fd093}
-.mouse .flood,.mouse .legend .fact{fill:#a3adbc}
-.mouse .legend{fill:#e8ebf0}
+.taut .floor{fill:#1f242c}
+.taut .seen{stroke:#e8ebf0}
+.taut .unseen{stroke:#5a6474}
+.taut .run1{stroke:#76b1ef}
+.taut .fastest{stroke:#4fd093}
+.taut .flood,.taut .flood text{fill:#a3adbc}
 }
 )";
-
-double key_width(const MouseSheet::Key& key) { return 34 + 7.6 * static_cast<double>(key.label.size()) + 22; }
-
-std::string scale_sample(double x, double y) {
-  std::string out;
-  for (int i = 0; i < 6; ++i)
-    out += fmt::format(R"(<rect class="sight" x="{}" y="{}" width="4.2" height="14" fill="{}"/>)",
-                       svg_number(x + 4.2 * i), svg_number(y - 12), shade_colour(i / 5.0));
-  return out;
-}
-
-std::string sample(const MouseSheet::Key& key, double x, double y) {
-  if (key.group == "scale") return scale_sample(x, y);
-  if (key.group == "flood")
-    return fmt::format(R"(<text class="fact" x="{}" y="{}">7</text>)", svg_number(x + 8), svg_number(y));
-  if (key.group == "goal" || key.group == "start")
-    return fmt::format(R"(<rect class="{}" x="{}" y="{}" width="24" height="14"/>)", key.group, svg_number(x),
-                       svg_number(y - 12));
-  return fmt::format(R"(<g class="{}"><path d="M{} {}h24"/></g>)", key.group, svg_number(x), svg_number(y - 5));
-}
 
 }  // namespace
 
@@ -81,67 +54,36 @@ std::vector<CellSide> standing_walls(const GridMaze& maze) {
   return walls;
 }
 
-MouseSheet::MouseSheet(const GridMaze& maze, std::string title, std::vector<std::string> facts, std::vector<Key> keys)
-    : maze_(maze), title_(std::move(title)), facts_(std::move(facts)), keys_(std::move(keys)) {
-  pitch_ = std::min(kWidestCell, kMap / std::max(maze.width(), maze.height()));
-  width_ = std::max(kNarrowest, pitch_ * maze.width() + 2 * kMargin);
-  map_height_ = pitch_ * maze.height() + 2 * kMargin;
-}
+MouseSheet::MouseSheet(const GridMaze& maze, std::string title, std::vector<std::string> facts,
+                       std::vector<detail::SvgKey> keys)
+    : maze_(maze),
+      pitch_(std::min(kWidestCell, detail::kMapPixels / std::max(maze.width(), maze.height()))),
+      frame_({pitch_ * maze.width(), pitch_ * maze.height()}, std::move(title), std::move(facts), std::move(keys)) {}
 
 Point MouseSheet::pixel(Point p) const {
-  return {(width_ - pitch_ * maze_.width()) / 2 + pitch_ * p.x, kMargin + pitch_ * (maze_.height() - p.y)};
+  return {frame_.map().min.x + pitch_ * p.x, frame_.map().max.y - pitch_ * p.y};
 }
 
 Point MouseSheet::pixel(Cell cell) const { return pixel(middle(cell)); }
 
 std::string MouseSheet::head() const {
-  const double height = map_height_ + kRow * (2 + key_rows().second) + 4;
-  return fmt::format(
-             R"(<svg xmlns="http://www.w3.org/2000/svg" class="mouse" width="{0}" height="{1}" viewBox="0 0 {0} {1}">)",
-             svg_number(width_), svg_number(height)) +
-         "\n<title>" + xml_text(title_) + "</title>\n" + style() +
-         R"(<rect class="page" width="100%" height="100%"/>)" + "\n" +
-         fmt::format(R"(<rect class="floor" x="{}" y="{}" width="{}" height="{}"/>)", svg_number(pixel(Point{0, 0}).x),
-                     svg_number(kMargin), svg_number(pitch_ * maze_.width()), svg_number(pitch_ * maze_.height())) +
-         "\n" + legend();
+  return frame_.head(style()) +
+         fmt::format(R"(<rect class="floor" x="{}" y="{}" width="{}" height="{}"/>)", svg_number(frame_.map().min.x),
+                     svg_number(frame_.map().min.y), svg_number(pitch_ * maze_.width()),
+                     svg_number(pitch_ * maze_.height())) +
+         "\n";
 }
 
 std::string MouseSheet::style() const {
   const auto css = [&](const char* name, double part, const char* more) {
-    return fmt::format(".mouse .{}{{stroke-width:{}{}}}\n", name, svg_number(pitch_ * part), more);
+    return fmt::format(".taut .{}{{stroke-width:{}{}}}\n", name, svg_number(pitch_ * part), more);
   };
-  return "<style>" + std::string(kColours) + css("seen", 0.13, "") +
+  return std::string(kColours) + css("seen", 0.13, "") +
          css("unseen", 0.05, fmt::format(";stroke-dasharray:{0} {0}", svg_number(pitch_ / 9)).c_str()) +
          css("run1", 0.07, ";stroke-linejoin:round;stroke-linecap:round") +
          css("run2", 0.16, ";stroke-linejoin:round;stroke-linecap:round") +
          css("fastest", 0.08, ";stroke-linejoin:round;stroke-linecap:round") + css("wedge", 0.04, "") +
-         fmt::format(".mouse .flood{{font-size:{}px}}\n", svg_number(pitch_ * 0.27)) + "</style>\n";
-}
-
-std::pair<std::string, int> MouseSheet::key_rows() const {
-  std::string out;
-  double x = kMargin;
-  int row = 0;
-  for (const Key& key : keys_) {
-    if (x > kMargin && x + key_width(key) > width_ - kMargin + 22) x = kMargin, ++row;
-    const double y = map_height_ + kRow * (2 + row) + 8;
-    out += sample(key, x, y) +
-           fmt::format(R"(<text x="{}" y="{}">{}</text>)", svg_number(x + 32), svg_number(y), xml_text(key.label)) +
-           "\n";
-    x += key_width(key);
-  }
-  return {out, keys_.empty() ? 0 : row + 1};
-}
-
-std::string MouseSheet::legend() const {
-  const auto text = [&](int row, const char* attributes, const std::string& content) {
-    return fmt::format(R"(<text x="{}" y="{}"{}>{}</text>)", svg_number(kMargin),
-                       svg_number(map_height_ + 8 + kRow * row), attributes, xml_text(content)) +
-           "\n";
-  };
-  return group("legend", text(0, R"( font-weight="600")", title_) +
-                             text(1, R"( class="fact")", fmt::format("{}", fmt::join(facts_, " \xC2\xB7 "))) +
-                             key_rows().first);
+         fmt::format(".taut .flood text{{font-size:{}px}}\n", svg_number(pitch_ * 0.27));
 }
 
 std::string MouseSheet::posts() const {

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <taut/geometry/grid_maze.h>
 #include <taut/geometry/point.h>
+#include <taut/io/detail/svg_frame.h>
 #include <taut/robots/micromouse/rules.h>
 
 namespace taut::cli {
@@ -15,15 +15,10 @@ namespace taut::cli {
 /// prefers-color-scheme. Same input, same bytes.
 class MouseSheet {
  public:
-  struct Key {
-    std::string group;  ///< the class that colours the sample; `scale` is the scale of first sights
-    std::string label;
-  };
+  MouseSheet(const GridMaze& maze, std::string title, std::vector<std::string> facts, std::vector<detail::SvgKey> keys);
 
-  MouseSheet(const GridMaze& maze, std::string title, std::vector<std::string> facts, std::vector<Key> keys);
-
-  std::string head() const;  ///< up to and with the legend
-  std::string foot() const { return "</svg>\n"; }
+  std::string head() const;  ///< up to and with the floor
+  std::string foot() const { return frame_.foot(); }
 
   double pitch() const { return pitch_; }
   /// The middle of a cell in pixels, or any point whose unit is a cell and whose origin is the lower left corner.
@@ -48,16 +43,10 @@ class MouseSheet {
 
  private:
   std::string style() const;
-  std::string legend() const;
-  std::pair<std::string, int> key_rows() const;  // and how many
 
   GridMaze maze_;
-  std::string title_;
-  std::vector<std::string> facts_;
-  std::vector<Key> keys_;
   double pitch_;
-  double width_;
-  double map_height_;
+  detail::SvgFrame frame_;
 };
 
 /// All standing walls of a maze, each once, by rows from the south.

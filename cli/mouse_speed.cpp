@@ -183,8 +183,12 @@ std::string picture(const SpeedReport& r) {
   const auto fact = [](const char* what, const SpeedRun& run) {
     return fmt::format("{} {:.3f} s, {:.2f} m, {} cells", what, run.seconds, run.metres, run.cells.size() - 1);
   };
+  using enum detail::SvgKey::Sample;
   const MouseSheet sheet(r.read.maze, title_of(r.read.name), {fact("fastest", r.fastest), fact("shortest", r.shortest)},
-                         {{"fastest", "fastest"}, {"run2", "shortest"}, {"goal", "goal"}, {"start", "start"}});
+                         {{"fastest", "fastest", line, {}},
+                          {"run2", "shortest", line, {}},
+                          {"goal", "goal", patch, {}},
+                          {"start", "start", patch, {}}});
   std::string walls;
   for (const auto& w : standing_walls(r.read.maze)) walls += sheet.wall(w);
   return sheet.head() + sheet.goal() + sheet.start() + MouseSheet::group("seen", MouseSheet::path(walls)) +

@@ -157,6 +157,19 @@ void add_output_options(CLI::App& app, OutputOptions& options) {
   });
 }
 
+void add_animate_option(CLI::App& app, std::string& animation, const std::string& description) {
+  app.add_option("--animate", animation, description + "; without FILE, --svg's picture moves")
+      ->type_name("[FILE]")
+      ->expected(0, 1)
+      ->group("Output");
+}
+
+void settle_animation(const CLI::App& app, std::string& animation, std::string& svg) {
+  if (app.count("--animate") == 0 || !animation.empty()) return;
+  if (svg.empty()) throw CLI::ValidationError("--animate needs a FILE, or --svg");
+  std::swap(animation, svg);
+}
+
 void add_common_options(CLI::App& app, CommonOptions& options) {
   add(
       app, "--max-seconds", options.limits.seconds,

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include <taut/io/colour_scale.h>
-#include <taut/io/detail/svg_path.h>
+#include <taut/io/detail/svg_frame.h>
 
 namespace taut {
 
@@ -18,36 +18,55 @@ constexpr double kPathSeconds = 2;
 
 std::string colour_of(std::size_t shade) { return flood_colour(static_cast<double>(shade) / (kShades - 1)); }
 
+constexpr const char* kStyle = R"(.taut .open{fill:#fff}
+.taut .blocked{fill:#2c3440}
+.taut .grid{stroke:#d5d8de;fill:none}
+.taut .frontier{stroke:#b4532a;fill:none}
+.taut .path .line{stroke:#ee5a10;fill:none;stroke-linejoin:round;stroke-linecap:round}
+@media (prefers-color-scheme:dark){
+.taut .open{fill:#e5e9f0}
+.taut .grid{stroke:#b9c0cc}
+}
+)";
+
 class GridPage {
  public:
-  GridPage(const OccupancyGrid& grid, const GridPicture& what) : grid_(grid), what_(what) {
-    cell_ = std::clamp(960.0 / std::max(grid.width, grid.height), 0.5, 64.0);
-    width_ = std::max(cell_ * grid.width, 420.0) + 2 * kMargin;
-    height_ = cell_ * grid.height + 2 * kMargin + 92;
-  }
+  GridPage(const OccupancyGrid& grid, const GridPicture& what)
+      : grid_(grid),
+        what_(what),
+        cell_(std::clamp(detail::kMapPixels / std::max(grid.width, grid.height), 0.5, 64.0)),
+        frame_({cell_ * grid.width, cell_ * grid.height}, what.title, what.facts, keys()) {}
 
   std::string text() {
-    out_ = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"taut\" role=\"img\" viewBox=\"0 0 {0:.2f} {1:.2f}\" "
-        "width=\"{0:.2f}\" "
-        "height=\"{1:.2f}\">\n<title>{2}</title>\n",
-        width_, height_, detail::xml_text(what_.title));
-    out_ += "<style>text{font-family:system-ui,sans-serif;fill:#2b3240}.fact{fill:#6b7280}</style>\n";
-    out_ += fmt::format("<rect width=\"{:.2f}\" height=\"{:.2f}\" fill=\"#f7f6f2\"/>\n", width_, height_);
-    out_ += fmt::format("<g transform=\"translate({0} {0}) scale({1:.6f})\">\n", kMargin, cell_);
+    out_ = frame_.head(kStyle);
+    out_ += fmt::format("<g transform=\"translate({:.3f} {:.3f}) scale({:.6f})\">\n", frame_.map().min.x,
+                        frame_.map().min.y, cell_);
     cells();
     if (cell_ >= 6) lines();
     frontier();
     path();
-    ends();
     out_ += "</g>\n";
-    legend();
-    return out_ + "</svg>\n";
+    ends();
+    return out_ + frame_.foot();
   }
 
  private:
-  static constexpr double kMargin = 24;
   static constexpr std::uint8_t kFree = 255, kBlocked = 254;
+
+  std::vector<detail::SvgKey> keys() const {
+    using enum detail::SvgKey::Sample;
+    std::vector<detail::SvgKey> keys;
+    if (what_.start) keys.push_back({"start", "start", marker, {}});
+    if (what_.goal) keys.push_back({"goal", "goal", marker, {}});
+    if (what_.path.size() >= 2) keys.push_back({"path", "path", line, {}});
+    if (!what_.frontier.empty()) keys.push_back({"frontier", "frontier", line, {}});
+    if (!what_.visited.empty()) {
+      std::vector<std::string> colours;
+      for (std::size_t s = 0; s < kShades; s += 3) colours.push_back(colour_of(s));
+      keys.push_back({"visited", "visited, first to last", scale, std::move(colours)});
+    }
+    return keys;
+  }
 
   void cells() {
     std::vector<std::uint8_t> kind(grid_.blocked.size(), kFree);
@@ -63,15 +82,14 @@ class GridPage {
         for (end = column + 1; end < grid_.width && kind[index({row, end})] == here;) ++end;
         runs[here] += fmt::format("M{} {}h{}v1h-{}z", column, row, end - column, end - column);
       }
-    const auto put = [&](const std::string& d, const std::string& colour, const std::string& more) {
-      if (!d.empty())
-        out_ += fmt::format("<path fill=\"{}\" shape-rendering=\"crispEdges\" d=\"{}\"{}\n", colour, d, more);
+    const auto put = [&](const std::string& d, const std::string& ink, const std::string& more) {
+      if (!d.empty()) out_ += fmt::format("<path {} shape-rendering=\"crispEdges\" d=\"{}\"{}\n", ink, d, more);
     };
-    put(runs[kFree], "#ffffff", "/>");
-    put(runs[kBlocked], "#2b3240", "/>");
+    put(runs[kFree], "class=\"open\"", "/>");
+    put(runs[kBlocked], "class=\"blocked\"", "/>");
     for (std::size_t s = 0; s < kShades; ++s) {
-      if (what_.animated) put(runs[s], "#ffffff", "/>");
-      put(runs[s], colour_of(s), appears(kPlaySeconds * static_cast<double>(s) / kShades));
+      if (what_.animated) put(runs[s], "class=\"open\"", "/>");
+      put(runs[s], fmt::format("fill=\"{}\"", colour_of(s)), appears(kPlaySeconds * static_cast<double>(s) / kShades));
     }
   }
 
@@ -86,7 +104,7 @@ class GridPage {
     std::string d;
     for (std::uint32_t c = 0; c <= grid_.width; ++c) d += fmt::format("M{} 0v{}", c, grid_.height);
     for (std::uint32_t r = 0; r <= grid_.height; ++r) d += fmt::format("M0 {}h{}", r, grid_.width);
-    out_ += fmt::format("<path stroke=\"#d5d8de\" stroke-width=\"0.02\" fill=\"none\" d=\"{}\"/>\n", d);
+    out_ += fmt::format("<path class=\"grid\" stroke-width=\"0.02\" d=\"{}\"/>\n", d);
   }
 
   void frontier() {
@@ -94,8 +112,7 @@ class GridPage {
     for (const GridPlace& p : what_.frontier)
       d += fmt::format("M{:.2f} {:.2f}h.7v.7h-.7z", p.column + 0.15, p.row + 0.15);
     if (!d.empty())
-      out_ +=
-          "<path stroke=\"#b4532a\" stroke-width=\"0.12\" fill=\"none\" d=\"" + d + "\"" + appears(kPlaySeconds) + "\n";
+      out_ += "<path class=\"frontier\" stroke-width=\"0.12\" d=\"" + d + "\"" + appears(kPlaySeconds) + "\n";
   }
 
   void path() {
@@ -115,49 +132,28 @@ class GridPage {
           " stroke-dasharray=\"{0:.3f}\" stroke-dashoffset=\"{0:.3f}\"><animate attributeName=\"stroke-dashoffset\" "
           "from=\"{0:.3f}\" to=\"0\" begin=\"{1}s\" dur=\"{2}s\" fill=\"freeze\"/></path>",
           length, kPlaySeconds, kPathSeconds);
-    out_ += fmt::format(
-        "<path stroke=\"#f0580c\" stroke-width=\"{:.3f}\" stroke-linejoin=\"round\" stroke-linecap=\"round\" "
-        "fill=\"none\" "
-        "d=\"{}\"{}\n",
-        stroke, d, more);
+    out_ +=
+        fmt::format("<g class=\"path\"><path class=\"line\" stroke-width=\"{:.3f}\" d=\"{}\"{}</g>\n", stroke, d, more);
   }
 
   void ends() {
-    const double radius = std::max(0.32, 5 / cell_);
-    if (what_.start)
-      out_ += fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{:.3f}\" fill=\"#12925c\"/>\n", what_.start->column + 0.5,
-                          what_.start->row + 0.5, radius);
-    if (what_.goal)
-      out_ +=
-          fmt::format("<path fill=\"#7a3fd0\" d=\"M{} {:.3f}l{r:.3f} {r:.3f}l-{r:.3f} {r:.3f}l-{r:.3f} -{r:.3f}z\"/>\n",
-                      what_.goal->column + 0.5, what_.goal->row + 0.5 - 1.2 * radius, fmt::arg("r", 1.2 * radius));
-  }
-
-  void legend() {
-    const double top = kMargin + cell_ * grid_.height;
-    out_ += fmt::format("<text x=\"{}\" y=\"{:.2f}\" font-size=\"18\" font-weight=\"600\">{}</text>\n", kMargin,
-                        top + 32, detail::xml_text(what_.title));
-    std::string facts;
-    for (const std::string& fact : what_.facts) facts += (facts.empty() ? "" : " \xC2\xB7 ") + fact;
-    out_ += fmt::format("<text class=\"fact\" x=\"{}\" y=\"{:.2f}\" font-size=\"13\">{}</text>\n", kMargin, top + 54,
-                        detail::xml_text(facts));
-    if (what_.visited.empty()) return;
-    out_ += "<defs><linearGradient id=\"order\">";
-    for (std::size_t s = 0; s < kShades; s += 9)
-      out_ += fmt::format("<stop offset=\"{:.3f}\" stop-color=\"{}\"/>", static_cast<double>(s) / (kShades - 1),
-                          colour_of(s));
-    out_ += "</linearGradient></defs>\n";
-    out_ += fmt::format("<rect x=\"{}\" y=\"{:.2f}\" width=\"120\" height=\"10\" fill=\"url(#order)\"/>\n", kMargin,
-                        top + 70);
-    out_ += fmt::format("<text class=\"fact\" x=\"{}\" y=\"{:.2f}\" font-size=\"13\">visited, first to last{}</text>\n",
-                        kMargin + 130, top + 79, what_.frontier.empty() ? "" : "; outlined: frontier");
+    const double radius = std::clamp(0.32 * cell_, 5.0, 14.0);
+    const auto put = [&](const char* kind, const std::optional<GridPlace>& place) {
+      if (!place) return;
+      const Point at{frame_.map().min.x + cell_ * (place->column + 0.5),
+                     frame_.map().min.y + cell_ * (place->row + 0.5)};
+      out_ += detail::marker(kind, at, radius, cell_);
+    };
+    put("start", what_.start);
+    put("goal", what_.goal);
   }
 
   std::size_t index(GridPlace p) const { return std::size_t{p.row} * grid_.width + p.column; }
 
   const OccupancyGrid& grid_;
   const GridPicture& what_;
-  double cell_ = 1, width_ = 0, height_ = 0;
+  double cell_;
+  detail::SvgFrame frame_;
   std::string out_;
 };
 

@@ -10,8 +10,8 @@
 #include <taut/geometry/corridor_width.h>
 #include <taut/io/colour_scale.h>
 #include <taut/io/detail/svg_motion.h>
-#include <taut/io/detail/svg_page.h>
 #include <taut/io/detail/svg_path.h>
+#include <taut/io/detail/svg_style.h>
 
 namespace taut {
 
@@ -33,12 +33,9 @@ class Picture {
         what_(what),
         box_(frame(world_)),
         extent_(longer_side(box_)),
-        keys_(keys()) {
-    const Point aspect{(box_.max.x - box_.min.x) / extent_, (box_.max.y - box_.min.y) / extent_};
-    page_ = detail::page_for(aspect, corridor_width(space) / extent_, keys_);
-    const int decimals = std::clamp(static_cast<int>(std::ceil(std::log10(60 / page_.corridor))), 1, 4);
-    scale_.emplace(box_, page_.map.min, extent_, detail::kMapPixels, decimals, world_.y_down());
-  }
+        strokes_{corridor_width(space) / extent_ * detail::kMapPixels},
+        frame_(size(), what.title, facts(), keys()),
+        scale_(box_, frame_.map().min, extent_, detail::kMapPixels, decimals(), world_.y_down()) {}
 
   std::string draw() {
     begin();
@@ -60,8 +57,7 @@ class Picture {
     labels();
     runner();
     out_ += "</svg>\n";
-    out_ += detail::legend(page_, what_.title, facts(), keys_);
-    return std::move(out_ += "</svg>\n");
+    return std::move(out_ += frame_.foot());
   }
 
  private:
@@ -73,42 +69,43 @@ class Picture {
     return {{box.min.x - rim, box.min.y - rim}, {box.max.x + rim, box.max.y + rim}};
   }
 
-  void begin() {
-    const auto px = [](double v) { return detail::svg_number(v); };
-    out_ = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"taut\" role=\"img\" width=\"{0}\" height=\"{1}\" "
-        "viewBox=\"0 0 {0} {1}\">\n"
-        "<title>{2}</title>\n<desc>{3}</desc>\n",
-        px(page_.width), px(page_.height), detail::xml_text(what_.title),
-        detail::xml_text(fmt::format("{}", fmt::join(facts(), ", "))));
-    out_ += detail::style(page_);
-    out_ += fmt::format("<rect class=\"page\" width=\"{}\" height=\"{}\"/>\n", px(page_.width), px(page_.height));
-    // An inner <svg> cuts off what reaches beyond the world.
-    constexpr double kRim = 16;
-    out_ +=
-        fmt::format("<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\">\n",
-                    px(page_.map.min.x - kRim), px(page_.map.min.y - kRim),
-                    px(page_.map.max.x - page_.map.min.x + 2 * kRim), px(page_.map.max.y - page_.map.min.y + 2 * kRim));
+  Point size() const {
+    return {(box_.max.x - box_.min.x) / extent_ * detail::kMapPixels,
+            (box_.max.y - box_.min.y) / extent_ * detail::kMapPixels};
   }
 
-  std::vector<std::string> keys() const {
-    std::vector<std::string> keys;
-    if (what_.start) keys.emplace_back("start");
-    if (goal_point()) keys.emplace_back("goal");
-    if (!what_.goal.room.empty()) keys.emplace_back("rooms");
-    if (what_.path || what_.arcs || !what_.curves.empty()) keys.emplace_back("path");
-    if (!what_.separation.empty()) keys.emplace_back("separation");
-    if (!what_.gates.empty()) keys.emplace_back("gates");
-    if (!what_.guides.empty()) keys.emplace_back("guides");
-    if (!what_.views.empty()) keys.emplace_back("views");
-    if (roadmap_is_drawn() || diagram_is_drawn()) keys.emplace_back("roadmap");
-    if (space_.footprint().kind() != Footprint::Kind::point) keys.emplace_back("solid");
+  int decimals() const { return std::clamp(static_cast<int>(std::ceil(std::log10(60 / strokes_.corridor))), 1, 4); }
+
+  void begin() {
+    const auto px = [](double v) { return detail::svg_number(v); };
+    out_ = frame_.head(detail::style(strokes_));
+    // An inner <svg> cuts off what reaches beyond the world.
+    constexpr double kRim = 16;
+    const Box map = frame_.map();
+    out_ += fmt::format("<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\">\n",
+                        px(map.min.x - kRim), px(map.min.y - kRim), px(map.max.x - map.min.x + 2 * kRim),
+                        px(map.max.y - map.min.y + 2 * kRim));
+  }
+
+  std::vector<detail::SvgKey> keys() const {
+    std::vector<detail::SvgKey> keys;
+    const auto add = [&](const char* kind) { keys.push_back(detail::key_of(kind)); };
+    if (what_.start) add("start");
+    if (goal_point()) add("goal");
+    if (!what_.goal.room.empty()) add("rooms");
+    if (what_.path || what_.arcs || !what_.curves.empty()) add("path");
+    if (!what_.separation.empty()) add("separation");
+    if (!what_.gates.empty()) add("gates");
+    if (!what_.guides.empty()) add("guides");
+    if (!what_.views.empty()) add("views");
+    if (roadmap_is_drawn() || diagram_is_drawn()) add("roadmap");
+    if (space_.footprint().kind() != Footprint::Kind::point) add("solid");
     return keys;
   }
 
   std::vector<std::string> facts() const {
     std::vector<std::string> facts = what_.facts;
-    if (what_.roadmap && !roadmap_is_drawn())
+    if (what_.roadmap && what_.roadmap->edge_count() > kSvgRoadmapEdges)
       facts.push_back(fmt::format("roadmap of {} edges not drawn", what_.roadmap->edge_count()));
     if (what_.diagram && !diagram_is_drawn())
       facts.push_back(fmt::format("diagram of {} edges not drawn", what_.diagram->edges().size()));
@@ -117,7 +114,9 @@ class Picture {
 
   bool diagram_is_drawn() const { return what_.diagram && what_.diagram->edges().size() <= kSvgRoadmapEdges; }
 
-  bool roadmap_is_drawn() const { return what_.roadmap && what_.roadmap->edge_count() <= kSvgRoadmapEdges; }
+  bool roadmap_is_drawn() const {
+    return what_.roadmap && what_.roadmap->edge_count() > 0 && what_.roadmap->edge_count() <= kSvgRoadmapEdges;
+  }
 
   std::optional<Point> goal_point() const {
     if (what_.goal.point) return what_.goal.point;
@@ -131,7 +130,7 @@ class Picture {
   }
 
   void lines(const char* kind, const std::vector<Segment>& segments) {
-    SvgPath path(*scale_);
+    SvgPath path(scale_);
     for (const Segment& s : segments) path.segment(s);
     group(kind, path);
   }
@@ -146,7 +145,7 @@ class Picture {
   // The free polygons are drawn over it.
   void solid() {
     if (all_is_free()) return;
-    SvgPath path(*scale_);
+    SvgPath path(scale_);
     if (world_.boundary() == Boundary::walled)
       path.ring(ring_of(box_));
     else if (world_.areas().size() == 1)
@@ -157,24 +156,24 @@ class Picture {
   }
 
   void free() {
-    SvgPath path(*scale_);
+    SvgPath path(scale_);
     for (const Polygon& polygon : space_.polygons()) path.polygon(polygon);
     group("free", path);
   }
 
   void rooms() {
-    SvgPath path(*scale_);
+    SvgPath path(scale_);
     for (const Box& box : what_.goal.room) path.ring(ring_of(box));
     group("rooms", path);
   }
 
   void views() {
-    SvgPath all(*scale_);
+    SvgPath all(scale_);
     for (const SvgView& view : what_.views) all.ring(view.ring);
     if (all.empty()) return;
     out_ += fmt::format("<g class=\"views\"><path d=\"{}\"/>", all.text());
     for (std::size_t k = 0; what_.seconds > 0 && k < what_.views.size(); ++k) {
-      SvgPath one(*scale_);
+      SvgPath one(scale_);
       one.ring(what_.views[k].ring);
       const double until = k + 1 < what_.views.size() ? what_.views[k + 1].at : 1;
       out_ += fmt::format("<path d=\"{}\" opacity=\"0\">{}</path>", one.text(),
@@ -185,7 +184,7 @@ class Picture {
 
   void roadmap() {
     if (!roadmap_is_drawn()) return;
-    SvgPath path(*scale_);
+    SvgPath path(scale_);
     for (Roadmap::Vertex v = 0; v < what_.roadmap->vertex_count(); ++v)
       for (const Roadmap::Vertex w : what_.roadmap->neighbours(v))
         if (v < w) path.segment({what_.roadmap->point(v), what_.roadmap->point(w)});
@@ -194,7 +193,7 @@ class Picture {
 
   void diagram() {
     if (!diagram_is_drawn()) return;
-    SvgPath path(*scale_);
+    SvgPath path(scale_);
     std::vector<VoronoiCurve> curves;
     for (const VoronoiEdge& e : what_.diagram->edges()) curves.push_back(what_.diagram->curve(e));
     path.chain(curves);
@@ -205,10 +204,10 @@ class Picture {
     if (what_.shades.empty()) return;
     out_ += "<g class=\"shades\">";
     // Where paths run together, those below show as rims.
-    double width = page_.path_stroke() * 2;
-    const double step = page_.path_stroke() * 1.2 / static_cast<double>(what_.shades.size());
+    double width = strokes_.path() * 2;
+    const double step = strokes_.path() * 1.2 / static_cast<double>(what_.shades.size());
     for (const SvgShade& s : what_.shades) {
-      SvgPath path(*scale_);
+      SvgPath path(scale_);
       path.chain(s.curves);
       if (!path.empty())
         out_ += fmt::format("<path style=\"stroke:{};stroke-width:{}\" d=\"{}\"/>", shade_colour(s.shade),
@@ -221,22 +220,22 @@ class Picture {
   void walls() {
     std::map<double, SvgPath> by_thickness;
     for (const Wall& wall : world_.walls())
-      by_thickness.try_emplace(wall.thickness, *scale_).first->second.segment({wall.a, wall.b});
-    SvgPath solids(*scale_);
+      by_thickness.try_emplace(wall.thickness, scale_).first->second.segment({wall.a, wall.b});
+    SvgPath solids(scale_);
     for (const Area& solid : world_.solids()) solids.polygon(solid.polygon);
     if (by_thickness.empty() && solids.empty()) return;
     out_ += "<g class=\"walls\">";
     if (!solids.empty()) out_ += fmt::format("<path class=\"area\" d=\"{}\"/>", solids.text());
     for (const auto& [thickness, path] : by_thickness) {
       const std::string bar =
-          fmt::format(" class=\"bar\" style=\"stroke-width:{}\"", detail::svg_number(scale_->length(thickness)));
+          fmt::format(" class=\"bar\" style=\"stroke-width:{}\"", detail::svg_number(scale_.length(thickness)));
       out_ += fmt::format("<path{} d=\"{}\"/>", thickness > 0 ? bar : "", path.text());
     }
     out_ += "</g>\n";
   }
 
   void path() {
-    SvgPath line(*scale_);
+    SvgPath line(scale_);
     if (what_.path) line.chain(what_.path->points);
     if (what_.arcs)
       for (const ArcPiece& piece : pieces(*what_.arcs)) {
@@ -254,9 +253,9 @@ class Picture {
   void labels() {
     if (what_.labels.empty()) return;
     out_ += "<g class=\"labels\">";
-    const double size = std::clamp(0.3 * page_.corridor, 9.0, 16.0);
+    const double size = std::clamp(0.3 * strokes_.corridor, 9.0, 16.0);
     for (const SvgLabel& label : what_.labels) {
-      const Point at = scale_->pixel(label.at);
+      const Point at = scale_.pixel(label.at);
       out_ +=
           fmt::format("<circle cx=\"{0}\" cy=\"{1}\" r=\"{2}\"/><text x=\"{3}\" y=\"{4}\" font-size=\"{5}\">{6}</text>",
                       detail::svg_number(at.x), detail::svg_number(at.y), detail::svg_number(size / 4),
@@ -268,13 +267,13 @@ class Picture {
 
   void runner() {
     if (!what_.path || what_.seconds <= 0) return;
-    SvgPath line(*scale_);
+    SvgPath line(scale_);
     line.chain(what_.path->points);
-    if (!line.empty()) out_ += detail::runner_along(line, page_.marker_radius(), what_.seconds);
+    if (!line.empty()) out_ += detail::runner_along(line, strokes_.marker_radius(), what_.seconds);
   }
 
   void marker(const char* kind, const std::optional<Point>& at) {
-    if (at) out_ += detail::marker(kind, scale_->pixel(*at), page_.marker_radius(), page_.corridor);
+    if (at) out_ += detail::marker(kind, scale_.pixel(*at), strokes_.marker_radius(), strokes_.corridor);
   }
 
   const FreeSpace& space_;
@@ -282,9 +281,9 @@ class Picture {
   const SvgPicture& what_;
   Box box_;
   double extent_;
-  std::vector<std::string> keys_;
-  detail::SvgPage page_;
-  std::optional<detail::SvgScale> scale_;
+  detail::SvgStrokes strokes_;
+  detail::SvgFrame frame_;
+  detail::SvgScale scale_;
   std::string out_;
 };
 

@@ -76,6 +76,13 @@ struct Drive {
   std::vector<std::pair<int, RoadblockSet>> sights;  ///< after so many steps these roadblocks became known
   RoadblockSet open = 0;                             ///< the sample
   int replans = 0;
+
+  /// The roadblocks that were seen at last.
+  RoadblockSet known() const {
+    RoadblockSet all = 0;
+    for (const auto& [steps, seen] : sights) all |= seen;
+    return all;
+  }
 };
 
 /// Drives from course.start with heading 0 until the goal is reached (0 steps when it is there already), the car collides, the driver sees no route or gives up, or kLongestDrive steps are

@@ -31,7 +31,7 @@ TEST(GridSvg, DrawsCellsFrontierPathAndEnds) {
   EXPECT_THAT(text, HasSubstr("M2 0h1v1h-1z"));           // a blocked cell
   EXPECT_THAT(text, HasSubstr("M0.15 2.15h.7v.7h-.7z"));  // the frontier
   EXPECT_THAT(text, HasSubstr("L1.5 1.5L1.5 2.5"));       // the path goes down
-  EXPECT_THAT(text, HasSubstr("<circle cx=\"0.5\" cy=\"0.5\""));
+  EXPECT_THAT(text, HasSubstr("cx=\"144\" cy=\"56\""));   // the start: 112 + 0.5 * 64, 24 + 0.5 * 64
   EXPECT_THAT(text, HasSubstr("a &lt; b &amp; c"));
   EXPECT_THAT(text, HasSubstr("one \xC2\xB7 two"));
 }

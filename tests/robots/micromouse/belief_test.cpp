@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include <taut/robots/micromouse/detail/boards.h>
 #include <taut/robots/micromouse/detail/wall_field.h>
 
 #include "robots/micromouse/support.h"
@@ -95,9 +97,12 @@ TEST(Belief, SamplesAreConnectedAndAgreeWithWhatIsKnown) {
       for (int y = 0; y < 12; ++y)
         for (int x = 0; x < 12; ++x) {
           EXPECT_TRUE(reached.reached({x, y}));
-          for (const Side side : kSides)
-            if (map.state({x, y}, side) != WallState::unknown)
-              EXPECT_EQ(belief.world(k).open({x, y}, side), map.state({x, y}, side) == WallState::open);
+          for (const Side side : kSides) {
+            const WallState state = map.state({x, y}, side);
+            if (state != WallState::unknown) {
+              EXPECT_EQ(belief.world(k).open({x, y}, side), state == WallState::open);
+            }
+          }
         }
     }
   }
