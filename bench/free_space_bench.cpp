@@ -1,4 +1,5 @@
-// Walls with a thickness, united: ours against CGAL's Polygon_set_2::join on the same rectangles; and the whole free space, by size.
+// Walls with a thickness, united: ours against CGAL's Polygon_set_2::join on the same rectangles; and the whole free
+// space, by size.
 #include <benchmark/benchmark.h>
 
 #include <CGAL/Boolean_set_operations_2.h>
@@ -30,8 +31,8 @@ double doubled_area(const std::vector<Polygon>& polygons) {
   return sum;
 }
 
-/// Of a perfect maze of n x n cells, its walls 1/4 thick: each cell leaves a square of 3/4, each of the n^2 - 1 passages a rectangle of
-/// 3/4 x 1/4 more between two of them.
+/// Of a perfect maze of n x n cells, its walls 1/4 thick: each cell leaves a square of 3/4, each of the n^2 - 1
+/// passages a rectangle of 3/4 x 1/4 more between two of them.
 double free_area(double n) { return (9 * n * n + 3 * (n * n - 1)) / 16; }
 double free_outline(double n) { return 3 * n * n - (n * n - 1); }
 

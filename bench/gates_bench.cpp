@@ -1,4 +1,5 @@
-// Where a disc can go, by size of maze: all gates, then single questions. Peer: the free space inflated by the disc, one radius at a time.
+// Where a disc can go, by size of maze: all gates, then single questions. Peer: the free space inflated by the disc,
+// one radius at a time.
 #include <benchmark/benchmark.h>
 
 #include <taut/search/disc_passage.h>

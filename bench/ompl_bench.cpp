@@ -1,11 +1,13 @@
 // Our planners and OMPL's on the same mazes, in the same run, in CPU time; bench/README.md says how to read it.
 //
-// First table: every planner is asked for its first path, and every motion is tested by FreeSpace::sees, exactly. Second table: OMPL as it comes out of
-// the box, with motions sampled at its default resolution, and what an exact check says of its answers.
+// First table: every planner is asked for its first path, and every motion is tested by FreeSpace::sees, exactly.
+// Second table: OMPL as it comes out of the box, with motions sampled at its default resolution, and what an exact
+// check says of its answers.
 //
 //   ompl_bench [--benchmark_filter=REGEX] [--sides=7,15,25,41,61] [--seeds=3] [--limit=10] [--audits=20]
 //
-// The filter is for planner names. --limit is CPU seconds for one run; who fails all runs of a size is not asked for larger ones.
+// The filter is for planner names. --limit is CPU seconds for one run; who fails all runs of a size is not asked for
+// larger ones.
 
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
@@ -42,7 +44,7 @@ struct Settings {
   int audits = 20;
 };
 
-// ---- tables -------------------------------------------------------------------------------------------------------------------------
+// ---- tables ---------------------------------------------------------------------------------------------------------
 
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());

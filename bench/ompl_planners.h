@@ -62,7 +62,7 @@ struct Row {
   int largest = 1'000'000;  // side
 };
 
-// ---- ours ---------------------------------------------------------------------------------------------------------------------------
+// ---- ours -----------------------------------------------------------------------------------------------------------
 
 inline Run our_prm(const Task& task, std::uint64_t seed, double limit, PrmConnection::Rule rule, bool pull) {
   PrmPlan plan;
@@ -87,7 +87,7 @@ inline Run our_exact(const Task& task) {
           static_cast<double>(graph.roadmap().vertex_count()), static_cast<double>(graph.roadmap().edge_count())};
 }
 
-// ---- OMPL ---------------------------------------------------------------------------------------------------------------------------
+// ---- OMPL -----------------------------------------------------------------------------------------------------------
 
 inline Point point_of(const ob::State* state) {
   const auto* values = state->as<ob::RealVectorStateSpace::StateType>()->values;

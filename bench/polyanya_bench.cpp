@@ -1,6 +1,7 @@
-// Polyanya against the visibility graph, built for a query or at hand, and Boost.Graph's A* on the cell graph (through cell_search, whose
-// answers are grid answers: longer). Mazes by size with a tenth of the inner walls taken down, and grid maps of others where they are present.
-// All exact answers are compared exactly, those of the grid maps with the lengths published for the reference implementation too.
+// Polyanya against the visibility graph, built for a query or at hand, and Boost.Graph's A* on the cell graph (through
+// cell_search, whose answers are grid answers: longer). Mazes by size with a tenth of the inner walls taken down, and
+// grid maps of others where they are present. All exact answers are compared exactly, those of the grid maps with the
+// lengths published for the reference implementation too.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -151,7 +152,7 @@ void BM_CellsQuery(benchmark::State& state) {
   peer_query(state, on, false, [&](const Pair& p) { return cell_search(graph, p.from, {p.to, {}}); });
 }
 
-// ---- grid maps of others ------------------------------------------------------------------------------------------------------------
+// ---- grid maps of others --------------------------------------------------------------------------------------------
 
 const char* const kMaps[] = {"arena", "brc202d", "maze512-32-0", "maze512-8-0", "maze512-8-0-braid20"};
 

@@ -1,5 +1,5 @@
-// The shortest path of a disc of radius 0.3 through mazes by size: true arcs. Peer: the space inflated by the circumscribed 64-gon and its reduced
-// visibility graph, space included, for an end-to-end answer.
+// The shortest path of a disc of radius 0.3 through mazes by size: true arcs. Peer: the space inflated by the
+// circumscribed 64-gon and its reduced visibility graph, space included, for an end-to-end answer.
 #include <benchmark/benchmark.h>
 
 #include <taut/search/arc_search.h>

@@ -1,5 +1,6 @@
-// The visibility graph by size and kind, against what a user of CGAL would write: one Triangular_expansion_visibility_2 region for each
-// corner, on the same walls. (CGAL's regions are no graph yet: its vertices would still have to be found again.)
+// The visibility graph by size and kind, against what a user of CGAL would write: one Triangular_expansion_visibility_2
+// region for each corner, on the same walls. (CGAL's regions are no graph yet: its vertices would still have to be
+// found again.)
 #include <benchmark/benchmark.h>
 
 #include <CGAL/Arr_segment_traits_2.h>

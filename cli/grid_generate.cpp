@@ -85,7 +85,8 @@ GridPlace drawn_place(const OccupancyGrid& grid, std::mt19937_64& engine) {
   }
 }
 
-/// Pairs that a path joins, in the order they were drawn; the bucket is a quarter of the length, as in MovingAI's files.
+/// Pairs that a path joins, in the order they were drawn; the bucket is a quarter of the length, as in MovingAI's
+/// files.
 std::vector<Scenario> drawn_scenarios(const OccupancyGrid& grid, const GenerateOptions& options) {
   GridSearch search(grid, GridMoves::octile);
   std::mt19937_64 engine(options.common.seed);

@@ -22,7 +22,8 @@ struct SolveAnswer {
 /// `length 77.262691, 34 corners, 0.004 s`, or the walls that separate, or why it was stopped. For standard output.
 std::string solve_line(const SolveAnswer& answer);
 
-/// The path in the roadmap, or the walls that separate. It points into the answer. Roadmaps of more than 20 000 edges are left out.
+/// The path in the roadmap, or the walls that separate. It points into the answer. Roadmaps of more than 20 000 edges
+/// are left out.
 SvgPicture solve_picture(const SolveAnswer& answer);
 
 /// --stats: a line on stderr for each stage, with its seconds and what came of it.

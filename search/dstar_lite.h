@@ -17,8 +17,9 @@ namespace taut {
 
 /// D* Lite, the optimised version (Koenig and Likhachev, "D* Lite", AAAI 2002, figure 4): searches backwards from a
 /// goal that stays and repairs only what a change touches, while the start moves. Without moves it is LPA* run
-/// backwards. Different here: of states with the same estimate the paper takes that nearest to the goal, which on an open grid is
-/// every cell between start and goal; here it is those that became dearer, then those nearest to the start.
+/// backwards. Different here: of states with the same estimate the paper takes that nearest to the goal, which on an
+/// open grid is every cell between start and goal; here it is those that became dearer, then those nearest to the
+/// start.
 ///
 /// Use: change the graph, name every state whose outgoing edges changed (`changed`), move the start (`move_to`), then
 /// replan(). Edges and states may appear and vanish; whichever way, the state an edge leaves from is named.
@@ -32,7 +33,8 @@ namespace taut {
 ///     occurs, and up to 2^15 moves for every edge of the shortest path; heuristics are multiplied by 1 - 2^-10 for
 ///     that. Exact sums of square roots: RoadmapReplanner.
 ///  4. A stopped replan() goes on where it stood when called again.
-/// The graph must outlive it. Memory: about 60 bytes a state met, and 40 more in a hash table or 4 for every state of a NumberedGraph. `Costs` adds and compares costs; see NumberCosts.
+/// The graph must outlive it. Memory: about 60 bytes a state met, and 40 more in a hash table or 4 for every state of a
+/// NumberedGraph. `Costs` adds and compares costs; see NumberCosts.
 template <ReplanningGraph Graph, class Costs = NumberCosts<typename Graph::Cost>,
           class Hash = std::hash<typename Graph::State>>
 class DstarLite {
@@ -46,8 +48,8 @@ class DstarLite {
     begin(std::move(start), std::move(goal));
   }
 
-  /// The cost of edges out of s changed, or edges appeared or vanished. O(1): replan() looks at each such state once, however often it
-  /// was named.
+  /// The cost of edges out of s changed, or edges appeared or vanished. O(1): replan() looks at each such state once,
+  /// however often it was named.
   void changed(const State& s) {
     const Index u = node(s);
     if (u == goal_ || nodes_[u].is_changed) return;
@@ -111,8 +113,8 @@ class DstarLite {
   using Index = std::uint32_t;
   static constexpr Index kNowhere = 0xffffffff;
 
-  /// By the least cost of a path through the state. Of equal ones those that became dearer come first, so that nobody goes on building upon them;
-  /// then what is nearer to the start.
+  /// By the least cost of a path through the state. Of equal ones those that became dearer come first, so that nobody
+  /// goes on building upon them; then what is nearer to the start.
   struct Priority {
     Key through{};
     bool is_cheaper = true;

@@ -6,9 +6,9 @@
 
 namespace taut {
 
-/// A binary heap of nodes 0, 1, ..., the least priority on top, that keeps in each node where it is: `nodes[i].place`, kNowhere outside.
-/// So a priority can change and a node be taken out. `Nodes` is an array of such; the same one is passed to every call. Each is
-/// O(log size); among equal priorities the order depends on the calls alone.
+/// A binary heap of nodes 0, 1, ..., the least priority on top, that keeps in each node where it is: `nodes[i].place`,
+/// kNowhere outside. So a priority can change and a node be taken out. `Nodes` is an array of such; the same one is
+/// passed to every call. Each is O(log size); among equal priorities the order depends on the calls alone.
 template <class Priority>
 class IndexedHeap {
  public:

@@ -54,7 +54,8 @@ concept ReplanningGraph = requires(const G& graph, const typename G::State& s) {
   graph.heuristic(s, s);
 };
 
-/// A graph whose states are the numbers 0 .. state_count() - 1, which stays as it is: they are found by an array and not by hashing.
+/// A graph whose states are the numbers 0 .. state_count() - 1, which stays as it is: they are found by an array and
+/// not by hashing.
 template <class G>
 concept NumberedGraph = ReplanningGraph<G> && std::integral<typename G::State> && requires(const G& graph) {
   { graph.state_count() } -> std::convertible_to<std::size_t>;

@@ -21,6 +21,8 @@ using detail::index_of;
 using detail::PoseGroup;
 using detail::Poses;
 
+constexpr int kMostGroups = 16;  // walks are searched with states of 32 bits
+
 /// What makes the next demand.
 class Demands {
  public:
@@ -102,8 +104,8 @@ class Demands {
     });
   }
 
-  /// The standing walls that a plan below the optimum crosses, none of them seen, with the fewest poses that show one; empty: there
-  /// is no such plan. Dynamic programme over (steps, cell).
+  /// The standing walls that a plan below the optimum crosses, none of them seen, with the fewest poses that show one;
+  /// empty: there is no such plan. Dynamic programme over (steps, cell).
   /// Walls with a view nearer than `least` moves are left out.
   std::vector<CellSide> easiest_uncut(const WallMap& map, const Boards& far, int least) const {
     const auto w = static_cast<std::size_t>(task_.width);
@@ -190,7 +192,7 @@ std::optional<ProofBound> proof_bound(const GridMaze& maze, const OracleLimits& 
     }
     // A wider demand is met with the narrower one.
     std::erase_if(groups, [&](const PoseGroup& g) { return within(next, g); });
-    if (static_cast<int>(groups.size()) >= limits.groups) return bound;
+    if (static_cast<int>(groups.size()) >= std::min(limits.groups, kMostGroups)) return bound;
     groups.push_back(next);
   }
 }

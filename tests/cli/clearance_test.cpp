@@ -17,7 +17,8 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-// Two rooms; from the left to the right one a door of width 1 at the bottom and, further away, one of width 3 at the top.
+// Two rooms; from the left to the right one a door of width 1 at the bottom and, further away, one of width 3 at the
+// top.
 constexpr const char* kTwoDoors =
     "0 0 20 0\n20 0 20 20\n20 20 0 20\n0 20 0 0\n10 0 10 2\n10 3 10 16\n10 19 10 20\nstart 5 5\ngoal 15 5\n";
 // Entrance and exit are openings of width 1; within, a door of width 1/2.

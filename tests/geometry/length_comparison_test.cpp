@@ -74,7 +74,8 @@ TEST(LengthComparison, SeparatesTheClassicNearTies) {
   by_squares({{1, 1}, {1, 2}, {2, 3}}, {{1, 3}, {1, 1}, {2, 2}});
 }
 
-/// All sums of three distances on the lattice: pairs of neighbours less than `closer` and more than `apart` from each other.
+/// All sums of three distances on the lattice: pairs of neighbours less than `closer` and more than `apart` from each
+/// other.
 std::vector<std::pair<Legs, Legs>> close_sums_of_three(int reach, long double apart, long double closer) {
   std::map<int, Segment> by_square;
   for (int x = 1; x <= reach; ++x)
@@ -131,7 +132,8 @@ Segment leg_of_square(int square) {
 }
 
 TEST(LengthComparison, SeparatesSumsThatAgreeToSixteenDigits) {
-  // The closest of all sums of three distances between lattice points at most 52 apart: 5 to 13 times 10^-15 between two sums above 90.
+  // The closest of all sums of three distances between lattice points at most 52 apart: 5 to 13 times 10^-15 between
+  // two sums above 90.
   constexpr int kSquares[][6] = {
       {613, 2389, 3922, 788, 1250, 5305}, {724, 1000, 1921, 362, 832, 2969},    {493, 2664, 4325, 922, 2344, 3697},
       {730, 1370, 1469, 272, 392, 4365},  {488, 1037, 1637, 45, 1282, 2729},    {1109, 1385, 2525, 738, 1733, 2701},

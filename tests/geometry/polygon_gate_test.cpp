@@ -110,7 +110,7 @@ RC_GTEST_PROP(PolygonGate, AgreesWithTestingAllPairsOfSides, ()) {
       if (j != i && (j + 1) % n != i && (i + 1) % n != j) simple = !segments_meet(s, {clean[j], clean[(j + 1) % n]});
   }
   RC_TAG(simple ? "simple" : "not simple");
-  RC_ASSERT((verdict({ring, {}}) == "fine") == simple);
+  RC_ASSERT((verdict({ring, {}}) == "accepted") == simple);
 }
 
 TEST(PolygonGate, IsFastOnLargeStars) {

@@ -1,5 +1,5 @@
-// The Voronoi diagram and the gates share nothing but predicates: they have to say the same about every disc. In walled worlds, for what is
-// an opening to the gates is a wall to the diagram.
+// The Voronoi diagram and the gates share nothing but predicates: they have to say the same about every disc. In walled
+// worlds, for what is an opening to the gates is a wall to the diagram.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
@@ -90,7 +90,8 @@ RC_GTEST_PROP(ClearanceAgreement, OfDiagramAndGatesInMessyWorlds, ()) {
   for (int n = 0; n < 3; ++n) expect_agreement(space, test::any_fine_point(6), test::any_fine_point(6));
 }
 
-/// Slanting bars have corners that were rounded, and a foot as near to an edge's end as that counts as on it (VoronoiRoadmap, guarantee 4).
+/// Slanting bars have corners that were rounded, and a foot as near to an edge's end as that counts as on it
+/// (VoronoiRoadmap, guarantee 4).
 RC_GTEST_PROP(ClearanceAgreement, OfDiagramAndGatesWithThickWalls, ()) {
   const bool straight = test::any(0, 1) == 1;
   const SmallWorld small =
@@ -109,7 +110,8 @@ RC_GTEST_PROP(ClearanceAgreement, OfDiagramAndGatesInMazes, ()) {
   expect_agreement(FreeSpace(std::move(world)), test::any_fine_point(cells), test::any_fine_point(cells));
 }
 
-/// The widest way through points of a grid and the straight steps between neighbours, by a flood in the order of clearance.
+/// The widest way through points of a grid and the straight steps between neighbours, by a flood in the order of
+/// clearance.
 double widest_on_grid(const FreeSpace& space, Point s, Point g, int side, int steps) {
   const double step = double(side) / steps;
   const int row = steps + 1;

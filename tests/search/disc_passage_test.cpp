@@ -120,7 +120,8 @@ TEST(DiscPassage, AWallOnTheOutlineOfAnOpenWorldIsAWall) {
 }
 
 TEST(DiscPassage, AWallReachesOutThroughAnOpening) {
-  // A slot that is not part of the world, between a wall and a door's other post: the centre cannot be there, but the disc can.
+  // A slot that is not part of the world, between a wall and a door's other post: the centre cannot be there, but the
+  // disc can.
   WorldParts parts;
   parts.areas.push_back({Polygon{test::box_ring(0, 0, 10, 10), {{{4.8, 2}, {4.8, 8}, {5, 8}, {5, 2}}}}, 0});
   parts.boundary = Boundary::limit;

@@ -148,7 +148,8 @@ TEST(GraphSearch, SeesADifferenceBelowTheRoundingOfTheLength) {
 }
 
 TEST(GraphSearch, OpensAgainWhatRoundingClosedTooEarly) {
-  // Legs far shorter than an ulp of what lies behind them: bounds cannot order their ends, so a vertex may be expanded by the longer way first.
+  // Legs far shorter than an ulp of what lies behind them: bounds cannot order their ends, so a vertex may be expanded
+  // by the longer way first.
   const double far = 0x1p40, tiny = 0x1p-30;
   std::mt19937_64 draw(3);
   for (int round = 0; round < 200; ++round) {

@@ -1,4 +1,5 @@
-// Every search against an independent least cost: Bellman-Ford style relaxation on counts, compared in long double and checked by squares.
+// Every search against an independent least cost: Bellman-Ford style relaxation on counts, compared in long double and
+// checked by squares.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <vector>

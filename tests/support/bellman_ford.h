@@ -16,7 +16,8 @@ inline Length plus_leg(Length length, Point p, Point q) {
   return length;
 }
 
-/// An independent road to the same answer: rounds over all legs until nothing gets shorter. Lengths of vertices, then of goals.
+/// An independent road to the same answer: rounds over all legs until nothing gets shorter. Lengths of vertices, then
+/// of goals.
 inline std::vector<std::optional<Length>> bellman_ford(const Roadmap& map, const GraphQuery& query) {
   std::vector<std::optional<Length>> best(map.vertex_count() + query.goals.size());
   const auto offer = [&](std::size_t v, Length length) {

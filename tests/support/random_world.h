@@ -1,4 +1,5 @@
-// Small messy worlds for RapidCheck: walls on a lattice that cross, touch, overlap and repeat; blocks that touch and overlap.
+// Small messy worlds for RapidCheck: walls on a lattice that cross, touch, overlap and repeat; blocks that touch and
+// overlap.
 #pragma once
 
 #include <string>

@@ -70,7 +70,8 @@ class Tangent {
     is_straight_ = true;
   }
 
-  /// Goes straight on until `hit`, or what is in the way from there, is within range; not when there is no such pair of doubles.
+  /// Goes straight on until `hit`, or what is in the way from there, is within range; not when there is no such pair of
+  /// doubles.
   bool approach(const ExactPoint& hit) {
     const double dx = here().x.get_d() - hit.x.get_d(), dy = here().y.get_d() - hit.y.get_d();
     const double part = options_.range * (1 - 0x1p-30) / std::hypot(dx, dy);

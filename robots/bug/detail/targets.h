@@ -19,8 +19,8 @@ struct Corner {
   Walk walk;
 };
 
-/// Targets v are compared by what they promise: |xv| + d(v), x being the stand and d the distance to the goal. Exact; ties go to `preferred`,
-/// the side on which a target lies or to which a contour is followed. Keeps references.
+/// Targets v are compared by what they promise: |xv| + d(v), x being the stand and d the distance to the goal. Exact;
+/// ties go to `preferred`, the side on which a target lies or to which a contour is followed. Keeps references.
 class Targets {
  public:
   Targets(const Places& places, const Stand& stand, const Spot& goal, Turn preferred)

@@ -11,8 +11,8 @@
 
 namespace taut::micromouse::detail {
 
-/// Where a robot can stand and what that shows. A pose is (cell, heading, felt): felt means that it came here backwards and was
-/// stopped by the wall behind, which it then knows.
+/// Where a robot can stand and what that shows. A pose is (cell, heading, felt): felt means that it came here backwards
+/// and was stopped by the wall behind, which it then knows.
 class Poses {
  public:
   using Pose = std::uint32_t;
@@ -51,8 +51,8 @@ class Poses {
 /// A demand on the walk: it has to be in one of these poses.
 using PoseGroup = std::vector<Poses::Pose>;
 
-/// The shortest walk from the start that meets all groups, as poses. Breadth-first over (groups met, pose): O(2^groups * poses).
-/// Precondition: fewer than 32 groups.
+/// The shortest walk from the start that meets all groups, as poses. Breadth-first over (groups met, pose): O(2^groups
+/// * poses). Precondition: fewer than 32 groups.
 std::vector<Poses::Pose> shortest_walk(const Poses& poses, const std::vector<PoseGroup>& groups);
 
 }  // namespace taut::micromouse::detail

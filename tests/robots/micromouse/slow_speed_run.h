@@ -17,7 +17,8 @@ namespace taut::micromouse {
 
 inline constexpr double kPi = std::numbers::pi, kRoot = std::numbers::sqrt2;
 
-/// The speed over the way as the lower of what can be reached from the begin and what still stops for the end, on a fine grid.
+/// The speed over the way as the lower of what can be reached from the begin and what still stops for the end, on a
+/// fine grid.
 inline std::optional<double> integrated_seconds(const Ramp& ramp, double from, double to, double metres) {
   constexpr int kSlices = 4000;
   std::vector<double> v(kSlices + 1, ramp.top_speed);
@@ -81,7 +82,7 @@ inline std::vector<Point> drawn(const Curve& c, Spot from, int heading, int side
   return line;
 }
 
-Cell cell_of(Point p) { return {static_cast<int>(std::floor(p.x / 2)), static_cast<int>(std::floor(p.y / 2))}; }
+inline Cell cell_of(Point p) { return {static_cast<int>(std::floor(p.x / 2)), static_cast<int>(std::floor(p.y / 2))}; }
 
 inline bool on_wall_line(Point p) {
   return std::abs(p.x - 2 * std::round(p.x / 2)) < 1e-6 || std::abs(p.y - 2 * std::round(p.y / 2)) < 1e-6;
