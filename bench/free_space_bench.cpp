@@ -1,4 +1,5 @@
-// Walls with a thickness, united: ours against CGAL's Polygon_set_2::join on the same rectangles; and the whole free space, by size.
+// Walls with a thickness, united: ours against CGAL's Polygon_set_2::join on the same rectangles; and the whole free
+// space, by size.
 #include <benchmark/benchmark.h>
 
 #include <CGAL/Boolean_set_operations_2.h>
@@ -10,25 +11,16 @@
 
 #include <taut/geometry/detail/obstacles.h>
 #include <taut/geometry/free_space.h>
-#include <taut/geometry/maze_generator.h>
 #include <taut/geometry/predicates.h>
+
+#include "mazes.h"
 
 namespace {
 
 using namespace taut;
+using bench::opened_maze;
 
-World thick_maze(int cells) {
-  return world_of(std::make_shared<GridMaze>(generate_backtracker(cells, cells, 1))).with_wall_thickness(0.25);
-}
-
-/// The same maze turned by an angle whose sine and cosine are 5/13 and 12/13: no wall is axis-parallel.
-World turned_maze(int cells) {
-  const World straight = thick_maze(cells);
-  const auto turn = [](Point p) { return Point{(12 * p.x - 5 * p.y) / 13, (5 * p.x + 12 * p.y) / 13}; };
-  WorldParts parts;
-  for (Wall wall : straight.walls()) parts.walls.push_back({turn(wall.a), turn(wall.b), wall.thickness, 0});
-  return World(parts);
-}
+World thick_maze(int cells) { return opened_maze(cells, 0).with_wall_thickness(0.25); }
 
 double doubled_area(const std::vector<Polygon>& polygons) {
   double sum = 0;
@@ -39,8 +31,8 @@ double doubled_area(const std::vector<Polygon>& polygons) {
   return sum;
 }
 
-/// Of a perfect maze of n x n cells, its walls 1/4 thick: each cell leaves a square of 3/4, each of the n^2 - 1 passages a rectangle of
-/// 3/4 x 1/4 more between two of them.
+/// Of a perfect maze of n x n cells, its walls 1/4 thick: each cell leaves a square of 3/4, each of the n^2 - 1
+/// passages a rectangle of 3/4 x 1/4 more between two of them.
 double free_area(double n) { return (9 * n * n + 3 * (n * n - 1)) / 16; }
 double free_outline(double n) { return 3 * n * n - (n * n - 1); }
 
@@ -65,7 +57,7 @@ void unite(benchmark::State& state, const World& world, double rim) {
 void BM_UniteStraight(benchmark::State& state) { unite(state, thick_maze(static_cast<int>(state.range(0))), 0); }
 void BM_UniteTurned(benchmark::State& state) {
   const int cells = static_cast<int>(state.range(0));
-  const World world = turned_maze(cells);
+  const World world = bench::turned(thick_maze(cells));
   const Box box = world.box();  // the outline of an open world is part of it
   unite(state, world, 4 * (cells + 0.25) + 2 * (box.max.x - box.min.x + box.max.y - box.min.y));
 }
@@ -107,7 +99,7 @@ void BM_FreeSpaceThick(benchmark::State& state) {
 }
 void BM_FreeSpaceTurned(benchmark::State& state) {
   const int cells = static_cast<int>(state.range(0));
-  const World world = turned_maze(cells);
+  const World world = bench::turned(thick_maze(cells));
   const Box box = world.box();
   const double all = (box.max.x - box.min.x) * (box.max.y - box.min.y), maze = (cells + 0.25) * (cells + 0.25);
   free_space(state, world, all - maze + free_area(cells));

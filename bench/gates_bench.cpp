@@ -1,30 +1,16 @@
-// Where a disc can go, by size of maze: all gates, then single questions. Peer: the free space inflated by the disc, one radius at a time.
+// Where a disc can go, by size of maze: all gates, then single questions. Peer: the free space inflated by the disc,
+// one radius at a time.
 #include <benchmark/benchmark.h>
 
-#include <memory>
-
-#include <taut/geometry/maze_generator.h>
 #include <taut/search/disc_passage.h>
+
+#include "mazes.h"
 
 namespace {
 
 using namespace taut;
 
-/// A backtracker maze with a tenth of its walls taken down, walls `thickness` thick.
-World opened_maze(int cells, double thickness) {
-  auto maze = std::make_shared<GridMaze>(generate_backtracker(cells, cells, 1));
-  open_walls(*maze, 0.1, 1);
-  return world_of(maze).with_wall_thickness(thickness);
-}
-
-/// The same maze turned by an angle whose sine and cosine are 5/13 and 12/13: no wall is axis-parallel.
-World turned_maze(int cells) {
-  const World straight = opened_maze(cells, 0);
-  const auto turn = [](Point p) { return Point{(12 * p.x - 5 * p.y) / 13, (5 * p.x + 12 * p.y) / 13}; };
-  WorldParts parts;
-  for (Wall wall : straight.walls()) parts.walls.push_back({turn(wall.a), turn(wall.b), wall.thickness, 0});
-  return World(parts);
-}
+World thick_maze(int cells) { return bench::opened_maze(cells, 0.1).with_wall_thickness(0.25); }
 
 void find_gates(benchmark::State& state, const World& world) {
   const FreeSpace space(world);
@@ -34,14 +20,18 @@ void find_gates(benchmark::State& state, const World& world) {
   state.counters["gates"] = static_cast<double>(count);
 }
 
-void BM_GatesThin(benchmark::State& state) { find_gates(state, opened_maze(static_cast<int>(state.range(0)), 0)); }
-void BM_GatesThick(benchmark::State& state) { find_gates(state, opened_maze(static_cast<int>(state.range(0)), 0.25)); }
-void BM_GatesTurned(benchmark::State& state) { find_gates(state, turned_maze(static_cast<int>(state.range(0)))); }
+void BM_GatesThin(benchmark::State& state) {
+  find_gates(state, bench::opened_maze(static_cast<int>(state.range(0)), 0.1));
+}
+void BM_GatesThick(benchmark::State& state) { find_gates(state, thick_maze(static_cast<int>(state.range(0)))); }
+void BM_GatesTurned(benchmark::State& state) {
+  find_gates(state, bench::turned(bench::opened_maze(static_cast<int>(state.range(0)), 0.1)));
+}
 
 /// Corner to corner, by a disc that fits and by one that does not; the answers are checked.
 void BM_Passage(benchmark::State& state) {
   const int cells = static_cast<int>(state.range(0));
-  const Gates gates{FreeSpace(opened_maze(cells, 0.25))};
+  const Gates gates{FreeSpace(thick_maze(cells))};
   const Point s{0.5, 0.5}, g{cells - 0.5, cells - 0.5};
   for (auto _ : state) {
     const bool right = disc_passage(gates, s, g, 0.375).status == PassageStatus::reachable &&
@@ -52,7 +42,7 @@ void BM_Passage(benchmark::State& state) {
 
 void BM_Widest(benchmark::State& state) {
   const int cells = static_cast<int>(state.range(0));
-  const Gates gates{FreeSpace(opened_maze(cells, 0.25))};
+  const Gates gates{FreeSpace(thick_maze(cells))};
   for (auto _ : state) {
     const auto widest = widest_passage(gates, {0.5, 0.5}, {cells - 0.5, cells - 0.5});
     if (!widest || widest->radius != 0.375) state.SkipWithError("wrong answer");
@@ -62,7 +52,7 @@ void BM_Widest(benchmark::State& state) {
 /// The peer: an inflated free space answers for one radius, to within 0.121 %.
 void BM_InflatedPolygon(benchmark::State& state) {
   const int cells = static_cast<int>(state.range(0));
-  const World world = opened_maze(cells, 0.25);
+  const World world = thick_maze(cells);
   for (auto _ : state) {
     const FreeSpace space(world, Footprint::disc(0.3));
     const auto part = [&](Point p) { return space.component(space.locate(p).triangle); };

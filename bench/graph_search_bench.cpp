@@ -1,5 +1,5 @@
-// Exact search against Boost.Graph with double weights stored beside the edges, on an 8-connected lattice, where nearly every
-// length is tied. The peer's answer is checked against the exact one to rounding.
+// Exact search against Boost.Graph with double weights stored beside the edges, on an 8-connected lattice, where nearly
+// every length is tied. The peer's answer is checked against the exact one to rounding.
 #include <benchmark/benchmark.h>
 
 #include <boost/graph/astar_search.hpp>

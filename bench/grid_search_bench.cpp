@@ -1,5 +1,5 @@
-// Searches on one grid side by side, with Boost.Graph's A* and Dijkstra on the same grid as peers. Every answer is checked: exact
-// costs must be equal, the peers' doubles must agree to rounding, and each path is replayed.
+// Searches on one grid side by side, with Boost.Graph's A* and Dijkstra on the same grid as peers. Every answer is
+// checked: exact costs must be equal, the peers' doubles must agree to rounding, and each path is replayed.
 #include <benchmark/benchmark.h>
 
 #include <boost/graph/astar_search.hpp>
@@ -32,7 +32,8 @@ struct Task {
   GridPlace start, goal;
 };
 
-/// The first and the last cell, by rows, from which a quarter of the free cells can be reached, so that a path joins them.
+/// The first and the last cell, by rows, from which a quarter of the free cells can be reached, so that a path joins
+/// them.
 Task task_of(GridKind kind) {
   Task task{taut::generate_grid(kind, kSide, kSide, 1), {}, {}};
   taut::GridSearch search(task.grid, GridMoves::octile);
@@ -120,7 +121,8 @@ struct StopAtGoal : boost::default_astar_visitor {
   }
 };
 
-/// The peer's graph is built beforehand and counted for nobody; its maps are filled for each query, as its users have to.
+/// The peer's graph is built beforehand and counted for nobody; its maps are filled for each query, as its users have
+/// to.
 void boost_astar(benchmark::State& state, GridKind kind) {
   const Task& t = task(kind);
   const Csr graph = graph_of(t.grid);

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -27,7 +26,8 @@ struct Named {
   GridMaze maze;
 };
 
-/// n = 12, 14, 16 in turn; a backtracker maze with walls taken down until 38 % of the interior ones stand, and a start with one way.
+/// n = 12, 14, 16 in turn; a backtracker maze with walls taken down until 38 % of the interior ones stand, and a start
+/// with one way.
 GridMaze generated(int n, std::uint64_t seed) {
   GridMaze maze = generate_backtracker(n, n, seed);
   const double walls = (n - 1.0) * (n - 1.0), wanted = 0.38 * 2 * n * (n - 1.0);

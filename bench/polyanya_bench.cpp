@@ -1,6 +1,7 @@
-// Polyanya against the visibility graph, built for a query or at hand, and Boost.Graph's A* on the cell graph (through cell_search, whose
-// answers are grid answers: longer). Mazes by size with a tenth of the inner walls taken down, and grid maps of others where they are present.
-// All exact answers are compared exactly, those of the grid maps with the lengths published for the reference implementation too.
+// Polyanya against the visibility graph, built for a query or at hand, and Boost.Graph's A* on the cell graph (through
+// cell_search, whose answers are grid answers: longer). Mazes by size with a tenth of the inner walls taken down, and
+// grid maps of others where they are present. All exact answers are compared exactly, those of the grid maps with the
+// lengths published for the reference implementation too.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -11,7 +12,6 @@
 #include <random>
 #include <string>
 
-#include <taut/geometry/maze_generator.h>
 #include <taut/io/query_lines.h>
 #include <taut/io/read_world.h>
 #include <taut/roadmaps/cell_graph.h>
@@ -19,9 +19,12 @@
 #include <taut/search/polyanya.h>
 #include <taut/search/shortest_path.h>
 
+#include "mazes.h"
+
 namespace {
 
 using namespace taut;
+using bench::opened_maze;
 
 struct Pair {
   Point from, to;
@@ -37,9 +40,7 @@ constexpr double kOpened = 0.1;
 constexpr std::size_t kLandmarks = 8;
 
 Case maze(int cells, double opened) {
-  auto grid = std::make_shared<GridMaze>(generate_backtracker(cells, cells, 1));
-  open_walls(*grid, opened, 1);
-  Case made{FreeSpace(world_of(std::move(grid))), {}};
+  Case made{FreeSpace(opened_maze(cells, opened)), {}};
   std::mt19937_64 engine(5);
   const auto place = [&] {
     const double x = static_cast<double>(engine() % static_cast<unsigned>(cells)) + 0.5,
@@ -151,7 +152,7 @@ void BM_CellsQuery(benchmark::State& state) {
   peer_query(state, on, false, [&](const Pair& p) { return cell_search(graph, p.from, {p.to, {}}); });
 }
 
-// ---- grid maps of others ------------------------------------------------------------------------------------------------------------
+// ---- grid maps of others --------------------------------------------------------------------------------------------
 
 const char* const kMaps[] = {"arena", "brc202d", "maze512-32-0", "maze512-8-0", "maze512-8-0-braid20"};
 

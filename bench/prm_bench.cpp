@@ -1,5 +1,6 @@
-// Time to the first solution of a growing PRM on perfect mazes of 7 to 61 cells a side, by connection rule and sampler, with the seed moving on
-// from run to run. Every answer is checked. Beside it: the exact shortest path on the same space, graph included.
+// Time to the first solution of a growing PRM on perfect mazes of 7 to 61 cells a side, by connection rule and sampler,
+// with the seed moving on from run to run. Every answer is checked. Beside it: the exact shortest path on the same
+// space, graph included.
 #include <benchmark/benchmark.h>
 
 #include <memory>

@@ -1,4 +1,5 @@
-// Catching a moving target: the exact planner beside the report's and beside the full dynamic programme; large maps; the reader.
+// Catching a moving target: the exact planner beside the report's and beside the full dynamic programme; large maps;
+// the reader.
 #include <benchmark/benchmark.h>
 
 #include <string>

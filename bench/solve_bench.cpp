@@ -1,24 +1,18 @@
 // From walls to a checked shortest path, by size: what `taut solve` does, without reading and drawing.
 #include <benchmark/benchmark.h>
 
-#include <memory>
-
-#include <taut/geometry/maze_generator.h>
 #include <taut/search/shortest_path.h>
 #include <taut/search/verify.h>
+
+#include "mazes.h"
 
 namespace {
 
 using namespace taut;
-
-World maze(int cells, double opened) {
-  auto grid = std::make_shared<GridMaze>(generate_backtracker(cells, cells, 1));
-  open_walls(*grid, opened, 1);
-  return world_of(std::move(grid));
-}
+using bench::opened_maze;
 
 void solve(benchmark::State& state, double opened) {
-  const World world = maze(static_cast<int>(state.range(0)), opened);
+  const World world = opened_maze(static_cast<int>(state.range(0)), opened);
   for (auto _ : state) {
     const FreeSpace space(world);
     const VisibilityGraph graph(space);
@@ -47,7 +41,7 @@ BENCHMARK(BM_SolveHalfOpen)->Arg(45)->Arg(100)->Arg(200)->Unit(benchmark::kMilli
 
 /// Queries on a finished graph.
 void query(benchmark::State& state, GraphAlgorithm algorithm) {
-  const World world = maze(static_cast<int>(state.range(0)), 0.5);
+  const World world = opened_maze(static_cast<int>(state.range(0)), 0.5);
   const VisibilityGraph graph{FreeSpace(world)};
   std::size_t expanded = 0;
   for (auto _ : state) expanded = shortest_path(graph, *world.start(), world.goal(), algorithm).expanded;

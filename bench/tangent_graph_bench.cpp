@@ -1,33 +1,25 @@
-// The shortest path of a disc of radius 0.3 through mazes by size: true arcs. Peer: the space inflated by the circumscribed 64-gon and its reduced
-// visibility graph, space included, for an end-to-end answer.
+// The shortest path of a disc of radius 0.3 through mazes by size: true arcs. Peer: the space inflated by the
+// circumscribed 64-gon and its reduced visibility graph, space included, for an end-to-end answer.
 #include <benchmark/benchmark.h>
 
-#include <memory>
-
-#include <taut/geometry/maze_generator.h>
 #include <taut/search/arc_search.h>
-#include <taut/search/disc_passage.h>
 #include <taut/search/shortest_path.h>
 #include <taut/search/verify_arcs.h>
+
+#include "mazes.h"
 
 namespace {
 
 using namespace taut;
+using bench::opened_maze;
 
 constexpr double kRadius = 0.3;
-
-/// A backtracker maze with a tenth of its walls taken down.
-World maze(int cells) {
-  auto maze = std::make_shared<GridMaze>(generate_backtracker(cells, cells, 1));
-  open_walls(*maze, 0.1, 1);
-  return world_of(maze);
-}
 
 Point corner(int cells) { return {cells - 0.5, cells - 0.5}; }
 
 void BM_TangentGraph(benchmark::State& state) {
   const int cells = static_cast<int>(state.range(0));
-  const World world = maze(cells);
+  const World world = opened_maze(cells, 0.1);
   ArcSearchResult result;
   std::size_t legs = 0;
   for (auto _ : state) {
@@ -44,7 +36,7 @@ void BM_TangentGraph(benchmark::State& state) {
 
 void BM_Query(benchmark::State& state) {
   const int cells = static_cast<int>(state.range(0));
-  const TangentGraph graph(FreeSpace(maze(cells)), kRadius);
+  const TangentGraph graph(FreeSpace(opened_maze(cells, 0.1)), kRadius);
   for (auto _ : state)
     if (arc_search(graph, {0.5, 0.5}, corner(cells)).status != ArcStatus::found) state.SkipWithError("wrong answer");
 }
@@ -52,7 +44,7 @@ void BM_Query(benchmark::State& state) {
 /// Its length is at most 0.121 % of the radius an arc longer, and never shorter.
 void BM_InflatedPolygon(benchmark::State& state) {
   const int cells = static_cast<int>(state.range(0));
-  const World world = maze(cells);
+  const World world = opened_maze(cells, 0.1);
   double length = 0;
   for (auto _ : state) {
     const auto path = shortest_path(FreeSpace(world, Footprint::disc(kRadius)), {0.5, 0.5}, corner(cells));

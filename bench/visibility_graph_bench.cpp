@@ -1,5 +1,6 @@
-// The visibility graph by size and kind, against what a user of CGAL would write: one Triangular_expansion_visibility_2 region for each
-// corner, on the same walls. (CGAL's regions are no graph yet: its vertices would still have to be found again.)
+// The visibility graph by size and kind, against what a user of CGAL would write: one Triangular_expansion_visibility_2
+// region for each corner, on the same walls. (CGAL's regions are no graph yet: its vertices would still have to be
+// found again.)
 #include <benchmark/benchmark.h>
 
 #include <CGAL/Arr_segment_traits_2.h>
@@ -7,23 +8,16 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Triangular_expansion_visibility_2.h>
 
-#include <cmath>
-#include <memory>
-
-#include <taut/geometry/maze_generator.h>
 #include <taut/roadmaps/visibility_graph.h>
 #include <taut/search/shortest_path.h>
 #include <taut/search/verify.h>
 
+#include "mazes.h"
+
 namespace {
 
 using namespace taut;
-
-FreeSpace maze(int cells, double opened) {
-  auto grid = std::make_shared<GridMaze>(generate_backtracker(cells, cells, 1));
-  open_walls(*grid, opened, 1);
-  return FreeSpace(world_of(std::move(grid)));
-}
+using bench::opened_maze;
 
 /// The edges of 500 vertices, spread evenly, against FreeSpace::sees.
 const char* fault_of(const Roadmap& roadmap, const FreeSpace& space) {
@@ -51,7 +45,7 @@ void check_paths(benchmark::State& state, const FreeSpace& space, int cells) {
 }
 
 void build(benchmark::State& state, double opened, VisibilityKind kind) {
-  const FreeSpace space = maze(static_cast<int>(state.range(0)), opened);
+  const FreeSpace space(opened_maze(static_cast<int>(state.range(0)), opened));
   std::size_t edges = 0, vertices = 0;
   for (auto _ : state) {
     const VisibilityGraph graph(space, kind);
@@ -77,7 +71,7 @@ void BM_FullHalfOpen(benchmark::State& state) { build(state, 0.5, VisibilityKind
 void cgal_regions(benchmark::State& state, double opened) {
   using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
   using Arrangement = CGAL::Arrangement_2<CGAL::Arr_segment_traits_2<Kernel>>;
-  const FreeSpace space = maze(static_cast<int>(state.range(0)), opened);
+  const FreeSpace space(opened_maze(static_cast<int>(state.range(0)), opened));
   std::vector<CGAL::Segment_2<Kernel>> segments;
   for (const Constraint& c : space.constraints()) segments.push_back({{c.a.x, c.a.y}, {c.b.x, c.b.y}});
   Arrangement walls;

@@ -1,5 +1,6 @@
-// The Voronoi roadmap by size, beside what it stands on (CGAL's bare segment Delaunay graph) and beside Boost.Polygon's diagram of the same
-// walls. Boost's takes integers only and its vertices are inexact; it has edges in solids and at end points still in it, as CGAL's has.
+// The Voronoi roadmap by size, beside what it stands on (CGAL's bare segment Delaunay graph) and beside Boost.Polygon's
+// diagram of the same walls. Boost's takes integers only and its vertices are inexact; it has edges in solids and at
+// end points still in it, as CGAL's has.
 #include <benchmark/benchmark.h>
 
 #include <boost/polygon/voronoi.hpp>
@@ -9,7 +10,6 @@
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 #include <vector>

@@ -25,7 +25,7 @@ double epsilon_of(const std::string& text) {
 }
 
 void tell(const AnytimeImprovement& stage) {
-  note(fmt::format("epsilon {:.4g}: length {}, bound {}, {} expanded, {}", stage.epsilon, stage.length.decimals(6),
+  note(fmt::format("epsilon {:.4g}: length {}, bound {}, {} expanded, {}", stage.epsilon, length_text(stage.length),
                    bound_text(stage.bound), stage.expanded, seconds_text(stage.seconds)));
 }
 

@@ -99,8 +99,7 @@ int solve_with_arcs(const WorldOptions& world, const QueryOptions& query, const 
   write_file(output.svg, drawing);
   write_file(output.json, json);
   if (!output.quiet && !output.stdout_taken()) print(source + ": " + line + "\n");
-  if (points && found)
-    for (const Point& p : sampled(result.path, r / 1000)) print(number_text(p.x) + " " + number_text(p.y) + "\n");
+  if (points && found) print(points_text(sampled(result.path, r / 1000)));
   if (output.stats)
     note(
         fmt::format("free space {:.4f} s, tangent graph {:.4f} s ({} corners, {} tangent points, {} tangents, {} "

@@ -16,7 +16,8 @@ namespace {
 
 constexpr std::size_t kNamed = 4;
 
-/// A dead end behind the opening, on the side that is not the world's. It widens, so that the door itself is what is narrow.
+/// A dead end behind the opening, on the side that is not the world's. It widens, so that the door itself is what is
+/// narrow.
 Ring porch(const Segment& door, const Box& box) {
   const double depth = std::max(std::abs(door.b.x - door.a.x), std::abs(door.b.y - door.a.y));
   const bool vertical = door.a.x == door.b.x;

@@ -10,8 +10,8 @@
 
 namespace taut::cli {
 
-/// A world in which its limits are walls, so that a disc stays inside whole; but where one of the `ends` stands on an opening that is
-/// parallel to an axis, the opening is a door into a dead end as deep as it is wide.
+/// A world in which its limits are walls, so that a disc stays inside whole; but where one of the `ends` stands on an
+/// opening that is parallel to an axis, the opening is a door into a dead end as deep as it is wide.
 World walled_world(const World& world, const std::vector<Point>& ends);
 
 struct NamedGate {
@@ -48,8 +48,8 @@ std::string separation_text(const Barrier& barrier);
 std::string blocked_text(const Gates& gates, const DiscPassage& passage, const Barrier& barrier, Point start,
                          Point goal, double r);
 
-/// `narrowest 1 between (3, 4) and (3, 5), of the walls (3, 0)-(3, 4) and (3, 5)-(3, 9)`; at an end `nearest to a wall at the
-/// start (1, 1): 0.5 from the wall (0, 0)-(9, 0)`.
+/// `narrowest 1 between (3, 4) and (3, 5), of the walls (3, 0)-(3, 4) and (3, 5)-(3, 9)`; at an end
+/// `nearest to a wall at the start (1, 1): 0.5 from the wall (0, 0)-(9, 0)`.
 std::string pinch_text(const Pinch& pinch, const FreeSpace& space, const std::string& width = {});
 
 }  // namespace taut::cli

@@ -10,7 +10,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <memory>
 #include <sstream>
 
 #include <taut/cli/command.h>
@@ -29,8 +28,8 @@ namespace taut::cli {
 
 namespace {
 
-// Landmarks are made once the searches have taken about as many nodes as making them takes, if paths wind: where they are
-// hardly longer than straight lines landmarks say nothing that those do not.
+// Landmarks are made once the searches have taken about as many nodes as making them takes, if paths wind: where they
+// are hardly longer than straight lines landmarks say nothing that those do not.
 constexpr std::size_t kNodesABend = 32;
 constexpr double kWinding = 1.1;
 constexpr std::size_t kBlock = 1 << 16;  // of results, where nobody waits for each

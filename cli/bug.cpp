@@ -1,4 +1,5 @@
-// taut bug: a robot that touches walls, or sees some way, by Bug 1, Bug 2 or Tangent Bug; taut bug compare: all of them.
+// taut bug: a robot that touches walls, or sees some way, by Bug 1, Bug 2 or Tangent Bug; taut bug compare: all of
+// them.
 #include <fmt/format.h>
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>

@@ -139,10 +139,10 @@ std::vector<std::string> bug_facts(const BugWorld& world, const bug::Options& op
   const bool is_tangent = options.algorithm == Algorithm::tangent;
   std::vector<std::string> facts{is_tangent ? "tangent bug" : "bug " + name_of(options.algorithm).substr(3)};
   if (is_tangent) facts.push_back("range " + range_text(options.range));
-  const std::string length = journey.path.length.decimals(6);
+  const std::string length = length_text(journey.path.length);
   facts.push_back(journey.reached ? "length " + length : "no path, proven after a walk of " + length);
   if (const auto ratio = ratio_of(world, journey))
-    facts.push_back(fmt::format("{:.3f} times the shortest {}", *ratio, world.shortest->decimals(6)));
+    facts.push_back(fmt::format("{:.3f} times the shortest {}", *ratio, length_text(*world.shortest)));
   facts.push_back(fmt::format("bound {:.6f}", journey.bound.hi));
   facts.push_back(count_text(journey.hits.size(), "hit point"));
   if (is_tangent) facts.push_back(count_text(journey.minima.size(), "contour followed", "contours followed"));

@@ -24,7 +24,8 @@ struct BugWorld {
 /// Throws InputError.
 BugWorld read_bug_world(const WorldOptions& world, const QueryOptions& query);
 
-/// Throws std::logic_error when the journey does not pass verify(), is longer than its bound, or is wrong about whether there is a path.
+/// Throws std::logic_error when the journey does not pass verify(), is longer than its bound, or is wrong about whether
+/// there is a path.
 bug::Journey checked_journey(const BugWorld& world, const bug::Options& options);
 
 /// `bug1`, `bug2`, `tangent`

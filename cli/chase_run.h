@@ -57,8 +57,9 @@ std::string chase_text(const pursuit::ChaseMap& map, const ChaseRun& run);
 /// `x,y` at each second that a step ends, a line each: `0 119,45`.
 std::string track_text(const pursuit::ChaseMap& map, const ChaseRun& run);
 
-/// `file`, `status` (`found`, `none`, `stopped`), `planner` (`online`), `clock`, `free_planning`, `caught`, `time`, `moves`, `cost`, `proven`, `lower_bound`, `reason`, `planning`, `peak_memory_bytes`,
-/// `path` of [second, x, y]; when online `online`: `horizon`,
+/// `file`, `status` (`found`, `none`, `stopped`), `planner` (`online`), `clock`, `free_planning`, `caught`, `time`,
+/// `moves`, `cost`, `proven`, `lower_bound`, `reason`, `planning`, `peak_memory_bytes`, `path` of [second, x, y]; when
+/// online `online`: `horizon`,
 /// `clairvoyant_cost`, `ratio`.
 nlohmann::ordered_json chase_json(const pursuit::ChaseMap& map, const ChaseRun& run);
 

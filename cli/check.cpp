@@ -7,7 +7,6 @@
 #include <taut/cli/input.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
-#include <taut/geometry/errors.h>
 #include <taut/io/read_path.h>
 #include <taut/search/query_ends.h>
 #include <taut/search/verify.h>
@@ -55,7 +54,7 @@ Verdict judge(const ClaimedPath& claimed, const FreeSpace& space) {
   if (verdict.valid && claimed.length &&
       !(measured.lo - slack <= *claimed.length && *claimed.length <= measured.hi + slack)) {
     verdict.valid = false;
-    verdict.reason = fmt::format("it claims the length {}, but measures {}", *claimed.length, path.length.decimals(6));
+    verdict.reason = fmt::format("it claims the length {}, but measures {}", *claimed.length, length_text(path.length));
   }
   return verdict;
 }

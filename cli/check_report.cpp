@@ -59,7 +59,7 @@ void CheckReport::add_path(const ClaimedPath& path, const Verdict& verdict) { pa
 std::string CheckReport::path_text() const {
   const auto& [path, verdict] = *path_;
   if (!verdict.valid) return "not valid: " + verdict.reason;
-  return fmt::format("valid, length {}, {}, clearance {}", Length(path.points).decimals(6),
+  return fmt::format("valid, length {}, {}, clearance {}", length_text(Length(path.points)),
                      count_text(path.points.size(), "point"),
                      std::isfinite(verdict.clearance) ? number_text(verdict.clearance) : "unlimited");
 }

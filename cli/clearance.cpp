@@ -1,4 +1,5 @@
 #include <taut/cli/clearance.h>
+#include <taut/geometry/corridor_width.h>
 
 #include <fmt/format.h>
 #include <CLI/Error.hpp>
@@ -12,7 +13,6 @@
 #include <taut/cli/clearance_report.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
-#include <taut/cli/messages.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
 #include <taut/cli/timing.h>
@@ -200,27 +200,21 @@ class ClearanceSolver {
     write_file(output.svg, picture);
     write_file(output.json, json);
     if (!output.quiet && !output.stdout_taken()) print(clearance_text(answer_, walled));
-    if (!request_.path || answer_.status != SearchStatus::found) return;
-    std::string lines;
-    for (const Point p : points_of(answer_.found.front().path))
-      lines += number_text(p.x) + " " + number_text(p.y) + "\n";
-    print(lines);
+    if (request_.path && answer_.status == SearchStatus::found)
+      print(points_text(points_of(answer_.found.front().path)));
   }
 
   void stats(const Input& input) const {
     const StageSeconds& s = answer_.seconds;
-    const auto row = [](const char* stage, double seconds, const std::string& what) {
-      note(fmt::format("{:<12}{:>9.4f} s   {}", stage, seconds, what));
-    };
-    row("read", s.read, count_text(input.world.walls().size(), "wall"));
-    row("free space", s.space, "");
-    row("diagram", s.roadmap,
-        fmt::format("{}, {}, vertices within {:.2g}", count_text(answer_.places[0], "vertex", "vertices"),
-                    count_text(answer_.places[1], "edge"), answer_.max_error));
-    row("gates", gate_seconds_, count_text(gates_->gates().size(), "gate"));
-    row("search", s.search, "");
-    row("verify", s.verify, answer_.verified ? "walls and gates agree" : "not done");
-    row("total", s.total, "peak memory " + peak_memory_text());
+    note_stage("read", s.read, count_text(input.world.walls().size(), "wall"));
+    note_stage("free space", s.space, "");
+    note_stage("diagram", s.roadmap,
+               fmt::format("{}, {}, vertices within {:.2g}", count_text(answer_.places[0], "vertex", "vertices"),
+                           count_text(answer_.places[1], "edge"), answer_.max_error));
+    note_stage("gates", gate_seconds_, count_text(gates_->gates().size(), "gate"));
+    note_stage("search", s.search, "");
+    note_stage("verify", s.verify, answer_.verified ? "walls and gates agree" : "not done");
+    note_stage("total", s.total, "peak memory " + peak_memory_text());
   }
 
   const ClearanceRequest& request_;

@@ -26,12 +26,13 @@ struct ClearanceRequest {
   bool path = false;  ///< print its points
 };
 
-/// Throws CLI::ValidationError where the other options do not suit it: only a point robot, and no path of a tradeoff to print.
+/// Throws CLI::ValidationError where the other options do not suit it: only a point robot, and no path of a tradeoff to
+/// print.
 void require_suitable(const ClearanceRequest& request);
 
-/// Gives the exit code. What bounds the world counts as a wall (walled_world). A goal room stands for the middle of that of its boxes to
-/// which the largest disc gets. Every answer is checked against the gates (disc_passage), which know nothing of the diagram;
-/// should they differ by its rounding, the answer is `stopped`.
+/// Gives the exit code. What bounds the world counts as a wall (walled_world). A goal room stands for the middle of
+/// that of its boxes to which the largest disc gets. Every answer is checked against the gates (disc_passage), which
+/// know nothing of the diagram; should they differ by its rounding, the answer is `stopped`.
 int solve_with_clearance(const ClearanceRequest& request);
 
 }  // namespace taut::cli

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <string>
-#include <utility>
 
 #include <taut/cli/command.h>
 #include <taut/cli/compare_report.h>

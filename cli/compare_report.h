@@ -21,17 +21,18 @@ struct Comparison {
   std::optional<Length> optimum;  ///< of the plane; absent when there is no path, proven
 };
 
-/// One line a planner, columns aligned: solved (`yes`, `no`, of several runs `18/20`), length, ratio to the optimum (`1` only when the lengths
-/// are exactly equal), least clearance, vertices, edges, build and query seconds, expansions, verified. Of several runs medians; lengths
-/// and clearances are those of the typical run. Planners that did not run are left out.
+/// One line a planner, columns aligned: solved (`yes`, `no`, of several runs `18/20`), length, ratio to the optimum
+/// (`1` only when the lengths are exactly equal), least clearance, vertices, edges, build and query seconds,
+/// expansions, verified. Of several runs medians; lengths and clearances are those of the typical run. Planners that
+/// did not run are left out.
 std::string comparison_table(const Comparison& comparison);
 
 /// One JSON object; keys are stable:
 ///  program, source, seed, runs
 ///  optimum   the length of the shortest path in the plane, null when there is none
-///  planners  [{name, roadmap, optimal, solved (0 .. 1, the part of the runs), length, ratio, clearance, points, vertices, edges, build_seconds,
-///            query_seconds, expanded, verified, all_runs: [{seed, solved, length, ...}] when there are several}];
-///            of one that did not run {name, roadmap, unfit: why}
+///  planners  [{name, roadmap, optimal, solved (0 .. 1, the part of the runs), length, ratio, clearance, points,
+///            vertices, edges, build_seconds, query_seconds, expanded, verified, all_runs: [{seed, solved, length,
+///            ...}] when there are several}]; of one that did not run {name, roadmap, unfit: why}
 std::string comparison_json(const Comparison& comparison);
 
 /// Small multiples: each planner's roadmap and path, with its numbers; roadmaps of more than 20 000 edges are left out.

@@ -3,12 +3,10 @@
 
 #include <CLI/App.hpp>
 
-#include <optional>
-#include <string>
-
-#include <taut/cli/options.h>
 #include <taut/io/grid_csv.h>
 #include <taut/search/grid_search.h>
+#include <optional>
+#include <string>
 
 namespace taut::cli {
 
@@ -44,7 +42,8 @@ GridInput read_grid_input(const GridOptions& options, bool with_start = true);
 /// Four neighbours, but octile in MovingAI's maps and for jump point search, when nothing is said.
 GridQuery grid_query(const GridSearchOptions& options, GridMoves moves);
 
-/// The steps that may be taken when nothing is said: greedy and idastar can take exponentially many, greedy with as much memory.
+/// The steps that may be taken when nothing is said: greedy and idastar can take exponentially many, greedy with as
+/// much memory.
 std::size_t grid_budget(GridAlgorithm algorithm);
 
 /// `7`, `3 + 2 sqrt(2)`: exact.

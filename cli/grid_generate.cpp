@@ -8,13 +8,12 @@
 
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>
-#include <taut/cli/grid.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
 #include <taut/cli/stop.h>
-#include <taut/geometry/errors.h>
 #include <taut/geometry/grid_generator.h>
 #include <taut/io/movingai.h>
+#include <taut/search/grid_search.h>
 
 namespace taut::cli {
 
@@ -86,7 +85,8 @@ GridPlace drawn_place(const OccupancyGrid& grid, std::mt19937_64& engine) {
   }
 }
 
-/// Pairs that a path joins, in the order they were drawn; the bucket is a quarter of the length, as in MovingAI's files.
+/// Pairs that a path joins, in the order they were drawn; the bucket is a quarter of the length, as in MovingAI's
+/// files.
 std::vector<Scenario> drawn_scenarios(const OccupancyGrid& grid, const GenerateOptions& options) {
   GridSearch search(grid, GridMoves::octile);
   std::mt19937_64 engine(options.common.seed);

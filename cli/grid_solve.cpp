@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>

@@ -4,10 +4,8 @@
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>
 
-#include <algorithm>
 #include <array>
 #include <optional>
-#include <utility>
 
 #include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>

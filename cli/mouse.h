@@ -36,7 +36,8 @@ micromouse::Explorer explorer_of(const std::string& word);
 /// Throws InputError, also when the file is readable but describes no grid maze.
 MouseMaze read_grid_maze(const std::string& file, std::optional<Format> format = std::nullopt);
 
-/// The same as a micromouse runs in: where the border has openings they are closed, and a note says so. Also throws what task_of throws.
+/// The same as a micromouse runs in: where the border has openings they are closed, and a note says so. Also throws
+/// what task_of throws.
 MouseMaze read_mouse_maze(const std::string& file, std::optional<Format> format = std::nullopt);
 
 /// How many sides of the border are open.

@@ -1,4 +1,5 @@
-// taut mouse check: is it a legal competition maze? With --certificate: does this file prove what it says about the maze?
+// taut mouse check: is it a legal competition maze? With --certificate: does this file prove what it says about the
+// maze?
 #include <fmt/format.h>
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>

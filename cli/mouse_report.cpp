@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <set>
 
+#include <taut/cli/mouse.h>
 #include <taut/cli/report.h>
 #include <taut/io/detail/result_values.h>
 #include <taut/robots/micromouse/steps.h>

@@ -1,14 +1,12 @@
 // A micromouse trial in words and as JSON.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <string>
-
-#include <taut/cli/mouse.h>
 #include <taut/robots/micromouse/certificate.h>
 #include <taut/robots/micromouse/oracle.h>
 #include <taut/robots/micromouse/trial.h>
+#include <cstdint>
+#include <optional>
+#include <string>
 
 namespace taut::cli {
 

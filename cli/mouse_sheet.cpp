@@ -6,7 +6,6 @@
 #include <array>
 
 #include <taut/io/detail/svg_path.h>
-#include <taut/io/svg.h>
 
 namespace taut::cli {
 

@@ -11,8 +11,8 @@
 
 namespace taut::cli {
 
-/// Layout and parts of the drawing. Every part is SVG text for between head() and foot(); colours come from the style in head() and follow
-/// prefers-color-scheme. Same input, same bytes.
+/// Layout and parts of the drawing. Every part is SVG text for between head() and foot(); colours come from the style
+/// in head() and follow prefers-color-scheme. Same input, same bytes.
 class MouseSheet {
  public:
   MouseSheet(const GridMaze& maze, std::string title, std::vector<std::string> facts, std::vector<detail::SvgKey> keys);

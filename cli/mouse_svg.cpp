@@ -1,16 +1,15 @@
 #include <taut/cli/mouse_svg.h>
+#include <taut/io/colour_scale.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <set>
 
+#include <taut/cli/mouse_film.h>
 #include <taut/cli/mouse_report.h>
 #include <taut/cli/mouse_sheet.h>
 #include <taut/io/detail/svg_path.h>
-#include <taut/io/svg.h>
 #include <taut/robots/micromouse/steps.h>
 
 namespace taut::cli {
@@ -108,12 +107,6 @@ std::string flood_text(const MouseSheet& sheet, const Record& record) {
   return MouseSheet::group("flood", out);
 }
 
-double degrees(Side heading) { return 90.0 * static_cast<int>(heading); }
-
-Pose last_pose(const Record& record) {
-  return record.steps.empty() ? Pose{record.task.start, Side::north} : record.steps.back().after;
-}
-
 MouseSheet sheet_of(const GridMaze& maze, const MousePicture& picture) {
   using enum detail::SvgKey::Sample;
   std::vector<std::string> colours;
@@ -129,100 +122,7 @@ MouseSheet sheet_of(const GridMaze& maze, const MousePicture& picture) {
   return {maze, picture.title, picture.facts, keys};
 }
 
-/// Times of a film and the elements that obey them.
-class Film {
- public:
-  explicit Film(const Record& record) : record_(record) {
-    const double steps = static_cast<double>(std::max<std::size_t>(record.steps.size(), 1));
-    step_ = std::clamp(60 / steps, 0.1, 0.4);
-    total_ = steps * step_ + kPause;
-  }
-
-  /// The key time of a moment that counts in steps.
-  double key(double steps) const { return steps * step_ / total_; }
-
-  /// Shown from this moment on.
-  std::string from(double steps) const { return steps <= 0 ? "" : shown("0;1", "0;" + number(key(steps))); }
-  /// Shown between two moments.
-  std::string between(double steps, double end) const {
-    if (steps <= 0) return shown("1;0", "0;" + number(key(end)));
-    return shown("0;1;0", "0;" + number(key(steps)) + ";" + number(key(end)));
-  }
-
-  std::string mouse(const MouseSheet& sheet) const {
-    Track at, turn;
-    double angle = 0;
-    for (std::size_t i = 0; i < record_.steps.size(); ++i) {
-      const Step& s = record_.steps[i];
-      const double begin = static_cast<double>(i), end = begin + 1;
-      const int rotation = s.action.reset || s.before.heading == s.after.heading ? 0 : s.action.rotation;
-      at.add(key(begin), position(sheet, s.before.cell));
-      turn.add(key(begin), svg_number(angle));
-      if (rotation != 0) at.add(key(begin + kTurn), position(sheet, s.before.cell));
-      turn.add(key(begin + kTurn), svg_number(angle += rotation));
-      if (s.run == 1 && s.action.reset && s.after.cell != s.before.cell) {
-        at.add(key(end), position(sheet, s.before.cell));
-        turn.add(key(end), svg_number(angle));
-      }
-      if (s.action.reset && s.offence == micromouse::Offence::none) angle = 0;
-      at.add(key(end), position(sheet, s.after.cell));
-      turn.add(key(end), svg_number(angle));
-    }
-    const Pose last = last_pose(record_);
-    at.end();
-    turn.end();
-    return "<g transform=\"translate(" + position(sheet, last.cell) + ")\">" + transform("translate", at) +
-           "<g transform=\"rotate(" + svg_number(degrees(last.heading)) + ")\">" + transform("rotate", turn) +
-           sheet.wedge() + "</g></g>\n";
-  }
-
- private:
-  static constexpr double kPause = 3;    // s, before it begins again
-  static constexpr double kTurn = 0.35;  // of a step
-
-  struct Track {
-    std::string values, keys, last;
-    double reached = 0;
-    void add(double key, const std::string& value) {
-      values += (values.empty() ? "" : ";") + value;
-      keys += (keys.empty() ? "" : ";") + number(keys.empty() ? 0 : key);
-      last = value;
-    }
-    void end() {
-      if (!last.empty()) add(1, last);
-    }
-  };
-
-  static std::string number(double key) {
-    std::string text = fmt::format("{:.5f}", std::min(key, 1.0));
-    text.erase(text.find_last_not_of('0') + 1);
-    return text.ends_with('.') ? text.substr(0, text.size() - 1) : text;
-  }
-
-  static std::string position(const MouseSheet& sheet, Cell cell) {
-    const Point p = sheet.pixel(cell);
-    return svg_number(p.x) + " " + svg_number(p.y);
-  }
-
-  std::string duration() const { return fmt::format("dur=\"{}s\" repeatCount=\"indefinite\"", svg_number(total_)); }
-
-  std::string shown(const std::string& values, const std::string& keys) const {
-    return fmt::format("<animate attributeName=\"opacity\" calcMode=\"discrete\" values=\"{}\" keyTimes=\"{}\" {}/>",
-                       values, keys, duration());
-  }
-
-  std::string transform(const char* type, const Track& track) const {
-    if (track.values.empty()) return "";
-    return fmt::format("<animateTransform attributeName=\"transform\" type=\"{}\" values=\"{}\" keyTimes=\"{}\" {}/>",
-                       type, track.values, track.keys, duration());
-  }
-
-  const Record& record_;
-  double step_;
-  double total_;
-};
-
-std::string film_floor(const MouseSheet& sheet, const Record& record, const Sights& sights, const Film& film) {
+std::string film_floor(const MouseSheet& sheet, const Record& record, const Sights& sights, const MouseFilm& film) {
   std::map<int, std::string> by_step;
   for (const auto& [cell, step] : sights.cells) by_step[step] += sheet.square(cell);
   std::string out;
@@ -233,7 +133,7 @@ std::string film_floor(const MouseSheet& sheet, const Record& record, const Sigh
   return MouseSheet::group("sight", out);
 }
 
-std::string film_walls(const MouseSheet& sheet, const GridMaze& maze, const Sights& sights, const Film& film) {
+std::string film_walls(const MouseSheet& sheet, const GridMaze& maze, const Sights& sights, const MouseFilm& film) {
   std::map<double, std::string> by_moment;
   for (const CellSide& w : standing_walls(maze))
     if (is_border(maze, w)) by_moment[0] += sheet.wall(w);
@@ -244,7 +144,7 @@ std::string film_walls(const MouseSheet& sheet, const GridMaze& maze, const Sigh
   return MouseSheet::group("seen", out);
 }
 
-std::string film_route(const MouseSheet& sheet, const Record& record, int run, const Film& film) {
+std::string film_route(const MouseSheet& sheet, const Record& record, int run, const MouseFilm& film) {
   std::string out;
   for (std::size_t i = 0; i < record.steps.size(); ++i) {
     const Step& s = record.steps[i];
@@ -255,7 +155,7 @@ std::string film_route(const MouseSheet& sheet, const Record& record, int run, c
   return MouseSheet::group(run == 1 ? "run1" : "run2", out);
 }
 
-std::string film_counter(const MouseSheet& sheet, const Record& record, const Film& film) {
+std::string film_counter(const MouseSheet& sheet, const Record& record, const MouseFilm& film) {
   std::string out;
   const Point at = sheet.pixel(Point{0, static_cast<double>(record.task.height)});
   for (std::size_t i = 0; i < record.steps.size(); ++i) {
@@ -288,7 +188,7 @@ std::string mouse_svg(const GridMaze& maze, const Record& record, const MousePic
 std::string mouse_animation(const GridMaze& maze, const Record& record, const MousePicture& picture) {
   const MouseSheet sheet = sheet_of(maze, picture);
   const Sights sights = sights_of(record);
-  const Film film(record);
+  const MouseFilm film(record);
   return sheet.head() + film_floor(sheet, record, sights, film) + sheet.goal() + sheet.start() +
          (picture.flood ? flood_text(sheet, record) : "") +
          MouseSheet::group("unseen", MouseSheet::path([&] {

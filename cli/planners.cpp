@@ -6,6 +6,7 @@
 #include <taut/cli/timing.h>
 #include <taut/geometry/errors.h>
 #include <taut/search/funnel.h>
+#include <taut/search/verify.h>
 
 namespace taut::cli {
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include <taut/cli/roadmap_kinds.h>
-#include <taut/search/verify.h>
 
 namespace taut::cli {
 
@@ -55,7 +54,8 @@ struct PlannerRuns {
   double median(double (*number)(const PlannerRun&)) const;
 };
 
-/// Runs a planner `runs` times with seeds seed, seed + 1, ... and the other wishes of `request`; once when it is not random. A world that does not suit it is `unfit`.
+/// Runs a planner `runs` times with seeds seed, seed + 1, ... and the other wishes of `request`; once when it is not
+/// random. A world that does not suit it is `unfit`.
 PlannerRuns run_planner(const Planner& planner, const FreeSpace& space, Point from, const Goal& to, std::uint64_t seed,
                         std::size_t runs, const BuildRequest& request = {});
 

@@ -33,11 +33,12 @@ void add_prm_options(CLI::App& app, PrmRequest& request, bool with_query);
 /// Throws CLI::ValidationError when options were given that a roadmap of this kind cannot heed.
 void require_prm_options_fit(const PrmRequest& request, const RoadmapKind& kind);
 
-/// The plan of the request, with the sampler and connection that the kind has when nothing else was asked for. Without --samples and
-/// --max-seconds it gives up after a minute.
+/// The plan of the request, with the sampler and connection that the kind has when nothing else was asked for. Without
+/// --samples and --max-seconds it gives up after a minute.
 PrmPlan plan_of(const PrmRequest& request, PrmSampler sampler, std::uint64_t seed, bool is_limited);
 
-/// Shows how far growth has come, in one line on stderr when that is a terminal (begin_progress), from a third of a second on.
+/// Shows how far growth has come, in one line on stderr when that is a terminal (progress), from a third of a second
+/// on.
 std::function<bool(const PrmProgress&)> prm_progress(bool quiet);
 
 /// `1200 samples, 1180 vertices, 4000 edges of 9000 tested, 3 components, 700 vertices at the start, 12 at the goal`

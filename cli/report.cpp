@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include <taut/cli/messages.h>
 #include <taut/geometry/predicates.h>
 
 namespace taut::cli {
@@ -73,9 +74,24 @@ std::string seconds_text(double seconds) {
   return seconds < 1 ? fmt::format("{:.3f} s", seconds) : fmt::format("{:.{}f} s", seconds, seconds < 10 ? 2 : 1);
 }
 
+void note_stage(const char* stage, double seconds, const std::string& what) {
+  note(fmt::format("{:<12}{:>9.4f} s   {}", stage, seconds, what));
+}
+
+std::string length_text(const Length& length) {
+  const double value = length.value();
+  return value == 0 || (value >= 1e-3 && value < 1e12) ? length.decimals(6) : fmt::format("{:.9g}", value);
+}
+
 std::string count_text(std::size_t count, const char* one, const char* many) {
   if (count == 1) return fmt::format("1 {}", one);
   return many ? fmt::format("{} {}", count, many) : fmt::format("{} {}s", count, one);
+}
+
+std::string points_text(const std::vector<Point>& points) {
+  std::string lines;
+  for (const Point& p : points) lines += number_text(p.x) + " " + number_text(p.y) + "\n";
+  return lines;
 }
 
 std::string point_text(Point p) { return fmt::format("({}, {})", number_text(p.x), number_text(p.y)); }

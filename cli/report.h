@@ -1,12 +1,11 @@
 // Words and numbers for people.
 #pragma once
 
+#include <taut/geometry/free_space.h>
+#include <taut/geometry/length.h>
 #include <cstddef>
 #include <string>
 #include <vector>
-
-#include <taut/geometry/footprint.h>
-#include <taut/geometry/free_space.h>
 
 namespace taut::cli {
 
@@ -16,11 +15,17 @@ std::string number_text(double value);
 /// `0.004 s`, `1.27 s`, `35.8 s`; `<0.001 s`
 std::string seconds_text(double seconds);
 
+/// Six decimals where they say something, else nine digits: `77.262691`, `1.25e-05`.
+std::string length_text(const Length& length);
+
 /// `1 wall`, `2 walls`
 std::string count_text(std::size_t count, const char* one, const char* many = nullptr);
 
 /// `(0.5, 1)`
 std::string point_text(Point p);
+
+/// One `x y` a line, for --path.
+std::string points_text(const std::vector<Point>& points);
 
 /// `(0, 1)-(2, 1)`, and of several the first few: `(0, 1)-(2, 1), (2, 1)-(2, 4) and 7 more`
 std::string segment_text(const Segment& s);
@@ -31,6 +36,9 @@ std::string title_of(const std::string& source);
 
 /// The most memory this process ever had, `12.3 MB`.
 std::string peak_memory_text();
+
+/// A line of --stats on stderr: the stage, its seconds and what came of it.
+void note_stage(const char* stage, double seconds, const std::string& what);
 
 /// A closed chain of pieces as walls people know: pieces that the chain passes on both sides are dead ends and go, so
 /// do those on the sides of `border` unless all are (nobody gets out there anyway); pieces in a line are joined.

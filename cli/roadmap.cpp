@@ -14,6 +14,7 @@
 #include <taut/cli/report.h>
 #include <taut/cli/roadmap_kinds.h>
 #include <taut/cli/timing.h>
+#include <taut/geometry/corridor_width.h>
 #include <taut/io/roadmap_export.h>
 #include <taut/io/roadmap_json.h>
 #include <taut/io/svg.h>

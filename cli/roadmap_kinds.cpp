@@ -1,4 +1,5 @@
 #include <taut/cli/roadmap_kinds.h>
+#include <taut/geometry/corridor_width.h>
 
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>
@@ -7,7 +8,6 @@
 
 #include <taut/io/read_world.h>
 #include <taut/io/roadmap_file.h>
-#include <taut/io/svg.h>
 #include <taut/roadmaps/cell_graph.h>
 #include <taut/roadmaps/visibility_graph.h>
 #include <taut/roadmaps/voronoi_legs.h>

@@ -1,4 +1,5 @@
-// The roadmaps that --kind, --roadmap and `taut compare` know by name. A further one is one more row in roadmap_kinds.cpp.
+// The roadmaps that --kind, --roadmap and `taut compare` know by name. A further one is one more row in
+// roadmap_kinds.cpp.
 #pragma once
 
 #include <CLI/App.hpp>
@@ -31,8 +32,8 @@ struct PlannedRoadmap {
 /// What a builder may want to know besides the space.
 struct BuildRequest {
   std::uint64_t seed = 1;
-  std::optional<Point>
-      from{};  ///< the ends of the first query, for builders that grow until it is solved; may be absent
+  /// The ends of the first query, for builders that grow until it is solved; may be absent
+  std::optional<Point> from{};
   Goal to{};
   PrmRequest prm{};
   bool is_limited = false;  ///< there is --max-seconds
@@ -63,12 +64,13 @@ std::string roadmap_kind_names();
 /// nullptr when there is none of that name.
 const RoadmapKind* roadmap_kind(const std::string& name);
 
-/// --OPTION NAME, one of the kinds; anything else is a CLI::ValidationError. `kind` keeps its value when the option is not given.
-/// `standard` is the name of that one, for --help.
+/// --OPTION NAME, one of the kinds; anything else is a CLI::ValidationError. `kind` keeps its value when the option is
+/// not given. `standard` is the name of that one, for --help.
 void add_roadmap_kind(CLI::App& app, const std::string& option, const RoadmapKind*& kind, const std::string& group,
                       const std::string& standard = "visibility");
 
-/// Throws CLI::ValidationError when roadmaps of that kind cannot be kept in files: what they hold besides legs is not in them.
+/// Throws CLI::ValidationError when roadmaps of that kind cannot be kept in files: what they hold besides legs is not
+/// in them.
 void require_savable(const RoadmapKind& kind);
 
 /// The file of a roadmap of that kind (roadmap_file).

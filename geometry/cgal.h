@@ -1,8 +1,6 @@
 // Points and polygons to and from CGAL, for users who live there. Optional: this header includes CGAL.
 #pragma once
 
-#include <iterator>
-
 #include <CGAL/Point_2.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>

@@ -31,8 +31,8 @@ Footprint Footprint::disc(double r) {
   Footprint f;
   f.kind_ = Kind::disc;
   f.radius_ = checked_radius(r);
-  // One eighth is computed, the rest mirrored, so that the polygon has the disc's symmetry to the bit. The sides at 0, 90, 180
-  // and 270 degrees touch the disc; a factor keeps the rounded corners outside.
+  // One eighth is computed, the rest mirrored, so that the polygon has the disc's symmetry to the bit. The sides at 0,
+  // 90, 180 and 270 degrees touch the disc; a factor keeps the rounded corners outside.
   constexpr double kStep = std::numbers::pi / kDiscSides;
   const double outer = r / std::cos(kStep) * (1 + 1e-15);
   for (int i = 0; i < kDiscSides; ++i) {

@@ -14,7 +14,8 @@
 
 namespace taut {
 
-/// A piece of what stops a path: part of an obstacle's outline or of a zero-thickness wall. Pieces meet only at end points.
+/// A piece of what stops a path: part of an obstacle's outline or of a zero-thickness wall. Pieces meet only at end
+/// points.
 struct Constraint {
   Point a;
   Point b;
@@ -61,14 +62,15 @@ struct FreeSpaceReport {
 /// An immutable set of the positions a Footprint can take in a World: closed polygons with holes, minus the
 /// zero-thickness walls (as constraints), and a constrained Delaunay triangulation of both.
 ///
-///  1. Obstacles are the solids, the walls with a thickness, and with a footprint all walls and Boundary::walled outlines,
-///     each Minkowski-summed with the reflected footprint; they are united exactly, then rounded to doubles outwards: an obstacle
-///     never shrinks. report().displacement is what rounding moved at most.
+///  1. Obstacles are the solids, the walls with a thickness, and with a footprint all walls and Boundary::walled
+///     outlines, each Minkowski-summed with the reflected footprint; they are united exactly, then rounded to doubles
+///     outwards: an obstacle never shrinks. report().displacement is what rounding moved at most.
 ///  2. polygons() is the closure of what is left; two free regions, or parts of one, that touch in a point are
 ///     not connected there.
-///  3. Zero-thickness walls of a point robot are constraints, split where they meet. A crossing that is no pair of doubles
-///     is rounded to the nearest, so a wall may bend there by report().displacement.
-/// Throws InputError when obstacles meet so sharply that no pair of doubles lies in the free wedge between them. O((n + k) log n) for n input edges with k contacts.
+///  3. Zero-thickness walls of a point robot are constraints, split where they meet. A crossing that is no pair of
+///     doubles is rounded to the nearest, so a wall may bend there by report().displacement.
+/// Throws InputError when obstacles meet so sharply that no pair of doubles lies in the free wedge between them. O((n +
+/// k) log n) for n input edges with k contacts.
 class FreeSpace {
  public:
   explicit FreeSpace(World world, Footprint footprint = Footprint::point());
@@ -88,8 +90,8 @@ class FreeSpace {
 
   /// Can a path go straight from p to q? Exact: it may touch and run along obstacles, it may not pass a
   /// point where obstacles touch from both sides. False when p or q is outside. O(triangles crossed).
-  /// With `towards`, only through the part of the surroundings of p that a straight leg from p to `towards` starts in: of a p on a
-  /// wall that is the side of the wall where `towards` lies.
+  /// With `towards`, only through the part of the surroundings of p that a straight leg from p to `towards` starts in:
+  /// of a p on a wall that is the side of the wall where `towards` lies.
   bool sees(Point p, Point q, std::optional<Point> towards = std::nullopt) const;
 
   /// Precondition: p is not outside. Exact choice of the nearest piece; expands triangles outward from p.

@@ -15,8 +15,8 @@ namespace {
 
 using Tri = Triangulation;
 
-/// The nearest constraint, searched outwards through the sides that are no farther than the best so far: nothing stands between p
-/// and the nearest obstacle.
+/// The nearest constraint, searched outwards through the sides that are no farther than the best so far: nothing stands
+/// between p and the nearest obstacle.
 class NearestConstraint {
  public:
   NearestConstraint(const FreeSpace& space, const std::vector<std::uint32_t>& piece_of, Point p)

@@ -1,4 +1,3 @@
-#include <algorithm>
 
 #include <taut/geometry/detail/expects.h>
 #include <taut/geometry/detail/free_space_impl.h>
@@ -66,16 +65,16 @@ int winding_number(const Ring& ring, Point p) {
   return winding;
 }
 
-/// The middle of a free triangle, which need not have double coordinates to be good enough: a loop of another component never
-/// enters the triangle, so its corners' mean lies on the same side as all of it, unless rounding moves it out.
+/// The middle of a free triangle, which need not have double coordinates to be good enough: a loop of another component
+/// never enters the triangle, so its corners' mean lies on the same side as all of it, unless rounding moves it out.
 Point inner_point(const Tri& tri, std::uint32_t t) {
   const auto& v = tri.triangles[t];
   const Point a = tri.points[v[0]], b = tri.points[v[1]], c = tri.points[v[2]];
   return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
 }
 
-/// The loop of `component` on whose other side p lies: its outer one (counter-clockwise) when p is not within, else the hole (clockwise)
-/// around p.
+/// The loop of `component` on whose other side p lies: its outer one (counter-clockwise) when p is not within, else the
+/// hole (clockwise) around p.
 const Loop* separating(const std::vector<Loop>& loops, Point p) {
   for (const Loop& loop : loops) {
     const int winding = winding_number(loop.ring, p);

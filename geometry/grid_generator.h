@@ -9,14 +9,18 @@
 
 namespace taut {
 
+/// What the free cells look like.
 enum class GridKind {
-  maze,  ///< corridors one cell wide between walls one cell wide; a spanning tree by depth-first search with backtracking
-  rooms,  ///< rooms of about 7 x 7 cells, walls one cell wide, most with a door of one cell; a tenth of the walls has none
+  /// Corridors one cell wide between walls one cell wide; a spanning tree by depth-first search with backtracking
+  maze,
+  /// rooms of about 7 x 7 cells, walls one cell wide, most with a door of one cell; a tenth of the walls has none
+  rooms,
   random,  ///< every cell blocked with probability 1/4
 };
 
 /// `maze`, `rooms`, `random`
 std::string_view name(GridKind kind);
+/// Nothing for any other word.
 std::optional<GridKind> grid_kind_named(std::string_view word);
 
 /// Throws InputError unless 1 <= width, height <= 20000. At least one cell is free. O(cells).

@@ -26,12 +26,12 @@ Interval distance_interval(Point p, Point q);
 /// A sum of Euclidean distances between points with double coordinates, kept as the list of its terms.
 ///
 ///  1. interval() encloses the exact value; its width grows by about one ulp a term.
-///  2. Comparison is exact: intervals first; where they overlap equal terms cancel, terms whose square roots are rational multiples of
-///     each other are gathered (sqrt(a) / sqrt(b) is rational iff a * b is a square), and since square roots of different classes are linearly
-///     independent over the rationals, the sums are equal iff every class cancels; otherwise more digits (MPFR, doubled
-///     until it is decided) always separate them.
-///  3. value() is the double nearest to the exact value, decimals(n) the nearest number with n >= 0 places; both round ties to even
-///     (0.5 to no places is 0, 1.5 is 2, as printf does). Double-double first, MPFR on demand.
+///  2. Comparison is exact: intervals first; where they overlap equal terms cancel, terms whose square roots are
+///     rational multiples of each other are gathered (sqrt(a) / sqrt(b) is rational iff a * b is a square), and since
+///     square roots of different classes are linearly independent over the rationals, the sums are equal iff every
+///     class cancels; otherwise more digits (MPFR, doubled until it is decided) always separate them.
+///  3. value() is the double nearest to the exact value, decimals(n) the nearest number with n >= 0 places; both round
+///     ties to even (0.5 to no places is 0, 1.5 is 2, as printf does). Double-double first, MPFR on demand.
 ///
 /// Precondition: coordinates are finite; the bounds hold from the least subnormal up to sums of 1e140.
 class Length {

@@ -71,8 +71,8 @@ class Outlines {
     }
   }
 
-  /// From the upper left corner of a cell to the right and on until it closes. Where two blocked cells meet at a corner it stays with its own;
-  /// a corner that it comes to again cuts off a ring.
+  /// From the upper left corner of a cell to the right and on until it closes. Where two blocked cells meet at a corner
+  /// it stays with its own; a corner that it comes to again cuts off a ring.
   void follow(std::int64_t x, std::int64_t y) {
     const std::uint32_t piece = piece_of_[cell(x, y)];
     std::size_t direction = 0;

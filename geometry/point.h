@@ -15,6 +15,7 @@ struct Point {
   friend auto operator<=>(const Point&, const Point&) = default;
 };
 
+/// Closed; from a to b where a direction matters. a == b is a single point.
 struct Segment {
   Point a;
   Point b;

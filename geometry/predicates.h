@@ -12,9 +12,9 @@ namespace detail {
 int exact_orientation(Point a, Point b, Point c);
 }
 
-/// The sign of the signed area of the triangle a, b, c: +1 when c lies to the left of a -> b, 0 on the line, -1 to the right.
-/// Exact for all finite coordinates of magnitude <= World::kLargest. Filter: Shewchuk, "Adaptive precision floating-point
-/// arithmetic and fast robust geometric predicates" (1997), section 4.3.
+/// The sign of the signed area of the triangle a, b, c: +1 when c lies to the left of a -> b, 0 on the line, -1 to the
+/// right. Exact for all finite coordinates of magnitude <= World::kLargest. Filter: Shewchuk, "Adaptive precision
+/// floating-point arithmetic and fast robust geometric predicates" (1997), section 4.3.
 inline int orientation(Point a, Point b, Point c) {
   const double left = (a.x - c.x) * (b.y - c.y);
   const double right = (a.y - c.y) * (b.x - c.x);
@@ -49,7 +49,8 @@ int compare_distance(Point p, Point a, Point b);
 /// Twice the signed area of a ring, to within rounding; its sign is exact through ring_orientation.
 double ring_area(const Ring& ring);
 
-/// +1 counter-clockwise, -1 clockwise, 0 without area. Exact (at the lexicographically smallest vertex). Precondition: simple.
+/// +1 counter-clockwise, -1 clockwise, 0 without area. Exact (at the lexicographically smallest vertex). Precondition:
+/// simple.
 int ring_orientation(const Ring& ring);
 
 /// Where p lies with respect to a simple ring: +1 inside, 0 on it, -1 outside. Exact. O(n).

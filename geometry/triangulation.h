@@ -16,13 +16,15 @@ inline constexpr std::uint32_t kNone = 0xffffffff;
 
 /// A constrained Delaunay triangulation of the convex hull of its vertices, immutable once built.
 ///
-///  1. Triangle t has the vertices triangles()[t][0..2], counter-clockwise; neighbours()[t][i] lies across the side opposite
-///     to corner i, kNone outside the hull.
+///  1. Triangle t has the vertices triangles()[t][0..2], counter-clockwise; neighbours()[t][i] lies across the side
+///     opposite to corner i, kNone outside the hull.
 ///  2. A side is constrained when an obstacle's boundary or a zero-thickness wall runs along it; no path crosses it.
-///  3. A triangle is free when a path may be in it. A constrained side has at most a free triangle on each side (a wall),
-///     or a free and a solid one (a boundary). Between a free and a solid triangle there is always a constrained side.
+///  3. A triangle is free when a path may be in it. A constrained side has at most a free triangle on each side (a
+///     wall), or a free and a solid one (a boundary). Between a free and a solid triangle there is always a constrained
+///     side.
 ///  4. A sector is a maximal fan of free triangles around a vertex, joined across unconstrained sides: what a path that
-///     touches the vertex can turn in. sector_of()[3 * t + i] is the sector of corner i of the free triangle t, else kNone.
+///     touches the vertex can turn in. sector_of()[3 * t + i] is the sector of corner i of the free triangle t, else
+///     kNone.
 struct Triangulation {
   using Triple = std::array<std::uint32_t, 3>;
 
@@ -43,7 +45,8 @@ struct Triangulation {
   std::vector<std::uint32_t> sector_of;   ///< 3 * t + i -> sector, kNone in solid triangles
   std::vector<Sector> sectors;            ///< ordered by vertex
 
-  /// The points times 2^scale as integers below 2^29, when all of them are; else empty. Predicates on them fit an int64.
+  /// The points times 2^scale as integers below 2^29, when all of them are; else empty. Predicates on them fit an
+  /// int64.
   std::vector<std::array<std::int32_t, 2>> lattice;
   int lattice_scale = 0;
 
@@ -67,7 +70,8 @@ struct Triangulation {
   }
   /// The corner of t at vertex v. Precondition: there is one.
   int corner(std::uint32_t t, std::uint32_t v) const { return triangles[t][0] == v ? 0 : triangles[t][1] == v ? 1 : 2; }
-  /// The next triangle counter-clockwise around corner i of t, across the side that bounds t there; kNone outside the hull.
+  /// The next triangle counter-clockwise around corner i of t, across the side that bounds t there; kNone outside the
+  /// hull.
   std::uint32_t ccw_triangle(std::uint32_t t, int i) const { return neighbours[t][ccw(i)]; }
   std::uint32_t cw_triangle(std::uint32_t t, int i) const { return neighbours[t][cw(i)]; }
 

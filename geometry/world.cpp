@@ -128,7 +128,8 @@ Bounds bounds_of_everything(const WorldParts& parts) {
   return bounds;
 }
 
-// One coordinate of the widened box: away from `value` by at least `margin`, a multiple of `step` where doubles allow it.
+// One coordinate of the widened box: away from `value` by at least `margin`, a multiple of `step` where doubles allow
+// it.
 double widened(double value, double margin, double step, int direction) {
   const double aim = std::floor((direction * value + margin) / step) * step + step;
   const double result = direction * aim;
@@ -157,7 +158,8 @@ bool ends_beyond(const WorldParts& parts, const Box& box) {
   return beyond(parts.start) || beyond(parts.goal.point);
 }
 
-// The bounding box of the walls, when walls cover at least half its outline; of a box with a bare side only when both ends lie in it.
+// The bounding box of the walls, when walls cover at least half its outline; of a box with a bare side only when both
+// ends lie in it.
 std::optional<Box> walled_box(const WorldParts& parts) {
   Bounds bounds;
   for (const Wall& wall : parts.walls) {

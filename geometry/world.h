@@ -58,12 +58,14 @@ struct WorldParts {
 ///
 /// Guarantees after construction:
 ///  1. every coordinate and thickness is finite, of magnitude <= kLargest, thicknesses are >= 0;
-///  2. every ring has at least 3 distinct vertices, non-zero area, no two sides cross or overlap, no vertex lies on another side;
-///     repeated consecutive vertices are dropped; outer rings are counter-clockwise, holes clockwise;
+///  2. every ring has at least 3 distinct vertices, non-zero area, no two sides cross or overlap, no vertex lies on
+///     another side; repeated consecutive vertices are dropped; outer rings are counter-clockwise, holes clockwise;
 ///  3. `areas` is not empty. Where the input gave none it is one box: if the walls cover at least half the outline of
-///     their bounding box, that box (Boundary::limit), unless a side of it is bare and an end lies beyond; else a box around everything, start and goal included, widened
-///     on all sides (Boundary::open), so that a shortest path is never hindered by it;
-///  4. zero-length walls of zero thickness are dropped (a path may touch a point, so they hinder nobody); count in `dropped_walls`;
+///     their bounding box, that box (Boundary::limit), unless a side of it is bare and an end lies beyond; else a box
+///     around everything, start and goal included, widened on all sides (Boundary::open), so that a shortest path is
+///     never hindered by it;
+///  4. zero-length walls of zero thickness are dropped (a path may touch a point, so they hinder nobody); count in
+///     `dropped_walls`;
 ///  5. no start and no goal, Boundary::limit, and exactly two openings: start and goal are their midpoints, the
 ///     lexicographically smaller one is the start.
 /// Throws InputError naming source, line and culprit. Time O(n log n).
@@ -108,9 +110,9 @@ class World {
   bool implied_area_ = false;
 };
 
-/// The world of a grid maze: cell (x, y) is the box [x, x+1] x [y, y+1], scaled by `cell_size`; walls of one line are merged
-/// into maximal runs; start is the middle of the start cell; goal is the room. A maze without goal and with exactly two
-/// openings goes from the one to the other (guarantee 5).
+/// The world of a grid maze: cell (x, y) is the box [x, x+1] x [y, y+1], scaled by `cell_size`; walls of one line are
+/// merged into maximal runs; start is the middle of the start cell; goal is the room. A maze without goal and with
+/// exactly two openings goes from the one to the other (guarantee 5).
 World world_of(std::shared_ptr<const GridMaze> grid, double cell_size = 1, std::string source = {});
 
 }  // namespace taut

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include <taut/geometry/detail/text.h>

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include <taut/io/colour_scale.h>
 #include <taut/io/detail/svg_frame.h>
 
 namespace taut {
@@ -16,12 +16,7 @@ constexpr std::size_t kShades = 64;
 constexpr double kPlaySeconds = 8;
 constexpr double kPathSeconds = 2;
 
-/// Dark blue to yellow, evenly in lightness.
-std::string shade(std::size_t which) {
-  static constexpr std::array<std::array<double, 3>, 5> kStops{
-      {{59, 54, 124}, {49, 104, 142}, {53, 160, 133}, {128, 204, 92}, {247, 228, 80}}};
-  return detail::colour_between(kStops, static_cast<double>(which) / (kShades - 1));
-}
+std::string colour_of(std::size_t shade) { return flood_colour(static_cast<double>(shade) / (kShades - 1)); }
 
 constexpr const char* kStyle = R"(.taut .open{fill:#fff}
 .taut .blocked{fill:#2c3440}
@@ -67,7 +62,7 @@ class GridPage {
     if (!what_.frontier.empty()) keys.push_back({"frontier", "frontier", line, {}});
     if (!what_.visited.empty()) {
       std::vector<std::string> colours;
-      for (std::size_t s = 0; s < kShades; s += 3) colours.push_back(shade(s));
+      for (std::size_t s = 0; s < kShades; s += 3) colours.push_back(colour_of(s));
       keys.push_back({"visited", "visited, first to last", scale, std::move(colours)});
     }
     return keys;
@@ -94,7 +89,7 @@ class GridPage {
     put(runs[kBlocked], "class=\"blocked\"", "/>");
     for (std::size_t s = 0; s < kShades; ++s) {
       if (what_.animated) put(runs[s], "class=\"open\"", "/>");
-      put(runs[s], fmt::format("fill=\"{}\"", shade(s)), appears(kPlaySeconds * static_cast<double>(s) / kShades));
+      put(runs[s], fmt::format("fill=\"{}\"", colour_of(s)), appears(kPlaySeconds * static_cast<double>(s) / kShades));
     }
   }
 

@@ -23,8 +23,9 @@ struct GridPicture {
   bool animated = false;
 };
 
-/// One SVG document, row 0 at the top. Cells in a row with one colour are one rectangle, and 64 colours, dark blue to yellow, stand for
-/// the order, so that the size grows with the outline of what was visited, not with its cells. Same input, same bytes.
+/// One SVG document, row 0 at the top. Cells in a row with one colour are one rectangle, and 64 colours, dark blue to
+/// yellow, stand for the order, so that the size grows with the outline of what was visited, not with its cells. Same
+/// input, same bytes.
 std::string grid_svg(const OccupancyGrid& grid, const GridPicture& picture);
 
 }  // namespace taut

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -138,7 +137,8 @@ int digits_after_point(std::string_view number) {
 
 int digits_before_point(std::string_view number) { return static_cast<int>(std::min(number.find('.'), number.size())); }
 
-/// Unless all lengths have as many digits after the point, zeros at their ends were left out: then each has as many digits as the longest.
+/// Unless all lengths have as many digits after the point, zeros at their ends were left out: then each has as many
+/// digits as the longest.
 void restore_zeros(std::vector<Scenario>& scenarios) {
   int most = 6;
   bool is_even = true;

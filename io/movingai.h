@@ -11,7 +11,8 @@
 
 namespace taut {
 
-/// Reads a MovingAI map (`type octile`, `height`, `width`, `map`, rows; `.` `G` `S` free, `@` `O` `T` `W` blocked). Throws InputError.
+/// Reads a MovingAI map (`type octile`, `height`, `width`, `map`, rows; `.` `G` `S` free, `@` `O` `T` `W` blocked).
+/// Throws InputError.
 OccupancyGrid read_movingai_map(std::string_view text, const std::string& source);
 /// A line of a scenario: `bucket map width height start goal optimal`. Columns and rows, row 0 at the top.
 struct Scenario {
@@ -21,14 +22,17 @@ struct Scenario {
   double optimal;
   std::string optimal_text;
   std::size_t line;
-  /// The digits after the point that count: those of `optimal_text`, or more where the file leaves out zeros at the end, as `%g` does.
+  /// The digits after the point that count: those of `optimal_text`, or more where the file leaves out zeros at the
+  /// end, as `%g` does.
   int places;
 
   /// What one of the last of them is worth.
   double unit() const;
 };
+/// A scenario file between cells (octile sets). Throws InputError with the line. O(bytes).
 std::vector<Scenario> read_movingai_scenarios(std::string_view text, const std::string& source);
-/// What columns and rows are: of cells in the octile sets, of the corners of cells in the any-angle ones, where the map's far side is one more.
+/// What columns and rows are: of cells in the octile sets, of the corners of cells in the any-angle ones, where the
+/// map's far side is one more.
 enum class ScenarioPlaces { cells, corners };
 /// One line of it, by itself: a length without a point is taken for a whole number, exactly. Throws InputError.
 Scenario movingai_scenario(std::string_view line, const std::string& source, int number, ScenarioPlaces places);

@@ -10,6 +10,7 @@
 
 namespace taut {
 
+/// A query and, where its line says so, the answer to compare with.
 struct QueryLine {
   Point from;
   Point to;
@@ -20,12 +21,13 @@ struct QueryLine {
   Point map{};              ///< the size of the map that it is for; 0 when not said
 };
 
-/// `sx sy gx gy`, then nothing, the expected length, or `none`; separated by blanks or commas. Nothing for an empty line and one that is a comment only (`#` starts
-/// one). Throws InputError with `source` and `number`.
+/// `sx sy gx gy`, then nothing, the expected length, or `none`; separated by blanks or commas. Nothing for an empty
+/// line and one that is a comment only (`#` starts one). Throws InputError with `source` and `number`.
 std::optional<QueryLine> query_line(std::string_view line, const std::string& source, int number);
 
-/// The lines of a file, one after the other. One that begins with `version` is a MovingAI scenario file of the any-angle sets, whose columns and rows are
-/// corners of cells, that is points of the map; its lengths count as far as their digits go.
+/// The lines of a file, one after the other. One that begins with `version` is a MovingAI scenario file of the
+/// any-angle sets, whose columns and rows are corners of cells, that is points of the map; its lengths count as far as
+/// their digits go.
 class QueryReader {
  public:
   explicit QueryReader(std::string source) : source_(std::move(source)) {}

@@ -11,40 +11,48 @@
 
 namespace taut {
 
-/// What a file is written in. In every text format lines may end in CRLF, the last one in nothing; a byte order mark and blanks at
-/// line ends are skipped. Numbers are decimal, whatever the locale; nan, inf and magnitudes beyond World::kLargest are errors.
+/// What a file is written in. In every text format lines may end in CRLF, the last one in nothing; a byte order mark
+/// and blanks at line ends are skipped. Numbers are decimal, whatever the locale; nan, inf and magnitudes beyond
+/// World::kLargest are errors.
 ///
-///  segments     `x1 y1 x2 y2 [thickness]` per wall, separated by blanks or a comma; `#` starts a comment. At most one line each of
-///               `start X Y`; `goal X Y`, or a room of boxes `goal XMIN YMIN XMAX YMAX ...`; `boundary XMIN YMIN XMAX YMAX`, or a ring
-///               `boundary X1 Y1 X2 Y2 X3 Y3 ...` (Boundary::limit).
-///  cell_values  line 1: n, even, 2..256; then n lines of n values 0..15 separated by commas: line x is column x, from the left, its
-///               entry y the cell at height y, from the bottom. A value is the sum of the open sides: 1 up, 2 right, 4 down, 8 left.
-///               Neighbours agree, the border is closed. Lines that begin with `#` are comments.
-///  drawing      posts `o` or `+`, walls `---` and `|`; `S` start and `G` goal cells; 2h + 1 lines of 4w + 1 characters, first line
-///               = north. Missing ends of lines count as blank. What follows a row after a blank, or the drawing after its last row
-///               of posts, is a comment, as are lines before it that begin with `#`, `/`, `*` or `;`. `.` or ` . ` is a wall nobody has looked
-///               at: read as open, on the border as closed (ReadNotes counts them).
-///  maz          256 (16 x 16) or 1024 (32 x 32) bytes, byte x * size + y, bits 0 up, 1 right, 2 down, 3 left, 1 = wall; high bits are
-///               ignored. Neighbours agree.
+///  segments     `x1 y1 x2 y2 [thickness]` per wall, separated by blanks or a comma; `#` starts a comment. At most one
+///               line each of `start X Y`; `goal X Y`, or a room of boxes `goal XMIN YMIN XMAX YMAX ...`;
+///               `boundary XMIN YMIN XMAX YMAX`, or a ring `boundary X1 Y1 X2 Y2 X3 Y3 ...` (Boundary::limit).
+///  cell_values  line 1: n, even, 2..256; then n lines of n values 0..15 separated by commas: line x is column x, from
+///               the left, its entry y the cell at height y, from the bottom. A value is the sum of the open sides: 1
+///               up, 2 right, 4 down, 8 left. Neighbours agree, the border is closed. Lines that begin with `#` are
+///               comments.
+///  drawing      posts `o` or `+`, walls `---` and `|`; `S` start and `G` goal cells; 2h + 1 lines of 4w + 1
+///               characters, first line = north. Missing ends of lines count as blank. What follows a row after a
+///               blank, or the drawing after its last row of posts, is a comment, as are lines before it that begin
+///               with `#`, `/`, `*` or `;`. `.` or ` . ` is a wall nobody has looked at: read as open, on the border as
+///               closed (ReadNotes counts them).
+///  maz          256 (16 x 16) or 1024 (32 x 32) bytes, byte x * size + y, bits 0 up, 1 right, 2 down, 3 left, 1 =
+///               wall; high bits are ignored. Neighbours agree.
 ///  num          `X Y N E S W` per line, 1 = wall, every cell once, any order. Neighbours agree.
-///  wkt          geometries on lines of their own or separated by `;`, upper or lower case, Z and M ignored: POLYGON, MULTIPOLYGON,
-///               LINESTRING, MULTILINESTRING (walls), POINT, MULTIPOINT (first start, then goal), GEOMETRYCOLLECTION; EMPTY is skipped,
-///               so is `SRID=...;` and lines that begin with `#`.
-///  geojson      Geometry, Feature, FeatureCollection (RFC 7946), any coordinate system taken as a plane. Properties: "role" = "free" |
-///               "obstacle" | "wall" | "start" | "goal", "thickness" of walls, "boundary" = "walled" | "limit" of free polygons. Without a
-///               role polygons are as ReadOptions says, lines are walls, the first point is the start, the second the goal. A goal that is a
-///               polygon or multipolygon of axis-parallel rectangles is a room; the outline of a polygon with role "wall" is walls.
-///  movingai     MovingAI grid map: `type octile`, `height H`, `width W`, `map`, H rows of W cells; `.` `G` `S` free, `@` `O` `T` `W`
-///               blocked. In the map's own coordinates: cell (column c, row r) is [c, c + 1] x [r, r + 1], y downwards. No start, no goal.
+///  wkt          geometries on lines of their own or separated by `;`, upper or lower case, Z and M ignored: POLYGON,
+///               MULTIPOLYGON, LINESTRING, MULTILINESTRING (walls), POINT, MULTIPOINT (first start, then goal),
+///               GEOMETRYCOLLECTION; EMPTY is skipped, so is `SRID=...;` and lines that begin with `#`.
+///  geojson      Geometry, Feature, FeatureCollection (RFC 7946), any coordinate system taken as a plane. Properties:
+///               "role" = "free" | "obstacle" | "wall" | "start" | "goal", "thickness" of walls, "boundary" = "walled"
+///               | "limit" of free polygons. Without a role polygons are as ReadOptions says, lines are walls, the
+///               first point is the start, the second the goal. A goal that is a polygon or multipolygon of
+///               axis-parallel rectangles is a room; the outline of a polygon with role "wall" is walls.
+///  movingai     MovingAI grid map: `type octile`, `height H`, `width W`, `map`, H rows of W cells; `.` `G` `S` free,
+///               `@` `O` `T` `W` blocked. In the map's own coordinates: cell (column c, row r) is [c, c + 1] x [r, r +
+///               1], y downwards. No start, no goal.
 ///
-/// Of drawing, maz and num: without S the start is the bottom left cell; without G the goal is the room in the middle, 2 cells wide
-/// in an even direction and 1 in an odd one, unless the border has exactly two openings: then the world goes from the one to the other.
+/// Of drawing, maz and num: without S the start is the bottom left cell; without G the goal is the room in the middle,
+/// 2 cells wide in an even direction and 1 in an odd one, unless the border has exactly two openings: then the world
+/// goes from the one to the other.
 enum class Format { segments, cell_values, drawing, maz, num, wkt, geojson, movingai };
 
 /// The word for it in options: `segments`, `cells`, `drawing`, `maz`, `num`, `wkt`, `geojson`, `movingai`.
 std::string_view name(Format format);
+/// Nothing for any other word.
 std::optional<Format> format_named(std::string_view word);
 
+/// How to read what the bytes alone do not say.
 struct ReadOptions {
   enum class Polygons {
     free,       ///< floor plans: the world is their union (Boundary::walled)
@@ -65,14 +73,16 @@ struct ReadNotes {
 /// The format of these bytes, by content alone. Throws InputError when they are empty or of no known format.
 Format detect_format(std::string_view bytes, const std::string& source = {});
 
-/// Reads a world; throws InputError with file, line and culprit. Time O(n log n), for text about 0.5 s per million walls.
+/// Reads a world; throws InputError with file, line and culprit. Time O(n log n), for text about 0.5 s per million
+/// walls.
 World read_world(std::string_view bytes, const ReadOptions& options = {}, ReadNotes* notes = nullptr);
 World read_world(std::istream& in, const ReadOptions& options = {}, ReadNotes* notes = nullptr);
 
 /// The same from a file, `-` for standard input. options.source is replaced by the path or `<stdin>`.
 World read_world_file(const std::string& path, ReadOptions options = {}, ReadNotes* notes = nullptr);
 
-/// The bytes of a file, `-` for standard input; what gzip packed is unpacked. Throws InputError when it is missing, a directory or unreadable.
+/// The bytes of a file, `-` for standard input; what gzip packed is unpacked. Throws InputError when it is missing, a
+/// directory or unreadable.
 std::string read_bytes(const std::string& path);
 
 }  // namespace taut

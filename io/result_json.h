@@ -82,8 +82,8 @@ struct PlanResult {
 ///  displacement    how far rounding moved any constructed point at most
 ///  expanded        vertices the search took from its queue for good
 ///  length_in_roadmap  of the path in the roadmap, when it was pulled taut after that (--shorten)
-///  prm             of a probabilistic roadmap: {"samples", "vertices", "edges", "edges_tested", "components", "start_part",
-///                  "goal_part"}; the parts are the vertices that hang together with an end
+///  prm             of a probabilistic roadmap: {"samples", "vertices", "edges", "edges_tested", "components",
+///                  "start_part", "goal_part"}; the parts are the vertices that hang together with an end
 ///  bound           of an anytime search that found a path: it is at most this many times as long as the shortest
 ///                  in the roadmap; 1 when it is proven to be that; null when nothing is known
 ///  improvements    [{"epsilon", "bound", "length", "expanded", "seconds"}, ...] with `bound`: the stages finished

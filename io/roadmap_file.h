@@ -17,10 +17,10 @@ struct SavedRoadmap {
   Roadmap roadmap;
 };
 
-/// 32 hexadecimal digits that stand for a world, the same on every machine and in every version that reads file version 1: FNV-1a with
-/// 128 bits over areas, boundary, walls with thickness, and solids. The order of walls, areas and solids, the direction of walls and the
-/// vertex a ring begins with do not count; neither do start, goal, line numbers and file names. (Of a world without any boundary the
-/// box around it depends on the ends, so it counts there.)
+/// 32 hexadecimal digits that stand for a world, the same on every machine and in every version that reads file version
+/// 1: FNV-1a with 128 bits over areas, boundary, walls with thickness, and solids. The order of walls, areas and
+/// solids, the direction of walls and the vertex a ring begins with do not count; neither do start, goal, line numbers
+/// and file names. (Of a world without any boundary the box around it depends on the ends, so it counts there.)
 std::string fingerprint(const World& world);
 
 /// The file, text:
@@ -42,9 +42,9 @@ std::string fingerprint(const World& world);
 /// Numbers are the shortest that read back as the same double. Same roadmap, same bytes.
 std::string roadmap_file(const SavedRoadmap& saved, const FreeSpace& space);
 
-/// Reads what roadmap_file wrote, for a space of the same world and robot. `name` is the file's, for messages. Throws InputError, in one line:
-/// it is no such file, of another version, cut off, damaged, of another world (naming both) or for another robot.
-/// Whether kind and vertices fit is for the one who uses it to say. O(bytes + E log E).
+/// Reads what roadmap_file wrote, for a space of the same world and robot. `name` is the file's, for messages. Throws
+/// InputError, in one line: it is no such file, of another version, cut off, damaged, of another world (naming both) or
+/// for another robot. Whether kind and vertices fit is for the one who uses it to say. O(bytes + E log E).
 SavedRoadmap read_roadmap_file(std::string_view bytes, const std::string& name, const FreeSpace& space);
 
 }  // namespace taut

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/corridor_width.h>
+#include <taut/io/colour_scale.h>
+#include <taut/io/detail/svg_motion.h>
 #include <taut/io/detail/svg_path.h>
 #include <taut/io/detail/svg_style.h>
 
@@ -174,18 +175,11 @@ class Picture {
     for (std::size_t k = 0; what_.seconds > 0 && k < what_.views.size(); ++k) {
       SvgPath one(scale_);
       one.ring(what_.views[k].ring);
-      out_ += fmt::format("<path d=\"{}\" opacity=\"0\">{}</path>", one.text(), shown_from(k));
+      const double until = k + 1 < what_.views.size() ? what_.views[k + 1].at : 1;
+      out_ += fmt::format("<path d=\"{}\" opacity=\"0\">{}</path>", one.text(),
+                          detail::shown_between(what_.views[k].at, until, what_.seconds));
     }
     out_ += "</g>\n";
-  }
-
-  /// View k is to be seen until the next one.
-  std::string shown_from(std::size_t k) const {
-    const double until = k + 1 < what_.views.size() ? what_.views[k + 1].at : 1;
-    return fmt::format(
-        "<animate attributeName=\"opacity\" dur=\"{}s\" repeatCount=\"indefinite\" calcMode=\"discrete\" "
-        "values=\"0;1;0\" keyTimes=\"0;{:.5f};{:.5f}\"/>",
-        detail::svg_number(what_.seconds), what_.views[k].at, until);
   }
 
   void roadmap() {
@@ -275,11 +269,7 @@ class Picture {
     if (!what_.path || what_.seconds <= 0) return;
     SvgPath line(scale_);
     line.chain(what_.path->points);
-    if (!line.empty())
-      out_ += fmt::format(
-          "<g class=\"runner\"><circle r=\"{}\"><animateMotion dur=\"{}s\" repeatCount=\"indefinite\" path=\"{}\"/>"
-          "</circle></g>\n",
-          detail::svg_number(strokes_.marker_radius()), detail::svg_number(what_.seconds), line.text());
+    if (!line.empty()) out_ += detail::runner_along(line, strokes_.marker_radius(), what_.seconds);
   }
 
   void marker(const char* kind, const std::optional<Point>& at) {
@@ -297,38 +287,7 @@ class Picture {
   std::string out_;
 };
 
-double ring_length(const Ring& ring) {
-  double sum = 0;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
-    sum += std::hypot(ring[i].x - ring[j].x, ring[i].y - ring[j].y);
-  return sum;
-}
-
 }  // namespace
-
-double corridor_width(const FreeSpace& space) {
-  const double extent = longer_side(space.world().box());
-  // In parts of the extent, so that no square overflows.
-  double area = 0, outline = 0;
-  for (Polygon polygon : space.polygons()) {
-    polygon.holes.push_back(std::move(polygon.outer));
-    for (Ring& ring : polygon.holes) {
-      for (Point& p : ring) p = {p.x / extent, p.y / extent};
-      area += ring_area(ring);  // twice the area, negative for holes
-      outline += ring_length(ring);
-    }
-  }
-  for (const Constraint& c : space.constraints())
-    if (c.is_wall()) outline += 2 * std::hypot((c.b.x - c.a.x) / extent, (c.b.y - c.a.y) / extent);
-  return extent * (outline > 0 && area > 0 ? std::clamp(area / outline, 1e-4, 0.125) : 0.125);
-}
-
-std::string shade_colour(double shade) {
-  // Viridis without its palest end, which is lost on white.
-  static constexpr std::array<std::array<double, 3>, 5> kStops{
-      {{68, 1, 84}, {59, 82, 139}, {33, 145, 140}, {94, 201, 98}, {226, 200, 24}}};
-  return detail::colour_between(kStops, shade);
-}
 
 std::string svg(const FreeSpace& space, const SvgPicture& picture) { return Picture(space, picture).draw(); }
 

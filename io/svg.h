@@ -13,14 +13,11 @@
 
 namespace taut {
 
-/// A path in a colour of its own: 0 the dark end of the scale, 1 the bright one.
+/// A path in a colour of its own (shade_colour): 0 the dark end of the scale, 1 the bright one.
 struct SvgShade {
   std::vector<VoronoiCurve> curves;
   double shade = 0;
 };
-
-/// The scale of SvgShade as `#rrggbb`.
-std::string shade_colour(double shade);
 
 /// A word beside a dot.
 struct SvgLabel {
@@ -60,10 +57,11 @@ struct SvgPicture {
 ///     key of what is drawn. Strokes, markers and the number of decimals follow the mean width of a corridor
 ///     (corridor_width), so that 5 x 7 and 300 x 300 cells both read well.
 ///  2. Groups, bottom to top, absent when they have nothing to show: `solid` (where the reference point cannot be),
-///     `free` (polygons with holes), `rooms` (the goal's), `views`, `roadmap`, `openings`, `walls` (as the world gives them: a
-///     line, or a bar as wide as it is thick), `separation`, `gates`, `shades`, `guides`, `path` (a casing and the line), `start`,
-///     `goal`, `labels`, `runner`; beside them `legend`. Each is a <g> of that class under svg.taut, coloured by the <style> block alone; there are no
-///     ids, so pictures can share a page. Colours follow `prefers-color-scheme`.
+///     `free` (polygons with holes), `rooms` (the goal's), `views`, `roadmap`, `openings`, `walls` (as the world gives
+///     them: a line, or a bar as wide as it is thick), `separation`, `gates`, `shades`, `guides`, `path` (a casing and
+///     the line), `start`, `goal`, `labels`, `runner`; beside them `legend`. Each is a <g> of that class under
+///     svg.taut, coloured by the <style> block alone; there are no ids, so pictures can share a page. Colours follow
+///     `prefers-color-scheme`.
 ///  3. Each group is a few <path> elements with relative, rounded coordinates: about 4 bytes a corner. A roadmap of
 ///     more than kSvgRoadmapEdges edges is left out and the legend says so.
 ///  4. All text is escaped; bytes that are no UTF-8 become U+FFFD. Same input, same bytes.
@@ -71,9 +69,5 @@ struct SvgPicture {
 std::string svg(const FreeSpace& space, const SvgPicture& picture = {});
 
 inline constexpr std::size_t kSvgRoadmapEdges = 200'000;
-
-/// The mean width of the space between obstacles: twice the free area by the length of what bounds it (zero-thickness
-/// walls count twice), at most an eighth of the box's longer side. In the world's unit. > 0.
-double corridor_width(const FreeSpace& space);
 
 }  // namespace taut

@@ -1,3 +1,4 @@
+#include <taut/io/colour_scale.h>
 #include <taut/io/svg_front.h>
 
 #include <fmt/format.h>
@@ -5,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <vector>
 
 #include <taut/io/detail/svg_path.h>
 #include <taut/io/svg_sheet.h>

@@ -15,8 +15,8 @@ struct SvgStep {
   std::string place{};  ///< where it is narrowest, for the list below the chart
 };
 
-/// One SVG 1.1 document: svg(space, picture) on the left, on the right the chart with a list of the steps (of many, the first and last).
-/// Step i is drawn in the colour of picture.shades[i].
+/// One SVG 1.1 document: svg(space, picture) on the left, on the right the chart with a list of the steps (of many, the
+/// first and last). Step i is drawn in the colour of picture.shades[i].
 /// Precondition: as many steps as shades, at least one, radius and length ascending. Same input, same bytes.
 std::string svg_front(const FreeSpace& space, const SvgPicture& picture, std::span<const SvgStep> steps);
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <string_view>
-#include <utility>
-#include <vector>
 
 #include <taut/io/detail/svg_path.h>
 

@@ -10,21 +10,22 @@
 
 namespace taut {
 
-// Every function returns the whole file. Numbers are the shortest decimals that read back as the same double, lines end in \n.
-// What a format cannot hold is an InputError, never left out; what is read back equals what was written, but for the file's name
-// and line numbers and, in segments, wkt and geojson, the grid.
+// Every function returns the whole file. Numbers are the shortest decimals that read back as the same double, lines end
+// in \n. What a format cannot hold is an InputError, never left out; what is read back equals what was written, but for
+// the file's name and line numbers and, in segments, wkt and geojson, the grid.
 
+/// How a segments file is written.
 struct SegmentsStyle {
   std::string comment{};  ///< lines that go in front, each behind `# `
-  Point
-      shift{};  ///< added to every coordinate: {0.5, 0.5} puts the cells of a grid at whole numbers, as the homework does
+  Point shift{};          ///< added to every coordinate: {0.5, 0.5} puts the cells of a grid at whole numbers
 };
 
-/// Walls, start, goal, boundary. A boundary or ends that World would imply anyway are left out, so that a maze from opening to opening
-/// is nothing but walls. Cannot hold solids, floor plans (Boundary::walled), several areas or holes.
+/// Walls, start, goal, boundary. A boundary or ends that World would imply anyway are left out, so that a maze from
+/// opening to opening is nothing but walls. Cannot hold solids, floor plans (Boundary::walled), several areas or holes.
 std::string write_segments(const World& world, const SegmentsStyle& style = {});
 
-/// Goal cells are read back in order. Cannot hold a maze without goal, unless its border has exactly two openings and it starts at the bottom left.
+/// Goal cells are read back in order. Cannot hold a maze without goal, unless its border has exactly two openings and
+/// it starts at the bottom left.
 std::string write_drawing(const GridMaze& maze);
 
 /// Square mazes of even size 2..256 with a closed border, start (0,0), goal the 2 x 2 room in the middle.
@@ -36,8 +37,8 @@ std::string write_maz(const GridMaze& maze);
 /// Any size; start and goal as for maz.
 std::string write_num(const GridMaze& maze);
 
-/// Cannot hold solids beside floor plans, thickness, a room, a goal without start, and a limit other than the one its walls imply.
-/// Solids alone are read back with ReadOptions::Polygons::obstacles.
+/// Cannot hold solids beside floor plans, thickness, a room, a goal without start, and a limit other than the one its
+/// walls imply. Solids alone are read back with ReadOptions::Polygons::obstacles.
 std::string write_wkt(const World& world);
 
 /// Everything; one feature an area, solid, run of walls of one thickness, start and goal.

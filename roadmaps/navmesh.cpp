@@ -14,8 +14,8 @@ namespace {
 
 using Tri = Triangulation;
 
-/// The sides of the chosen triangles as rings, and what is left of them when sides are taken out. Side 3 k + i lies opposite to corner i of
-/// the k-th of them.
+/// The sides of the chosen triangles as rings, and what is left of them when sides are taken out. Side 3 k + i lies
+/// opposite to corner i of the k-th of them.
 class Merging {
  public:
   Merging(const Tri& tri, std::vector<std::uint32_t> chosen)

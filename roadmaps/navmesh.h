@@ -9,19 +9,22 @@
 
 namespace taut {
 
-/// A navigation mesh: the free triangles merged into convex polygons, and where a path may go from one to the next. Immutable.
+/// A navigation mesh: the free triangles merged into convex polygons, and where a path may go from one to the next.
+/// Immutable.
 ///
-///  1. A polygon is a run of corners, counter-clockwise; its interior angles are at most 180 degrees (vertices in line are
-///     kept). The polygons' interiors are disjoint, their union is the free space.
-///  2. The side of corner c runs from corners[c].point to the next corner's. It is a portal, unconstrained, when across != kNone: `across` is
-///     the corner with the same side, the other way round, in the neighbour. Between two polygons there may be several portals in line.
-///  3. A bend is a reflex sector of the triangulation (see Triangulation): where a shortest path can turn. corners[c].bend is the bend that this
-///     corner's angle is a part of.
-///  4. Two portals are in one block iff a closed walk through both, without passing a polygon twice, exists (biconnected components of the
-///     polygons' graph). A shortest path passes no block that it would have to leave through the polygon it came from.
+///  1. A polygon is a run of corners, counter-clockwise; its interior angles are at most 180 degrees (vertices in line
+///     are kept). The polygons' interiors are disjoint, their union is the free space.
+///  2. The side of corner c runs from corners[c].point to the next corner's. It is a portal, unconstrained, when across
+///     != kNone: `across` is the corner with the same side, the other way round, in the neighbour. Between two polygons
+///     there may be several portals in line.
+///  3. A bend is a reflex sector of the triangulation (see Triangulation): where a shortest path can turn.
+///     corners[c].bend is the bend that this corner's angle is a part of.
+///  4. Two portals are in one block iff a closed walk through both, without passing a polygon twice, exists
+///     (biconnected components of the polygons' graph). A shortest path passes no block that it would have to leave
+///     through the polygon it came from.
 ///
-/// Polygons, corners, bends and blocks are numbered deterministically. Building takes O(n log n), a small part of what the triangulation took;
-/// memory 32 bytes a corner. Merging is greedy, the longest sides first.
+/// Polygons, corners, bends and blocks are numbered deterministically. Building takes O(n log n), a small part of what
+/// the triangulation took; memory 32 bytes a corner. Merging is greedy, the longest sides first.
 struct Navmesh {
   struct Corner {
     Point point;
@@ -67,14 +70,15 @@ struct Navmesh {
   }
 };
 
+/// The free triangles merged as above. O(n log n).
 Navmesh navmesh(const FreeSpace& space);
 
 /// The polygons are the free triangles themselves.
 Navmesh triangle_navmesh(const FreeSpace& space);
 
-/// The part of the mesh that a shortest path from `from` to the goal can pass: without the dead ends, whatever branches off and holds neither end. For
-/// these ends only (of a room, all of it). In a maze with few loops a tenth of the work; a side that leads into what was left out
-/// counts as none (across == kNone), and bends are bounded there too.
+/// The part of the mesh that a shortest path from `from` to the goal can pass: without the dead ends, whatever branches
+/// off and holds neither end. For these ends only (of a room, all of it). In a maze with few loops a tenth of the work;
+/// a side that leads into what was left out counts as none (across == kNone), and bends are bounded there too.
 Navmesh navmesh_between(const FreeSpace& space, Point from, const Goal& to);
 
 }  // namespace taut

@@ -11,8 +11,9 @@
 
 namespace taut {
 
-/// Where the vertices of a PRM come from. Every sample is a vertex only if it is clear (PrmOptions, guarantee 1). A zero-thickness wall
-/// has no inside to draw from, so "in an obstacle" is read as "not to be reached by a clear straight leg" in gaussian and bridge.
+/// Where the vertices of a PRM come from. Every sample is a vertex only if it is clear (PrmOptions, guarantee 1). A
+/// zero-thickness wall has no inside to draw from, so "in an obstacle" is read as "not to be reached by a clear
+/// straight leg" in gaussian and bridge.
 enum class PrmSampler {
   /// Uniform in the world's box.
   uniform,
@@ -41,7 +42,9 @@ struct PrmConnection {
     nearest,  ///< each vertex and its `count` nearest (Kavraki, Svestka, Latombe, Overmars 1996)
     visible,  ///< each vertex and the `count` nearest that pass the test, among its 4 * `count` nearest
     radius,   ///< each vertex and all within `radius`
-    forest,  ///< as nearest, among 4 * `count`, but no pair that hangs together already: quick, no cycles, long ways (same source)
+    /// As nearest, among 4 * `count`, but no pair that hangs together already: quick, no cycles, long ways (same
+    /// source)
+    forest,
     star,  ///< nearest, with count = ceil(e (1 + 1/2) ln n) of n vertices (k-PRM*: Karaman, Frazzoli 2011)
   };
   Rule rule = Rule::nearest;
@@ -49,13 +52,15 @@ struct PrmConnection {
   double radius = 1;      ///< > 0
 };
 
-/// How a PRM is made. The default, with clearance 0.1, is the student exercise as written: 500 uniform samples, 8 nearest.
+/// How a PRM is made. The default, with clearance 0.1, is the student exercise as written: 500 uniform samples, 8
+/// nearest.
 ///
-///  1. A vertex is clear: no obstacle (any FreeSpace::constraints(), openings included) is nearer than `clearance`, and none touches it. An
-///     edge is clear: a path can go straight along it (FreeSpace::sees), and no obstacle is nearer to it than `clearance`. Both are exact.
-///     With clearance 0 an edge may touch obstacles, a vertex never does: so any chain of edges is a path.
-///  2. Same space, options and seed, same roadmap, byte for byte: vertices in the order drawn, neighbours equally far by index, draws
-///     from std::mt19937_64 alone.
+///  1. A vertex is clear: no obstacle (any FreeSpace::constraints(), openings included) is nearer than `clearance`, and
+///     none touches it. An edge is clear: a path can go straight along it (FreeSpace::sees), and no obstacle is nearer
+///     to it than `clearance`. Both are exact. With clearance 0 an edge may touch obstacles, a vertex never does: so
+///     any chain of edges is a path.
+///  2. Same space, options and seed, same roadmap, byte for byte: vertices in the order drawn, neighbours equally far
+///     by index, draws from std::mt19937_64 alone.
 struct PrmOptions {
   PrmSampler sampler = PrmSampler::uniform;
   /// How many samples are drawn, not how many are kept. Absent: 500; of a lattice all its points.
@@ -65,8 +70,8 @@ struct PrmOptions {
   PrmConnection connection{};
   /// Absent: the cell centres of the grid the world came from, else the integers.
   std::optional<PrmLattice> lattice{};
-  /// How near "near" is in gaussian, bridge and corners: the standard deviation of each coordinate. Absent: half the root of
-  /// the box's area per obstacle piece, about half a corridor in a maze.
+  /// How near "near" is in gaussian, bridge and corners: the standard deviation of each coordinate. Absent: half the
+  /// root of the box's area per obstacle piece, about half a corridor in a maze.
   std::optional<double> spread{};
 };
 
@@ -79,13 +84,14 @@ struct PrmCounts {
   std::size_t components = 0;    ///< connected parts of the roadmap
 };
 
-/// The probabilistic roadmap of a space, all edges tested at once. Expected O(n log n + k n * (triangles or obstacles along an edge)) for n vertices
-/// with k neighbours. Throws InputError when a lattice would have 2^32 points or more in the box.
+/// The probabilistic roadmap of a space, all edges tested at once. Expected O(n log n + k n * (triangles or obstacles
+/// along an edge)) for n vertices with k neighbours. Throws InputError when a lattice would have 2^32 points or more in
+/// the box.
 Roadmap prm(const FreeSpace& space, const PrmOptions& options = {}, PrmCounts* counts = nullptr);
 
-/// The `count` nearest vertices of a roadmap that p can be joined to straight, nearest first (equally far ones by index): how an end of a query
-/// joins a PRM. A leg keeps `clearance` when p itself has it; from a p with less (in an opening, at a wall) a leg is any that FreeSpace::sees.
-/// Precondition: p is not outside. O(n log n).
+/// The `count` nearest vertices of a roadmap that p can be joined to straight, nearest first (equally far ones by
+/// index): how an end of a query joins a PRM. A leg keeps `clearance` when p itself has it; from a p with less (in an
+/// opening, at a wall) a leg is any that FreeSpace::sees. Precondition: p is not outside. O(n log n).
 std::vector<Roadmap::Vertex> nearest_visible(const FreeSpace& space, const Roadmap& roadmap, Point p, std::size_t count,
                                              double clearance = 0);
 

@@ -12,9 +12,9 @@
 namespace taut {
 
 /// An immutable undirected graph whose vertices are points and whose edges are straight legs, in compressed rows: the
-/// neighbours of vertex v are targets[offsets[v] .. offsets[v + 1]), ascending, each edge listed from both ends. Several
-/// vertices may lie at one point (the sides of a wall are different places).
-/// At most 2^32 - 2 vertices; edges are limited by memory only (8 bytes an undirected edge).
+/// neighbours of vertex v are targets[offsets[v] .. offsets[v + 1]), ascending, each edge listed from both ends.
+/// Several vertices may lie at one point (the sides of a wall are different places). At most 2^32 - 2 vertices; edges
+/// are limited by memory only (8 bytes an undirected edge).
 class Roadmap {
  public:
   using Vertex = std::uint32_t;

@@ -22,7 +22,8 @@ struct Corner {
   std::vector<std::pair<std::uint32_t, Vertex>> places;
 };
 
-/// A point in the direction of the clockwise side of a sector's first triangle: just left of it the sector begins, or goes on.
+/// A point in the direction of the clockwise side of a sector's first triangle: just left of it the sector begins, or
+/// goes on.
 Point clockwise_side(const Triangulation& mesh, const Triangulation::Sector& sector) {
   const auto& corners = mesh.triangles[sector.triangle];
   const auto i = static_cast<int>(std::find(corners.begin(), corners.end(), sector.vertex) - corners.begin());

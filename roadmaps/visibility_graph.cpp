@@ -87,7 +87,8 @@ class View {
   /// Does the line from the origin have the obstacle at the sector's vertex on one side?
   bool tangent_at(const Tri::Sector& s) const { return side(s.vertex, s.right) * side(s.vertex, s.left) >= 0; }
 
-  /// Can a ray that arrives in this sector go straight on in it? Then it spans half a turn at least, and the line does not leave it.
+  /// Can a ray that arrives in this sector go straight on in it? Then it spans half a turn at least, and the line does
+  /// not leave it.
   bool lets_pass(const Tri::Sector& s) const {
     const int right = side(s.vertex, s.right), left = side(s.vertex, s.left);
     return s.reflex ? right * left >= 0 : right == 0 && left == 0;
@@ -135,8 +136,9 @@ class View {
     each_triangle(tri_, s, [&](std::uint32_t t, int i) { wedge(t, i); });
   }
 
-  /// One triangle at the origin's vertex. Of a reflex sector in a reduced graph only the tangent directions: a path that bends
-  /// there does not start strictly between `first` and `second`, the backward continuations of the two bounding sides.
+  /// One triangle at the origin's vertex. Of a reflex sector in a reduced graph only the tangent directions: a path
+  /// that bends there does not start strictly between `first` and `second`, the backward continuations of the two
+  /// bounding sides.
   void wedge(std::uint32_t t, int i) {
     const std::uint32_t a = tri_.triangles[t][Tri::ccw(i)], b = tri_.triangles[t][Tri::cw(i)];
     const bool all = !reduced_ || !origin_sector_ || origin_sector_->right == origin_sector_->left;

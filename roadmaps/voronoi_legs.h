@@ -6,8 +6,9 @@
 
 namespace taut {
 
-/// The diagram as a graph of straight legs: its vertices first, in order, then points on its arcs, edge by edge; no farther than
-/// `tolerance` > 0 from it (sampled()). Two edges between the same vertices that are both straight become one. O(V + E + points).
+/// The diagram as a graph of straight legs: its vertices first, in order, then points on its arcs, edge by edge; no
+/// farther than `tolerance` > 0 from it (sampled()). Two edges between the same vertices that are both straight become
+/// one. O(V + E + points).
 Roadmap voronoi_legs(const VoronoiRoadmap& map, double tolerance);
 
 }  // namespace taut

@@ -15,7 +15,8 @@ using detail::Range;
 using detail::TangentPoint;
 using detail::TangentSite;
 
-/// The way from a query's end to a tangent point. `side` is the one it has the circle's centre on, seen in the direction of the path.
+/// The way from a query's end to a tangent point. `side` is the one it has the circle's centre on, seen in the
+/// direction of the path.
 struct EndLeg {
   std::uint32_t point;
   int side;

@@ -3,13 +3,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include <taut/roadmaps/tangent_graph.h>
 #include <taut/search/arc_path.h>
 
 namespace taut {
 
+/// How a search for a disc's path ended.
 enum class ArcStatus {
   found,          ///< `path` is the shortest
   none,           ///< there is no path, proven
@@ -17,22 +17,25 @@ enum class ArcStatus {
   goal_blocked,   ///< likewise at the goal; the start is sound
 };
 
+/// The answer, and what it took.
 struct ArcSearchResult {
   ArcStatus status = ArcStatus::none;
   ArcPath path;  ///< when found
-  std::uint32_t wall =
-      kNone;  ///< when an end is blocked: the nearest constraint, the lowest of equals; kNone when it is outside
+  /// When an end is blocked: the nearest constraint, the lowest of equals; kNone when it is outside
+  std::uint32_t wall = kNone;
   std::size_t expanded = 0;  ///< tangent points looked around from
 };
 
 /// The shortest path of the centre of the graph's disc from s to g, as TangentGraph defines what is allowed. A*.
 ///
 ///  1. That there is a path, that there is none, and that an end is no place are exact; they agree with disc_passage.
-///  2. Lengths of arcs are transcendental: lengths are compared by enclosures. Of two ways whose enclosures overlap the one found first is kept (ties in
-///     grids are usual, and whether two such lengths are equal is not decidable by more digits). So no path is shorter than the one found by more
-///     than the width of its `length` for each of its pieces.
+///  2. Lengths of arcs are transcendental: lengths are compared by enclosures. Of two ways whose enclosures overlap the
+///     one found first is kept (ties in grids are usual, and whether two such lengths are equal is not decidable by
+///     more digits). So no path is shorter than the one found by more than the width of its `length` for each of its
+///     pieces.
 ///  3. A bend whose arc has no length is left out: the tangents before and after it are one.
-///  4. An end on an opening stands for the inside near it; at a joint of several openings for the triangle that FreeSpace::locate names.
+///  4. An end on an opening stands for the inside near it; at a joint of several openings for the triangle that
+///     FreeSpace::locate names.
 ///  5. Same graph, same ends, same path.
 /// O(V) memory; joins the ends to what they see, then O((V + E) log V) at worst.
 ArcSearchResult arc_search(const TangentGraph& graph, Point s, Point g);

@@ -1,7 +1,6 @@
 #include <taut/search/corridor.h>
 
 #include <algorithm>
-#include <utility>
 
 #include <taut/geometry/predicates.h>
 
@@ -11,8 +10,9 @@ namespace {
 
 using Tri = Triangulation;
 
-/// Follows a path from vertex to vertex of the triangulation and remembers the triangles. At a vertex, or on a wall, it may be in several places
-/// at once, one on each side of a wall: each is a state, and each state knows the cheapest one that it comes from.
+/// Follows a path from vertex to vertex of the triangulation and remembers the triangles. At a vertex, or on a wall, it
+/// may be in several places at once, one on each side of a wall: each is a state, and each state knows the cheapest one
+/// that it comes from.
 class CorridorWalk {
  public:
   explicit CorridorWalk(const FreeSpace& space) : space_(space), tri_(space.triangulation()) {}
@@ -103,7 +103,8 @@ class CorridorWalk {
     first_ = static_cast<std::uint32_t>(passed_.size());
   }
 
-  /// By any way within the sector: turning around the vertex to the left or to the right, as far as there are triangles.
+  /// By any way within the sector: turning around the vertex to the left or to the right, as far as there are
+  /// triangles.
   void depart_from_vertex(std::uint32_t t, int i) {
     fan_.assign(1, t);
     leave_from(t, i, 0);
@@ -125,8 +126,8 @@ class CorridorWalk {
 
   std::uint32_t vertex_of(std::uint32_t t, int i) const { return tri_.triangles[t][i]; }
 
-  /// Into triangle t of the fan, or along one of its sides. (An unconstrained side belongs to the triangle on its left.) `turned`: +1 when the
-  /// fan was passed counter-clockwise, which leaves the vertex on the left.
+  /// Into triangle t of the fan, or along one of its sides. (An unconstrained side belongs to the triangle on its
+  /// left.) `turned`: +1 when the fan was passed counter-clockwise, which leaves the vertex on the left.
   void leave_from(std::uint32_t t, int i, int turned) {
     const Point right = corner(t, Tri::ccw(i)), left = corner(t, Tri::cw(i));
     const int r = side(right), l = side(left);

@@ -17,6 +17,7 @@ struct BarrierPiece {
   friend bool operator==(const BarrierPiece&, const BarrierPiece&) = default;
 };
 
+/// Where a disc can go.
 enum class PassageStatus {
   reachable,      ///< a path exists
   separated,      ///< none exists: walls and gates stand between
@@ -24,6 +25,7 @@ enum class PassageStatus {
   goal_blocked,   ///< likewise at the goal; the start is sound
 };
 
+/// The answer, and what proves it when it is no.
 struct DiscPassage {
   PassageStatus status = PassageStatus::reachable;
   /// When separated: the closed chain that separates, in order. Its gates are narrower than the disc; the widest of

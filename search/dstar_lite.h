@@ -1,109 +1,25 @@
 // Replanning: the shortest path in a graph whose edges change while the robot is under way.
 #pragma once
 
-#include <algorithm>
 #include <chrono>
-#include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <type_traits>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include <taut/search/graph_search.h>
+#include <taut/search/indexed_heap.h>
+#include <taut/search/replanning_graph.h>
 
 namespace taut {
 
-/// How plain numbers are added up as costs. Integers: exact, infinity is the largest value, sums saturate there.
-/// Floating point: see guarantee 3 of DstarLite.
-template <class Number>
-struct NumberCosts {
-  using Cost = Number;
-  using Key = Number;
-
-  static constexpr Number infinity() {
-    if constexpr (std::floating_point<Number>) return std::numeric_limits<Number>::infinity();
-    return std::numeric_limits<Number>::max();
-  }
-  static constexpr Key key_infinity() { return infinity(); }
-  static bool is_infinite(Number cost) { return cost == infinity(); }
-  static bool is_less(Number a, Number b) { return a < b; }
-  static bool is_equal(Number a, Number b) { return a == b; }
-  static Number plus(Number edge, Number rest) {
-    if constexpr (std::floating_point<Number>) return edge + rest;
-    return rest > infinity() - edge ? infinity() : static_cast<Number>(edge + rest);
-  }
-  static bool plus_is_less(Number edge, Number rest, Number than) { return plus(edge, rest) < than; }
-  static Key key(Number cost) { return cost; }
-  static Key key_plus(Key a, Key b) { return plus(a, b); }
-  /// A heuristic as it enters the queue: rounding must never hide that it is too small.
-  static Key weakened(Key heuristic) {
-    if constexpr (std::floating_point<Number>) return heuristic * (1 - Number(1) / 1024);
-    return heuristic;
-  }
-};
-
-/// What DstarLite asks of a graph; it may be implicit (a grid, a lattice of poses): states are made up as they are met.
-///  - State: copyable, ==, std::hash or the Hash parameter.
-///  - each_out(s, visit): visit(t, edge) for every edge s -> t as it is now; each_in(s, visit): visit(t, edge) for
-///    every edge t -> s. Both in an order that depends on the graph alone. An edge of infinite cost is no edge and may
-///    be listed. Edges cost more than 0.
-///  - heuristic(s, t): at most the cost of any path from s to t, and heuristic(s, u) <= heuristic(s, t) + heuristic(t,
-///    u); 0 always serves. It must stay so when edges change: built upon the least cost an edge can ever have.
-template <class G>
-concept ReplanningGraph = requires(const G& graph, const typename G::State& s) {
-  graph.each_out(s, [](const typename G::State&, const auto&) {});
-  graph.each_in(s, [](const typename G::State&, const auto&) {});
-  graph.heuristic(s, s);
-};
-
-/// A graph whose states are the numbers 0 .. state_count() - 1, which stays as it is: they are found by an array and not by hashing.
-template <class G>
-concept NumberedGraph = ReplanningGraph<G> && std::integral<typename G::State> && requires(const G& graph) {
-  { graph.state_count() } -> std::convertible_to<std::size_t>;
-};
-
-namespace detail {
-
-/// State -> a number given to it, in a hash table; in an array where the graph is numbered.
-template <class Graph, class Hash>
-class StateNumbers {
- public:
-  explicit StateNumbers(const Graph&) {}
-  /// What s has; `next` the first time.
-  std::uint32_t number(const typename Graph::State& s, std::uint32_t next) {
-    return numbers_.try_emplace(s, next).first->second;
-  }
-  void clear() { numbers_.clear(); }
-
- private:
-  std::unordered_map<typename Graph::State, std::uint32_t, Hash> numbers_;
-};
-
-template <NumberedGraph Graph, class Hash>
-class StateNumbers<Graph, Hash> {
- public:
-  explicit StateNumbers(const Graph& graph) : numbers_(graph.state_count(), kUnmet) {}
-  std::uint32_t number(const typename Graph::State& s, std::uint32_t next) {
-    std::uint32_t& number = numbers_[static_cast<std::size_t>(s)];
-    if (number == kUnmet) number = next;
-    return number;
-  }
-  void clear() { std::fill(numbers_.begin(), numbers_.end(), kUnmet); }
-
- private:
-  static constexpr std::uint32_t kUnmet = 0xffffffff;
-  std::vector<std::uint32_t> numbers_;
-};
-
-}  // namespace detail
-
 /// D* Lite, the optimised version (Koenig and Likhachev, "D* Lite", AAAI 2002, figure 4): searches backwards from a
 /// goal that stays and repairs only what a change touches, while the start moves. Without moves it is LPA* run
-/// backwards. Different here: of states with the same estimate the paper takes that nearest to the goal, which on an open grid is
-/// every cell between start and goal; here it is those that became dearer, then those nearest to the start.
+/// backwards. Different here: of states with the same estimate the paper takes that nearest to the goal, which on an
+/// open grid is every cell between start and goal; here it is those that became dearer, then those nearest to the
+/// start.
 ///
 /// Use: change the graph, name every state whose outgoing edges changed (`changed`), move the start (`move_to`), then
 /// replan(). Edges and states may appear and vanish; whichever way, the state an edge leaves from is named.
@@ -117,7 +33,8 @@ class StateNumbers<Graph, Hash> {
 ///     occurs, and up to 2^15 moves for every edge of the shortest path; heuristics are multiplied by 1 - 2^-10 for
 ///     that. Exact sums of square roots: RoadmapReplanner.
 ///  4. A stopped replan() goes on where it stood when called again.
-/// The graph must outlive it. Memory: about 60 bytes a state met, and 40 more in a hash table or 4 for every state of a NumberedGraph. `Costs` adds and compares costs; see NumberCosts.
+/// The graph must outlive it. Memory: about 60 bytes a state met, and 40 more in a hash table or 4 for every state of a
+/// NumberedGraph. `Costs` adds and compares costs; see NumberCosts.
 template <ReplanningGraph Graph, class Costs = NumberCosts<typename Graph::Cost>,
           class Hash = std::hash<typename Graph::State>>
 class DstarLite {
@@ -131,8 +48,8 @@ class DstarLite {
     begin(std::move(start), std::move(goal));
   }
 
-  /// The cost of edges out of s changed, or edges appeared or vanished. O(1): replan() looks at each such state once, however often it
-  /// was named.
+  /// The cost of edges out of s changed, or edges appeared or vanished. O(1): replan() looks at each such state once,
+  /// however often it was named.
   void changed(const State& s) {
     const Index u = node(s);
     if (u == goal_ || nodes_[u].is_changed) return;
@@ -196,8 +113,8 @@ class DstarLite {
   using Index = std::uint32_t;
   static constexpr Index kNowhere = 0xffffffff;
 
-  /// By the least cost of a path through the state. Of equal ones those that became dearer come first, so that nobody goes on building upon them;
-  /// then what is nearer to the start.
+  /// By the least cost of a path through the state. Of equal ones those that became dearer come first, so that nobody
+  /// goes on building upon them; then what is nearer to the start.
   struct Priority {
     Key through{};
     bool is_cheaper = true;
@@ -223,12 +140,6 @@ class DstarLite {
     Index next = kNowhere;
     Index place = kNowhere;  // in the heap
     bool is_changed = false;
-  };
-
-  struct Entry {
-    Priority priority;
-    Index node;
-    friend bool operator<(const Entry& a, const Entry& b) { return a.priority < b.priority; }
   };
 
   void begin(State start, State goal) {
@@ -274,15 +185,15 @@ class DstarLite {
   bool is_unsettled() const {
     if (heap_.empty()) return false;
     const Node& s = nodes_[start_];
-    const Priority &top = heap_[0].priority, here = priority(start_);
+    const Priority &top = heap_.top().priority, here = priority(start_);
     if (top.through < here.through || costs_.is_less(s.cost, s.ahead)) return true;
     return !top.is_cheaper && !(here.through < top.through);
   }
 
   void step() {
-    const Index u = heap_[0].node;
+    const Index u = heap_.top().node;
     const Priority now = priority(u);
-    if (heap_[0].priority.through < now.through) return sink(0, {now, u});
+    if (heap_.top().priority.through < now.through) return heap_.set(nodes_, u, now);
     ++expanded_;
     now.is_cheaper ? settle(u) : raise(u);
   }
@@ -329,65 +240,17 @@ class DstarLite {
 
   /// Into the queue, out of it or to another place in it.
   void queue(Index u) {
-    Node& n = nodes_[u];
+    const Node& n = nodes_[u];
     const bool settled = costs_.is_equal(n.cost, n.ahead);
     if (settled && n.place == kNowhere) return;
-    if (settled) return leave(u);
-    const Entry entry{priority(u), u};
-    if (n.place == kNowhere) {
-      n.place = static_cast<Index>(heap_.size());
-      heap_.push_back(entry);
-    }
-    move(n.place, entry);
-  }
-
-  void leave(Index u) {
-    const Index hole = nodes_[u].place;
-    const Entry last = heap_.back();
-    nodes_[u].place = kNowhere;
-    heap_.pop_back();
-    if (last.node == u) return;
-    // The last is seldom small: down to the bottom, without looking at it, and up again.
-    rise(sink_hole(hole), last);
-  }
-
-  void put(Index place, const Entry& entry) {
-    heap_[place] = entry;
-    nodes_[entry.node].place = place;
-  }
-  /// To where it belongs, from a place that it may have.
-  void move(Index place, const Entry& entry) {
-    place > 0 && entry < heap_[(place - 1) / 2] ? rise(place, entry) : sink(place, entry);
-  }
-  void rise(Index place, const Entry& entry) {
-    for (; place > 0 && entry < heap_[(place - 1) / 2]; place = (place - 1) / 2) put(place, heap_[(place - 1) / 2]);
-    put(place, entry);
-  }
-  Index sink_hole(Index place) {
-    const auto size = static_cast<Index>(heap_.size());
-    for (Index child = 2 * place + 1; child < size; child = 2 * place + 1) {
-      if (child + 1 < size) child += heap_[child + 1] < heap_[child];
-      put(place, heap_[child]);
-      place = child;
-    }
-    return place;
-  }
-  void sink(Index place, const Entry& entry) {
-    const auto size = static_cast<Index>(heap_.size());
-    for (Index child = 2 * place + 1; child < size; child = 2 * place + 1) {
-      if (child + 1 < size) child += heap_[child + 1] < heap_[child];
-      if (!(heap_[child] < entry)) break;
-      put(place, heap_[child]);
-      place = child;
-    }
-    put(place, entry);
+    settled ? heap_.remove(nodes_, u) : heap_.set(nodes_, u, priority(u));
   }
 
   const Graph* graph_;
   Costs costs_;
   std::vector<Node> nodes_;
   detail::StateNumbers<Graph, Hash> numbers_;
-  std::vector<Entry> heap_;
+  IndexedHeap<Priority> heap_;
   std::vector<Index> changed_;  // since the last replan()
   Index start_ = 0, goal_ = 0, last_ = 0;
   Key moved_{};

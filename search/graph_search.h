@@ -13,6 +13,7 @@
 
 namespace taut {
 
+/// Both are exact; A* looks at fewer vertices.
 enum class GraphAlgorithm { astar, dijkstra };
 
 /// How a search ended.
@@ -34,13 +35,15 @@ struct Terminal {
   std::vector<Roadmap::Vertex> vertices;
 };
 
-/// A query: from one terminal to the nearest of several. A leg from the start straight to goal i exists iff `direct` holds i.
+/// A query: from one terminal to the nearest of several. A leg from the start straight to goal i exists iff `direct`
+/// holds i.
 struct GraphQuery {
   Terminal start;
   std::vector<Terminal> goals;
   std::vector<std::size_t> direct;
 };
 
+/// The answer, and what it took.
 struct GraphSearchResult {
   SearchStatus status = SearchStatus::none;
   Path path;                  ///< when found; when stopped the best so far, if any. Consecutive equal points are merged
@@ -49,14 +52,14 @@ struct GraphSearchResult {
   std::size_t generated = 0;  ///< vertices that ever got a length, start and goals included
 };
 
-/// The shortest way through the graph, exactly: labels are intervals; two that overlap are compared as the exact sums of
-/// square roots they stand for (compare_lengths); equal ones keep the predecessor found first. The search goes on until no open
-/// vertex could still improve the goal, so rounding decides nothing.
+/// The shortest way through the graph, exactly: labels are intervals; two that overlap are compared as the exact sums
+/// of square roots they stand for (compare_lengths); equal ones keep the predecessor found first. The search goes on
+/// until no open vertex could still improve the goal, so rounding decides nothing.
 ///  - astar: boost::astar_search_no_init, heuristic: distance to the nearest goal point, rounded down. Early exit.
 ///  - dijkstra: boost::dijkstra_shortest_paths_no_init (early exit as well).
 /// Among goals equally far, the first of those reached. Precondition: V + goals < 2^32 - 1.
-/// O((V + E) log V) in the part reached, the heuristic O(goals); memory 16 bytes a vertex, touched only in the part reached, and 32 bytes
-/// each time a vertex gets a shorter way.
+/// O((V + E) log V) in the part reached, the heuristic O(goals); memory 16 bytes a vertex, touched only in the part
+/// reached, and 32 bytes each time a vertex gets a shorter way.
 GraphSearchResult graph_search(const Roadmap& roadmap, const GraphQuery& query,
                                GraphAlgorithm algorithm = GraphAlgorithm::astar, const SearchLimits& limits = {});
 
@@ -65,7 +68,8 @@ class GraphShortestPaths {
  public:
   GraphShortestPaths(std::shared_ptr<const Roadmap> roadmap, Terminal start);
 
-  /// The best path to `goal`, by its own legs or straight (`direct`); nothing when it is not reached. O(goal.vertices + answer).
+  /// The best path to `goal`, by its own legs or straight (`direct`); nothing when it is not reached. O(goal.vertices +
+  /// answer).
   std::optional<Path> path_to(const Terminal& goal, bool direct) const;
   /// The predecessor of v on its shortest path; kNoVertex for those joined to the start itself or not reached.
   Roadmap::Vertex predecessor(Roadmap::Vertex v) const;

@@ -6,14 +6,14 @@
 
 namespace taut {
 
-/// The cost of `straight` unit moves and `diagonal` moves of length sqrt(2), kept as the integer straight * Q + diagonal * P with
-/// P^2 - 2 Q^2 = 1 (a solution of Pell's equation, so P / Q is sqrt(2) to 18 digits).
+/// The cost of `straight` unit moves and `diagonal` moves of length sqrt(2), kept as the integer straight * Q +
+/// diagonal * P with P^2 - 2 Q^2 = 1 (a solution of Pell's equation, so P / Q is sqrt(2) to 18 digits).
 ///
 ///  1. Costs add by adding integers.
-///  2. The order of the integers is the order of the numbers, ties included, while no count exceeds 5 * 10^8. Proof: for different
-///     counts, x = da + db sqrt(2) is not 0 and |x| >= 1 / (|da| + sqrt(2) |db|) >= 1 / (2.4143 M), since |da^2 - 2 db^2| >= 1.
-///     The integers differ by Q x + db (P - Q sqrt(2)), and |db| (P - Q sqrt(2)) = |db| / (P + Q sqrt(2)) < M / (2.8284 Q), which is less
-///     than Q |x| as long as M < 1.08 Q.
+///  2. The order of the integers is the order of the numbers, ties included, while no count exceeds 5 * 10^8. Proof:
+///     for different counts, x = da + db sqrt(2) is not 0 and |x| >= 1 / (|da| + sqrt(2) |db|) >= 1 / (2.4143 M), since
+///     |da^2 - 2 db^2| >= 1. The integers differ by Q x + db (P - Q sqrt(2)), and |db| (P - Q sqrt(2)) = |db| / (P + Q
+///     sqrt(2)) < M / (2.8284 Q), which is less than Q |x| as long as M < 1.08 Q.
 ///  3. The counts can be had back: P is its own inverse modulo Q.
 class GridCost {
  public:

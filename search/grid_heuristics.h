@@ -24,16 +24,16 @@ enum class GridEstimate {
   exact,          ///< the true cost, by a search backwards from the goal over the whole map before the search proper
 };
 
-/// The maximum of a set of estimates; of none, 0. Rounding Euclidean lengths down keeps them consistent: a diagonal move counts
-/// as slightly more than sqrt(2) (GridCost), a straight one as a whole number of units.
+/// The maximum of a set of estimates; of none, 0. Rounding Euclidean lengths down keeps them consistent: a diagonal
+/// move counts as slightly more than sqrt(2) (GridCost), a straight one as a whole number of units.
 struct GridHeuristic {
   std::vector<GridEstimate> members{GridEstimate::zero};
 
   friend bool operator==(const GridHeuristic&, const GridHeuristic&) = default;
 };
 
-/// `zero`, `manhattan`, `euclidean`, `chebyshev`, `octile`, `biased-row`, `biased-column`, `exact`; of a maximum the names joined by
-/// commas.
+/// `zero`, `manhattan`, `euclidean`, `chebyshev`, `octile`, `biased-row`, `biased-column`, `exact`; of a maximum the
+/// names joined by commas.
 std::string_view name(GridEstimate estimate);
 std::string name(const GridHeuristic& heuristic);
 /// Nothing for a word that names none.
@@ -43,7 +43,8 @@ std::string grid_estimate_names();
 /// Manhattan for four neighbours, else octile: the largest that is consistent on every map.
 GridHeuristic natural_heuristic(GridMoves moves);
 
-/// Consistent on every map: all but Manhattan (and maxima with it) where moves are diagonal. What is consistent is admissible.
+/// Consistent on every map: all but Manhattan (and maxima with it) where moves are diagonal. What is consistent is
+/// admissible.
 bool consistent_everywhere(const GridHeuristic& heuristic, GridMoves moves);
 
 /// An estimate above the true cost.
@@ -53,7 +54,8 @@ struct Overestimate {
   GridCost cost;  ///< the true one
 };
 
-/// A move along which the estimate falls by more than the move costs, or the goal itself (from == to) when its estimate is not 0.
+/// A move along which the estimate falls by more than the move costs, or the goal itself (from == to) when its estimate
+/// is not 0.
 struct InconsistentMove {
   GridPlace from;
   GridPlace to;
@@ -62,6 +64,7 @@ struct InconsistentMove {
   GridCost cost;
 };
 
+/// What an estimate is worth: heuristic_verdict().
 struct HeuristicVerdict {
   std::optional<Overestimate> overestimate;   ///< none: admissible. Else the largest, the first by rows among equals
   std::optional<InconsistentMove> violation;  ///< none: consistent. Else the largest, the first by rows among equals
@@ -71,8 +74,8 @@ struct HeuristicVerdict {
   bool consistent() const { return !violation; }
 };
 
-/// Compares the estimate with the true cost in every cell that can reach the goal, and across every move between them. All integers:
-/// nothing is tolerated. Throws InputError when the goal is outside or blocked. O(cells log cells).
+/// Compares the estimate with the true cost in every cell that can reach the goal, and across every move between them.
+/// All integers: nothing is tolerated. Throws InputError when the goal is outside or blocked. O(cells log cells).
 HeuristicVerdict heuristic_verdict(const OccupancyGrid& grid, GridMoves moves, GridPlace goal,
                                    const GridHeuristic& heuristic);
 

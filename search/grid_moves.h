@@ -1,7 +1,5 @@
 // Cells of a grid, and which moves lead from one to the next.
 #pragma once
-
-#include <array>
 #include <compare>
 #include <cstdint>
 #include <optional>
@@ -17,8 +15,8 @@ struct GridPlace {
   friend constexpr auto operator<=>(const GridPlace&, const GridPlace&) = default;
 };
 
-/// Which neighbours a free cell has, all of them free. They are looked at in the order right, down, left, up, then (where there are
-/// eight) right-down, left-down, left-up, right-up.
+/// Which neighbours a free cell has, all of them free. They are looked at in the order right, down, left, up, then
+/// (where there are eight) right-down, left-down, left-up, right-up.
 enum class GridMoves {
   four,    ///< unit moves
   eight,   ///< diagonal moves as well, past blocked cells and between two of them
@@ -27,6 +25,7 @@ enum class GridMoves {
 
 /// `4`, `8`, `octile`
 std::string_view name(GridMoves moves);
+/// Nothing for any other word.
 std::optional<GridMoves> grid_moves_named(std::string_view word);
 
 }  // namespace taut

@@ -22,22 +22,26 @@ namespace taut {
 ///  dfs             the recursive pre-order: the first neighbour not yet marked is taken next.
 ///  dijkstra        the least cost g first.
 ///  greedy_once     the least estimate h first.
-///  greedy          the same with a careless frontier: a cell that is not marked goes in each time it is seen, and is taken,
-///                  counted and looked around from each time it comes out, so that steps can grow exponentially. For
-///                  comparison with reports that did so (and called it A*).
+///  greedy          the same with a careless frontier: a cell that is not marked goes in each time it is seen, and is
+///                  taken, counted and looked around from each time it comes out, so that steps can grow exponentially.
+///                  For comparison with reports that did so (and called it A*).
 ///  astar           the least f = g + h first.
-///  weighted_astar  the least f = g + w h first (w h rounded down to the unit of GridCost): at most w times the least cost
-///                  when h is consistent.
-///  bidirectional_astar  A* from both ends, h to the other end, the smaller frontier next (start's at a tie); stops when no cost below that of
+///  weighted_astar  the least f = g + w h first (w h rounded down to the unit of GridCost): at most w times the least
+///                  cost when h is consistent.
+///  bidirectional_astar  A* from both ends, h to the other end, the smaller frontier next (start's at a tie); stops
+///                       when no cost below that of
 ///                  the best meeting is possible any more: max(least f of either side) >= that cost.
-///  idastar         depth first within a bound on f, raised to the least f above it. A table keeps the cheapest g of this round, so that
-///                  no cell is expanded twice at the same g. Every taking counts, those of earlier rounds too.
-///  jps             jump point search (Harabor and Grastien, "Online graph pruning for pathfinding on grid maps", 2011) for eight
-///                  neighbours; with the octile rule the pruning of "The JPS pathfinding system" (2012): diagonal moves force
-///                  nothing, straight ones force a side whose cell one step back is blocked. Steps are jump points.
+///  idastar         depth first within a bound on f, raised to the least f above it. A table keeps the cheapest g of
+///                  this round, so that no cell is expanded twice at the same g. Every taking counts, those of earlier
+///                  rounds too.
+///  jps             jump point search (Harabor and Grastien, "Online graph pruning for pathfinding on grid maps", 2011)
+///                  for eight neighbours; with the octile rule the pruning of "The JPS pathfinding system" (2012):
+///                  diagonal moves force nothing, straight ones force a side whose cell one step back is blocked. Steps
+///                  are jump points.
 ///
-/// Among equals the one that entered first (Ties::fifo) or last (lifo). A cell enters anew when a cheaper way to it is found; the old
-/// entry is void. dijkstra, astar, bidirectional_astar, idastar and jps find the least cost when the heuristic is consistent.
+/// Among equals the one that entered first (Ties::fifo) or last (lifo). A cell enters anew when a cheaper way to it is
+/// found; the old entry is void. dijkstra, astar, bidirectional_astar, idastar and jps find the least cost when the
+/// heuristic is consistent.
 enum class GridAlgorithm {
   bfs,
   dfs,
@@ -55,10 +59,13 @@ inline constexpr std::size_t kGridAlgorithms = 10;
 
 /// `bfs`, `greedy`, `weighted-astar`, ...
 std::string_view name(GridAlgorithm algorithm);
+/// Nothing for any other word.
 std::optional<GridAlgorithm> grid_algorithm_named(std::string_view word);
 
+/// Of equal entries of the frontier, which one is taken: the one that came first, or last.
 enum class Ties { fifo, lifo };
 
+/// How a search ended.
 enum class GridStatus {
   found,
   none,     ///< all that can be reached from the start was looked at: there is no path
@@ -68,6 +75,7 @@ enum class GridStatus {
 /// `found`, `none`, `stopped`
 std::string_view name(GridStatus status);
 
+/// How to search.
 struct GridQuery {
   GridAlgorithm algorithm = GridAlgorithm::astar;
   GridHeuristic heuristic;  ///< bfs, dfs and dijkstra do without
@@ -77,6 +85,7 @@ struct GridQuery {
   bool record = false;  ///< keep `visited` and `frontier`
 };
 
+/// The answer, and what it took.
 struct GridResult {
   GridStatus status = GridStatus::none;
   std::size_t steps = 0;    ///< cells taken, start and goal included, each once (but for greedy and idastar)
@@ -92,8 +101,8 @@ struct GridResult {
 /// Does this query find the least cost, whatever the map?
 bool finds_least_cost(const GridQuery& query, GridMoves moves);
 
-/// Searches on one map. Memory is kept from query to query and not cleared (generation stamps), so that a query costs what it looks at.
-/// Not for several threads at once.
+/// Searches on one map. Memory is kept from query to query and not cleared (generation stamps), so that a query costs
+/// what it looks at. Not for several threads at once.
 class GridSearch {
  public:
   /// Throws InputError when the grid has no cell, more than 4 * 10^8, or not width * height of them.
@@ -116,7 +125,8 @@ class GridSearch {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Replays a path against the map alone: begins and ends right, every move is one of `moves`; gives its cost, or what is wrong.
+/// Replays a path against the map alone: begins and ends right, every move is one of `moves`; gives its cost, or what
+/// is wrong.
 struct GridPathCheck {
   std::string fault;  ///< empty: valid
   GridCost cost;

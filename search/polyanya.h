@@ -17,10 +17,11 @@ namespace detail {
 class Landmarks;
 }
 
-/// A free space with its navigation mesh, ready for any number of queries. Immutable, cheap to copy, for any number of threads.
+/// A free space with its navigation mesh, ready for any number of queries. Immutable, cheap to copy, for any number of
+/// threads.
 ///
-/// What it finds is what the visibility graph finds, of exactly the same length, without building one: a first query costs the
-/// mesh (a small part of what the FreeSpace took) and the search.
+/// What it finds is what the visibility graph finds, of exactly the same length, without building one: a first query
+/// costs the mesh (a small part of what the FreeSpace took) and the search.
 class Polyanya {
  public:
   explicit Polyanya(FreeSpace space);
@@ -30,8 +31,9 @@ class Polyanya {
   const FreeSpace& space() const { return space_; }
   const Navmesh& mesh() const { return *mesh_; }
 
-  /// The same with a table of distances from `count` far places, for thousands of queries on a world in which paths wind: searches for a single
-  /// goal then look at a fraction of the nodes. Lengths stay the same, exactly. Takes count + 1 searches over the whole mesh; 4 * count bytes a bend.
+  /// The same with a table of distances from `count` far places, for thousands of queries on a world in which paths
+  /// wind: searches for a single goal then look at a fraction of the nodes. Lengths stay the same, exactly. Takes count
+  /// + 1 searches over the whole mesh; 4 * count bytes a bend.
   Polyanya with_landmarks(std::size_t count = 8) const;
   const detail::Landmarks* landmarks() const { return landmarks_.get(); }
 
@@ -43,18 +45,21 @@ class Polyanya {
 
 /// One query after the other in the same memory: once that has grown nothing is allocated. One thread at a time.
 ///
-///  1. Shortest among all paths of definition 2 of the design: a path may touch walls, run along them and turn around their free ends, and passes
-///     no point where two obstacles touch. Lengths are compared exactly; of paths equally long one is chosen, always the same.
-///  2. Ends may lie anywhere a robot can be: on walls, corners, portals. A start on a thin wall may leave to both sides.
+///  1. Shortest among all paths of definition 2 of the design: a path may touch walls, run along them and turn around
+///     their free ends, and passes no point where two obstacles touch. Lengths are compared exactly; of paths equally
+///     long one is chosen, always the same.
+///  2. Ends may lie anywhere a robot can be: on walls, corners, portals. A start on a thin wall may leave to both
+///     sides.
 ///  3. `none` is proven, at once where start and goal lie in different components.
 ///  4. A room is entered where graph search enters it (search/shortest_path.h).
 /// Throws InputError when an end is no place for the robot.
 ///
-/// Cost: a node of the search is a cone of sight through a portal. Only the part of the mesh that lies between start and goal is
-/// entered: what hangs on it by a single polygon (dead ends, side rooms) is not looked at. In a maze without loops that is the corridor alone, and
-/// a string pulled taut along it instead of a search.
-/// Source: Cui, Harabor, Grastien, "Compromise-free Pathfinding on a Navigation Mesh" (IJCAI 2017). Different here: ends of intervals
-/// are rays through corners and are never rounded; roots are sectors of vertices; turns are queued of their own.
+/// Cost: a node of the search is a cone of sight through a portal. Only the part of the mesh that lies between start
+/// and goal is entered: what hangs on it by a single polygon (dead ends, side rooms) is not looked at. In a maze
+/// without loops that is the corridor alone, and a string pulled taut along it instead of a search.
+/// Source: Cui, Harabor, Grastien, "Compromise-free Pathfinding on a Navigation Mesh" (IJCAI 2017). Different here:
+/// ends of intervals are rays through corners and are never rounded; roots are sectors of vertices; turns are queued of
+/// their own.
 class PolyanyaSearch {
  public:
   explicit PolyanyaSearch(Polyanya polyanya);
@@ -80,7 +85,8 @@ class PolyanyaSearch {
   /// Status, path with its exact length and counts.
   GraphSearchResult result() const;
 
-  /// The shortest paths to each of the goals, in their order, in one search; nothing where there is none. Goals that are no place for the robot have none.
+  /// The shortest paths to each of the goals, in their order, in one search; nothing where there is none. Goals that
+  /// are no place for the robot have none.
   std::vector<std::optional<Path>> find_each(Point from, std::span<const Point> goals);
 
  private:

@@ -18,7 +18,8 @@ struct PrmProgress {
 
 /// How a roadmap is grown and when to give up.
 struct PrmPlan {
-  /// `samples` is how many are drawn at most; absent: a million. A lattice is drawn whole first, then at half the spacing, and so on.
+  /// `samples` is how many are drawn at most; absent: a million. A lattice is drawn whole first, then at half the
+  /// spacing, and so on.
   PrmOptions roadmap{};
   /// Test an edge only when a candidate for the shortest path uses it.
   bool lazy = false;
@@ -35,9 +36,11 @@ struct PrmConnectivity {
   std::size_t goal_part = 0;   ///< with the goal, of a room any of its boxes
 };
 
+/// The answer, the roadmap it came from, and how far that hangs together.
 struct PrmResult {
-  /// found: the path is the shortest in the roadmap as it was then, not in the world. none: start and goal lie in different components of
-  /// the space, which proves that there is no path at all (nothing is sampled). stopped: the budget ended first; proves nothing.
+  /// found: the path is the shortest in the roadmap as it was then, not in the world. none: start and goal lie in
+  /// different components of the space, which proves that there is no path at all (nothing is sampled). stopped: the
+  /// budget ended first; proves nothing.
   GraphSearchResult search;
   Roadmap roadmap;  ///< of the edges that were tested and found free
   PrmCounts counts;
@@ -50,17 +53,21 @@ struct PrmResult {
 
 /// Grows a PRM batch by batch until it joins `from` and the goal.
 ///
-///  1. Every leg of the path is clear as in PrmOptions, guarantee 1; the first and the last one as in nearest_visible().
+///  1. Every leg of the path is clear as in PrmOptions, guarantee 1; the first and the last one as in
+///     nearest_visible().
 ///  2. Both ends are joined to their 8 nearest visible vertices; straight to each other if they see each other.
-///  3. A room is reached when the path is in the middle of one of its boxes; boxes whose middle is not free are no goals.
-///  4. Lazy or not, the same samples are drawn and the path found has the same length. Lazy: A* in doubles tests an edge when it takes it from its
-///     queue (Cohen, Phillips, Likhachev 2014); then the exact search runs on what is not known to be blocked, and every edge of its
-///     answer is tested, until all are free (lazy PRM: Bohlin, Kavraki 2000). With Rules visible and forest growth can't be lazy: they are Rule::nearest then.
+///  3. A room is reached when the path is in the middle of one of its boxes; boxes whose middle is not free are no
+///     goals.
+///  4. Lazy or not, the same samples are drawn and the path found has the same length. Lazy: A* in doubles tests an
+///     edge when it takes it from its queue (Cohen, Phillips, Likhachev 2014); then the exact search runs on what is
+///     not known to be blocked, and every edge of its answer is tested, until all are free (lazy PRM: Bohlin, Kavraki
+///     2000). With Rules visible and forest growth can't be lazy: they are Rule::nearest then.
 ///  5. Same bytes for the same seed, unless time or `progress` ended it.
 /// Throws InputError when `from` or the goal is outside or inside an obstacle, and as prm().
 PrmResult prm_path(const FreeSpace& space, Point from, const Goal& to, const PrmPlan& plan = {});
 
-/// The query of graph_search() for a finished PRM (one that was kept, say): ends joined as in guarantees 2 and 3 of prm_path().
+/// The query of graph_search() for a finished PRM (one that was kept, say): ends joined as in guarantees 2 and 3 of
+/// prm_path().
 GraphQuery prm_query(const FreeSpace& space, const Roadmap& roadmap, Point from, const Goal& to, double clearance = 0);
 
 }  // namespace taut

@@ -3,7 +3,6 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include <taut/geometry/free_space.h>
 #include <taut/roadmaps/visibility_graph.h>
@@ -12,8 +11,9 @@
 
 namespace taut {
 
-/// The shortest path from `from` to the goal; nothing when there is none. One-off: Polyanya on what lies between the ends (navmesh_between).
-/// Throws InputError when `from` or the goal lies outside the world or inside an obstacle (with the point and, when it is known, the wall).
+/// The shortest path from `from` to the goal; nothing when there is none. One-off: Polyanya on what lies between the
+/// ends (navmesh_between). Throws InputError when `from` or the goal lies outside the world or inside an obstacle (with
+/// the point and, when it is known, the wall).
 std::optional<Path> shortest_path(const FreeSpace& space, Point from, const Goal& to);
 std::optional<Path> shortest_path(const FreeSpace& space, Point from, Point to);
 

@@ -1,7 +1,5 @@
 // The check of a path that shares nothing with the planners.
 #pragma once
-
-#include <optional>
 #include <string>
 
 #include <taut/geometry/free_space.h>
@@ -15,18 +13,20 @@ struct Verdict {
   /// Empty when valid, else one line: `leg 3, (1, 2) to (4, 2), crosses the wall (3, 0) to (3, 5)`.
   std::string reason;
   std::size_t leg = 0;  ///< the first offending leg, from 0
-  /// Least distance of the path to an obstacle, to the nearest double: 0 when it touches, infinite when there is no obstacle.
+  /// Least distance of the path to an obstacle, to the nearest double: 0 when it touches, infinite when there is no
+  /// obstacle.
   double clearance = 0;
   std::uint32_t nearest = kNone;  ///< the constraint where that is
 };
 
 /// Is `path` a path a robot of vanishing radius can follow in `space`, from `from` to `to` (or into the goal room)?
 ///
-/// Uses the constraints only, never the triangulation: every leg against every constraint (through an r-tree over the legs), with exact
-/// predicates; where the path touches constraints, the side on which it passes is carried along, so that a path that slips
-/// through a joint of two walls, or changes sides of a wall it runs along, is refused. Also refused: no points,
-/// a coordinate that is not finite, a start or end other than given, a point inside an obstacle or outside the world, a claimed
-/// length that is not the exact length of the points. Repeated points are allowed. O((n + k) log k + contacts).
+/// Uses the constraints only, never the triangulation: every leg against every constraint (through an r-tree over the
+/// legs), with exact predicates; where the path touches constraints, the side on which it passes is carried along, so
+/// that a path that slips through a joint of two walls, or changes sides of a wall it runs along, is refused. Also
+/// refused: no points, a coordinate that is not finite, a start or end other than given, a point inside an obstacle or
+/// outside the world, a claimed length that is not the exact length of the points. Repeated points are allowed. O((n +
+/// k) log k + contacts).
 Verdict verify(const Path& path, const FreeSpace& space, Point from, const Goal& to);
 
 }  // namespace taut

@@ -12,8 +12,8 @@ namespace {
 /// Is the direction c -> p in the lower half of the circle, [180, 360) degrees?
 bool lower_half(Point c, Point p) { return p.y < c.y || (p.y == c.y && p.x < c.x); }
 
-/// Which of the directions c -> p, c -> q has the smaller angle in [0, 360): -1 p, 0 the same, +1 q. Within one half of the
-/// circle two directions differ by less than 180 degrees, so the orientation orders them.
+/// Which of the directions c -> p, c -> q has the smaller angle in [0, 360): -1 p, 0 the same, +1 q. Within one half of
+/// the circle two directions differ by less than 180 degrees, so the orientation orders them.
 int compare_angle(Point c, Point p, Point q) {
   const bool p_low = lower_half(c, p), q_low = lower_half(c, q);
   if (p_low != q_low) return p_low ? 1 : -1;
@@ -117,7 +117,8 @@ Contact contact(const Segment& leg, const Constraint& c) {
   if (a == 0 && b == 0) return overlap_on_line(leg, c) ? Contact::touch : Contact::none;
   const int from = orientation(c.a, c.b, leg.a), to = orientation(c.a, c.b, leg.b);
   if (from * to > 0) return Contact::none;
-  // Neither is on one side of the other's line, so they meet in one point; inside both unless an end lies on the other's line.
+  // Neither is on one side of the other's line, so they meet in one point; inside both unless an end lies on the
+  // other's line.
   return a != 0 && b != 0 && from != 0 && to != 0 ? Contact::cross : Contact::touch;
 }
 
@@ -135,8 +136,9 @@ struct Touch {
   std::uint32_t piece;
 };
 
-/// Every contact point of the leg with every piece that contains it, in order along the leg. A contact is an end of the leg
-/// or of a piece: a piece's interior is met only by an end of the leg, or along a stretch whose ends are such points.
+/// Every contact point of the leg with every piece that contains it, in order along the leg. A contact is an end of the
+/// leg or of a piece: a piece's interior is met only by an end of the leg, or along a stretch whose ends are such
+/// points.
 std::vector<Touch> touches_along(const Segment& leg, std::span<const Constraint> constraints,
                                  std::span<const std::uint32_t> touching) {
   std::vector<Touch> result;

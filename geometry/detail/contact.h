@@ -1,8 +1,6 @@
 // Where a straight leg touches constraints, and on which side it passes. Private: the ground of verify() and of the
 // brute-force visibility graph, written without the triangulation so that both can judge what is built on it.
 #pragma once
-
-#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -94,10 +92,10 @@ struct Passage {
 /// The star at an end of a leg. Precondition: `touching` names at least all constraints that contain the point.
 Star star_at(Point centre, std::span<const Constraint> constraints, std::span<const std::uint32_t> touching);
 
-/// Pushes the set of places of a path at leg.a along the leg: from contact to contact, in each within one sector, between them on
-/// one side of the constraint it runs along. Exact. O(k log k) for k contacts.
-/// Precondition: `touching` names all constraints whose contact with the leg is Contact::touch, and none is Contact::cross;
-/// `from` are sectors of the star at leg.a.
+/// Pushes the set of places of a path at leg.a along the leg: from contact to contact, in each within one sector,
+/// between them on one side of the constraint it runs along. Exact. O(k log k) for k contacts. Precondition: `touching`
+/// names all constraints whose contact with the leg is Contact::touch, and none is Contact::cross; `from` are sectors
+/// of the star at leg.a.
 Passage pass(const Segment& leg, const Sectors& from, std::span<const Constraint> constraints,
              std::span<const std::uint32_t> touching);
 

@@ -11,7 +11,8 @@ class Draws {
  public:
   explicit Draws(std::uint64_t seed) : engine_(seed) {}
 
-  /// Uniform in 0 .. n - 1, without bias (Lemire, "Fast random integer generation in an interval", 2019). Precondition: n > 0.
+  /// Uniform in 0 .. n - 1, without bias (Lemire, "Fast random integer generation in an interval", 2019). Precondition:
+  /// n > 0.
   std::uint32_t below(std::uint32_t n) {
     std::uint64_t product = (engine_() >> 32) * n;
     if (static_cast<std::uint32_t>(product) < n) {

@@ -40,10 +40,10 @@ Point nearest_point(const ExactPoint& p);
 /// An upper bound of the distance between an exact point and its rounding.
 double displacement(const ExactPoint& exact, Point rounded);
 
-/// A point with double coordinates near `exact`, not to the left of any of `edges` (directed, solid on the left; `exact` lies on
-/// all of them): what is solid stays so. The nearest of the 25 pairs of doubles around it that does; failing that, the first found going
-/// out along the middle of the free wedge. Precondition: the edges leave a free wedge at `exact`. Throws TooFine when no
-/// double lies in it within a thousandth of the shortest edge.
+/// A point with double coordinates near `exact`, not to the left of any of `edges` (directed, solid on the left;
+/// `exact` lies on all of them): what is solid stays so. The nearest of the 25 pairs of doubles around it that does;
+/// failing that, the first found going out along the middle of the free wedge. Precondition: the edges leave a free
+/// wedge at `exact`. Throws TooFine when no double lies in it within a thousandth of the shortest edge.
 Point round_outward(const ExactPoint& exact, std::span<const Segment> edges);
 
 }  // namespace taut::detail

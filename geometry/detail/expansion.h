@@ -44,11 +44,13 @@ class DoubleCoordinates {
 /// Spreads the view from one place through unconstrained sides.
 ///
 /// A view is a cone between two rays, each from the origin through a vertex, or away from one (`away`), and shrinks at
-/// every vertex it meets; it is never empty. It is passed on closed: a vertex on a bounding ray is seen along the obstacle
-/// that the ray touches. Calls, counter-clockwise:
-///  - visitor.vertex(t, k): corner k of triangle t is seen through t, unless it lies on a ray behind a vertex v with visitor.hides(v);
+/// every vertex it meets; it is never empty. It is passed on closed: a vertex on a bounding ray is seen along the
+/// obstacle that the ray touches. Calls, counter-clockwise:
+///  - visitor.vertex(t, k): corner k of triangle t is seen through t, unless it lies on a ray behind a vertex v with
+///    visitor.hides(v);
 ///  - visitor.blocked(t, i, right, left): the view ends at the constrained side i of t.
-/// O(triangles seen), each counted once a cone. Source: Bungiu et al., "Efficient computation of visibility polygons" (2014).
+/// O(triangles seen), each counted once a cone. Source: Bungiu et al., "Efficient computation of visibility polygons"
+/// (2014).
 template <class Coordinates, class Visitor>
 class Expansion {
  public:

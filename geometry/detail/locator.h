@@ -8,8 +8,8 @@
 
 namespace taut::detail {
 
-/// A grid of hints over a triangulation: a visibility walk starts at the triangle of the point's cell. Exact. Expected O(1) on evenly
-/// spread triangles; O(n) at worst. Memory: 4 bytes a cell, about one cell for two triangles.
+/// A grid of hints over a triangulation: a visibility walk starts at the triangle of the point's cell. Exact. Expected
+/// O(1) on evenly spread triangles; O(n) at worst. Memory: 4 bytes a cell, about one cell for two triangles.
 class Locator {
  public:
   explicit Locator(const Triangulation& tri);

@@ -220,8 +220,8 @@ class Union {
     return std::nullopt;
   }
 
-  /// The stretch that arrives on the other side of the free wedge to the right of `out`. At a place that is no pair of doubles as many
-  /// stretches arrive as leave: all of them end in crossings.
+  /// The stretch that arrives on the other side of the free wedge to the right of `out`. At a place that is no pair of
+  /// doubles as many stretches arrive as leave: all of them end in crossings.
   const Incidence& partner(const Incidence& out, const std::vector<Incidence>& incidences) const {
     const Incidence* best = nullptr;
     for (const Incidence& in : incidences)

@@ -23,11 +23,11 @@ struct Outline {
 
 /// The outline of the regularised union of `pieces`, as far as it lies in the box `within`.
 ///
-/// Each side of each piece loses the parts that lie inside another piece, that another piece's side faces from the other
-/// side, or that a piece of lower number shares; what remains is the outline. No arrangement is built. Positions along a
-/// side are compared as doubles where they are ends or crossings of axis-parallel sides, else as intervals, else as rationals;
-/// so right-angled worlds never meet a rational. Crossings are exact rationals, rounded to the free side (round_outward).
-/// O(n log n + k log k) for k pairs of pieces whose boxes meet.
+/// Each side of each piece loses the parts that lie inside another piece, that another piece's side faces from the
+/// other side, or that a piece of lower number shares; what remains is the outline. No arrangement is built. Positions
+/// along a side are compared as doubles where they are ends or crossings of axis-parallel sides, else as intervals,
+/// else as rationals; so right-angled worlds never meet a rational. Crossings are exact rationals, rounded to the free
+/// side (round_outward). O(n log n + k log k) for k pairs of pieces whose boxes meet.
 Outline outline_of_union(const std::vector<ConvexPiece>& pieces, const Box& within);
 
 }  // namespace taut::detail

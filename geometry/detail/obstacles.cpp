@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <tuple>
 
 #include <taut/geometry/detail/polygon_triangles.h>
 #include <taut/geometry/predicates.h>

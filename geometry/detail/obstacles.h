@@ -16,10 +16,10 @@ struct Obstacles {
   double excess = 0;
 };
 
-/// Solids are cut into triangles unless convex; what lies outside the areas is cut into triangles out to a frame around `box()`; walls with a
-/// thickness are rectangles; each is Minkowski-summed with the reflected footprint. With a point, zero-thickness walls
-/// are left to the noding; with any other footprint they become pieces. Corners that are no pair of doubles are moved outwards:
-/// the piece is widened by `excess` before rounding. O(n log n).
+/// Solids are cut into triangles unless convex; what lies outside the areas is cut into triangles out to a frame around
+/// `box()`; walls with a thickness are rectangles; each is Minkowski-summed with the reflected footprint. With a point,
+/// zero-thickness walls are left to the noding; with any other footprint they become pieces. Corners that are no pair
+/// of doubles are moved outwards: the piece is widened by `excess` before rounding. O(n log n).
 Obstacles obstacles_of(const World& world, const Footprint& footprint);
 
 /// The convex hull, strictly convex and counter-clockwise. Exact. O(n log n).

@@ -17,8 +17,8 @@ struct PolygonTriangles {
 /// Triangles that tile the union of `polygons` (rings oriented as World does), which may touch and overlap.
 PolygonTriangles inside_triangles(std::span<const Polygon* const> polygons);
 
-/// Triangles that tile the rest of the box `frame`, which contains the polygons in its interior. Crossings of overlapping polygons are
-/// rounded into the polygons: what is outside stays so.
+/// Triangles that tile the rest of the box `frame`, which contains the polygons in its interior. Crossings of
+/// overlapping polygons are rounded into the polygons: what is outside stays so.
 PolygonTriangles outside_triangles(std::span<const Polygon* const> polygons, const Box& frame);
 
 }  // namespace taut::detail

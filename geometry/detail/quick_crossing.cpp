@@ -9,8 +9,8 @@ namespace taut::detail {
 
 namespace {
 
-// Bounds for double-double operations: Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of
-// double-word arithmetic" (2017), each rounded up generously.
+// Bounds for double-double operations: Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building
+// blocks of double-word arithmetic" (2017), each rounded up generously.
 constexpr double kProduct = 0x1p-100, kQuotient = 0x1p-96, kSum = 0x1p-102;
 
 Pair add(Pair a, Pair b) {

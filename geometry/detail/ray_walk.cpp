@@ -104,8 +104,8 @@ RayWalk::End RayWalk::arrive(std::uint32_t t, int i) {
   return End::vertex;
 }
 
-/// Leaves the vertex of a sector within it; nothing when the ray does not start there. Along the wall at whose free end the sector lies
-/// it starts on both sides.
+/// Leaves the vertex of a sector within it; nothing when the ray does not start there. Along the wall at whose free end
+/// the sector lies it starts on both sides.
 std::optional<RayWalk::End> RayWalk::leave_sector(std::uint32_t id, Stand& next) {
   const Tri::Sector& sector = tri_.sectors[id];
   std::optional<End> end;

@@ -9,8 +9,9 @@
 
 namespace taut::detail {
 
-/// The walk of a path straight along the ray from p through q: from vertex to vertex of the triangulation, as long as a robot of vanishing
-/// radius gets along: through unconstrained sides, along constrained ones, past a vertex within one sector.
+/// The walk of a path straight along the ray from p through q: from vertex to vertex of the triangulation, as long as a
+/// robot of vanishing radius gets along: through unconstrained sides, along constrained ones, past a vertex within one
+/// sector.
 class RayWalk {
  public:
   enum class End { blocked, reached, vertex };

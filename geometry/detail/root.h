@@ -1,4 +1,5 @@
-// One leg's length in plain doubles: a value, what is missing from it, and a proven bound on what is still missing then.
+// One leg's length in plain doubles: a value, what is missing from it, and a proven bound on what is still missing
+// then.
 #pragma once
 
 #include <bit>
@@ -6,7 +7,6 @@
 #include <cstdint>
 
 #include <taut/geometry/length.h>
-#include <taut/geometry/point.h>
 
 namespace taut::detail {
 
@@ -56,8 +56,8 @@ inline double add_up(double a, double b) {
   return step_up(s.high, s.low > 0);
 }
 
-/// The squared length of a leg. `sum` is the double nearest to dx^2 + dy^2 (within 2^-51 of it), `low` the double-double tail;
-/// `exact` says that `sum` is the square itself. Meaningful for regular legs only.
+/// The squared length of a leg. `sum` is the double nearest to dx^2 + dy^2 (within 2^-51 of it), `low` the
+/// double-double tail; `exact` says that `sum` is the square itself. Meaningful for regular legs only.
 struct Square {
   Pair dx, dy;  ///< |x1 - x2|, |y1 - y2|, exactly
   double sum = 0;

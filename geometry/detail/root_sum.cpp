@@ -1,7 +1,6 @@
 #include <taut/geometry/detail/root_sum.h>
 
 #include <algorithm>
-#include <memory>
 #include <numeric>
 #include <tuple>
 

@@ -62,8 +62,8 @@ class RootSum {
 std::optional<int> sign_by_pairs(std::span<const RootTerm> terms);
 std::optional<double> nearest_by_pairs(std::span<const RootTerm> terms);
 
-/// The sign by classes in 64-bit integers: 0 when all cancel, +1 or -1 when all that are left agree. Nothing when squares are not exact, numbers
-/// grow too large, or classes of both signs are left.
+/// The sign by classes in 64-bit integers: 0 when all cancel, +1 or -1 when all that are left agree. Nothing when
+/// squares are not exact, numbers grow too large, or classes of both signs are left.
 std::optional<int> sign_by_small_classes(std::span<const RootTerm> terms);
 
 /// GMP and MPFR, always decided.

@@ -105,8 +105,8 @@ struct Enclosure {
 
 constexpr mpfr_prec_t kFirstPrecision = 192, kClassPrecision = 384;
 
-/// Doubles the precision until decide(enclosure) answers. An irrational sum is never where an answer changes, so only a rational one needs
-/// to be known as such: `rational(value)` answers for it.
+/// Doubles the precision until decide(enclosure) answers. An irrational sum is never where an answer changes, so only a
+/// rational one needs to be known as such: `rational(value)` answers for it.
 template <class Decide, class Rational>
 auto decide_sum(const BigTerms& terms, Decide decide, Rational rational) {
   for (mpfr_prec_t precision = kFirstPrecision;; precision *= 2) {

@@ -8,8 +8,9 @@
 
 namespace taut::detail {
 
-/// Encloses the distance of two closed segments; either may be a single point. A few ulp wide unless the foot is near an end; [0, 0]
-/// exactly when they share a point; a single number when it is the difference of two coordinates and a double.
+/// Encloses the distance of two closed segments; either may be a single point. A few ulp wide unless the foot is near
+/// an end; [0, 0] exactly when they share a point; a single number when it is the difference of two coordinates and a
+/// double.
 Interval segment_distance_interval(const Segment& s, const Segment& t);
 
 /// The sign of a - b; nothing when the enclosures cannot tell.

@@ -13,7 +13,8 @@ inline int compare_products(double a, double b, double c, double d) {
   return (left.low > right.low) - (left.low < right.low);
 }
 
-/// What `orientation` gives, exactly. Differences that are doubles, as on every grid and near most points, never need big numbers.
+/// What `orientation` gives, exactly. Differences that are doubles, as on every grid and near most points, never need
+/// big numbers.
 inline int side_of(Point a, Point b, Point c) {
   const double acx = a.x - c.x, bcy = b.y - c.y, acy = a.y - c.y, bcx = b.x - c.x;
   const double left = acx * bcy, right = acy * bcx, det = left - right;

@@ -17,15 +17,17 @@ struct Mesh {
 };
 
 /// Triangulates the convex hull of the edges' ends; edges become constrained sides. Precondition: they meet only at
-/// end points. CGAL's constrained Delaunay triangulation; on lattices with predicates in int64 and int128, which decide the many cocircular
-/// quadruples of a grid without multi-precision. Deterministic. O(n log n) expected.
+/// end points. CGAL's constrained Delaunay triangulation; on lattices with predicates in int64 and int128, which decide
+/// the many cocircular quadruples of a grid without multi-precision. Deterministic. O(n log n) expected.
 Mesh triangulate(std::span<const Edge> edges);
 
-/// Tells free from solid: outside the hull the winding number is 1, it changes by an edge's turn across it, and a triangle is free where it
-/// is 0. Finds the sectors. Precondition: the edges' turns form closed chains (std::logic_error otherwise).
+/// Tells free from solid: outside the hull the winding number is 1, it changes by an edge's turn across it, and a
+/// triangle is free where it is 0. Finds the sectors. Precondition: the edges' turns form closed chains
+/// (std::logic_error otherwise).
 void classify(Mesh& mesh, std::span<const Edge> edges);
 
-/// The scale that makes all coordinates integers below 2^29 in magnitude when multiplied by 2^scale; nothing when there is none.
+/// The scale that makes all coordinates integers below 2^29 in magnitude when multiplied by 2^scale; nothing when there
+/// is none.
 std::optional<int> lattice_scale(std::span<const Point> points);
 
 }  // namespace taut::detail

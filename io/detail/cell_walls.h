@@ -40,8 +40,8 @@ class CellWalls {
   std::vector<int> lines_;
 };
 
-/// The maze when every two neighbours agree; else InputError with both cells and the later line of theirs. With `closed` an open border is an
-/// error too. Start and goal are left as GridMaze sets them.
+/// The maze when every two neighbours agree; else InputError with both cells and the later line of theirs. With
+/// `closed` an open border is an error too. Start and goal are left as GridMaze sets them.
 GridMaze agreed(const CellWalls& cells, bool closed, const std::string& source);
 
 /// How many sides of the border are open.

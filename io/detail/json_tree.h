@@ -22,8 +22,8 @@ struct Json {
   const Json* find(std::string_view key) const;
 };
 
-/// Parses with nlohmann-json's SAX interface. Throws InputError with the line on anything that is not JSON, on values nested deeper than
-/// 64, and on numbers beyond the range of double.
+/// Parses with nlohmann-json's SAX interface. Throws InputError with the line on anything that is not JSON, on values
+/// nested deeper than 64, and on numbers beyond the range of double.
 Json parse_json(std::string_view bytes, const std::string& source);
 
 }  // namespace taut::detail

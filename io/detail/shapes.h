@@ -44,7 +44,8 @@ class Shapes {
   WorldParts parts_;
 };
 
-/// Checks that a ring as these formats write it is closed and has at least four positions; cuts off the last, repeated one.
+/// Checks that a ring as these formats write it is closed and has at least four positions; cuts off the last, repeated
+/// one.
 void open_up(Ring& ring, const Place& place);
 
 }  // namespace taut::detail

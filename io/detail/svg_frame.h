@@ -15,7 +15,8 @@ inline constexpr double kMargin = 24;
 
 /// An entry of the legend: a sample and what it stands for.
 struct SvgKey {
-  /// A line (with a casing where the kind is `path`), a patch of area, the marker() of its kind, a scale of colours, or a digit as text.
+  /// A line (with a casing where the kind is `path`), a patch of area, the marker() of its kind, a scale of colours, or
+  /// a digit as text.
   enum class Sample { line, patch, marker, scale, digit };
 
   std::string kind;  ///< the class that colours the sample
@@ -24,8 +25,8 @@ struct SvgKey {
   std::vector<std::string> colours{};  ///< of a scale, from left to right
 };
 
-/// A page: the picture, below it the title, the facts joined by dots, the keys. Facts and keys flow from left to right and wrap.
-/// Colours are classes under svg.taut and follow prefers-color-scheme. Same input, same bytes.
+/// A page: the picture, below it the title, the facts joined by dots, the keys. Facts and keys flow from left to right
+/// and wrap. Colours are classes under svg.taut and follow prefers-color-scheme. Same input, same bytes.
 class SvgFrame {
  public:
   /// `size` is the picture's, in pixels.
@@ -35,7 +36,8 @@ class SvgFrame {
   double height() const { return height_; }
   Box map() const { return map_; }  ///< where the picture belongs, y down
 
-  /// From the <svg> tag to the page's ground. `css` adds to the colours all pictures share: ground, text, start and goal.
+  /// From the <svg> tag to the page's ground. `css` adds to the colours all pictures share: ground, text, start and
+  /// goal.
   std::string head(const std::string& css) const;
   /// The <g class="legend"> and the end of the document.
   std::string foot() const;
@@ -56,8 +58,8 @@ class SvgFrame {
   double height_ = 0;
 };
 
-/// A start (disc) or goal (diamond), `kind` being the class. Where `room`, the space around it, is scarce only a ring around a dot, so that
-/// nothing is hidden.
+/// A start (disc) or goal (diamond), `kind` being the class. Where `room`, the space around it, is scarce only a ring
+/// around a dot, so that nothing is hidden.
 std::string marker(const std::string& kind, Point at, double radius, double room);
 
 /// Between colours that stand evenly from 0 to 1, as `#rrggbb`; `at` is clamped.

@@ -5,7 +5,8 @@
 
 namespace taut::detail {
 
-/// Fills in `block` of every portal and `blocks`. Depth-first search without recursion (Hopcroft, Tarjan 1973). O(portals).
+/// Fills in `block` of every portal and `blocks`. Depth-first search without recursion (Hopcroft, Tarjan 1973).
+/// O(portals).
 void find_blocks(Navmesh& mesh);
 
 }  // namespace taut::detail

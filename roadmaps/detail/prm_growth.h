@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include <taut/roadmaps/detail/prm_clear.h>
@@ -34,11 +33,12 @@ struct PrmEdge {
   State state = State::untested;
 };
 
-/// Vertices and edges of a PRM, grown by batches: all samples of a batch are placed, then each new vertex is joined to its neighbours among
-/// all vertices by the connection rule. One batch of all samples is the PRM of the textbook.
+/// Vertices and edges of a PRM, grown by batches: all samples of a batch are placed, then each new vertex is joined to
+/// its neighbours among all vertices by the connection rule. One batch of all samples is the PRM of the textbook.
 class PrmGrowth {
  public:
-  /// Lazy: edges are not tested as they come. Rules visible and forest, which cannot do without, are then Rule::nearest.
+  /// Lazy: edges are not tested as they come. Rules visible and forest, which cannot do without, are then
+  /// Rule::nearest.
   PrmGrowth(const FreeSpace& space, const PrmOptions& options, bool lazy = false);
   PrmGrowth(const PrmGrowth&) = delete;  // the samples refer to the clear test
   PrmGrowth& operator=(const PrmGrowth&) = delete;

@@ -11,15 +11,17 @@
 
 namespace taut::detail {
 
-/// A grid of buckets over numbered points, about two points a bucket, laid anew with each add(): for points that come in batches, each a part of
-/// what there is. Nearer means: with the smaller squared distance, rounded; then with the lower number.
+/// A grid of buckets over numbered points, about two points a bucket, laid anew with each add(): for points that come
+/// in batches, each a part of what there is. Nearer means: with the smaller squared distance, rounded; then with the
+/// lower number.
 class PrmNearest {
  public:
   std::size_t size() const { return points_.size(); }
   /// Numbers go on from size(). O(size).
   void add(std::span<const Point> points);
 
-  /// The `count` nearest, nearest first; all when there are fewer. Expected O(count log count) for points spread evenly.
+  /// The `count` nearest, nearest first; all when there are fewer. Expected O(count log count) for points spread
+  /// evenly.
   std::vector<std::uint32_t> nearest(Point p, std::size_t count) const;
   /// All that are not farther than `radius`, nearest first.
   std::vector<std::uint32_t> within(Point p, double radius) const;

@@ -111,7 +111,8 @@ Point PrmSamples::uniform() {
   return {box_.min.x + x * (box_.max.x - box_.min.x), box_.min.y + y * (box_.max.y - box_.min.y)};
 }
 
-/// Nearly normal, without a logarithm or a cosine, which differ between libraries: twelve uniform draws have variance 1.
+/// Nearly normal, without a logarithm or a cosine, which differ between libraries: twelve uniform draws have variance
+/// 1.
 double PrmSamples::normal() {
   double sum = -6;
   for (int i = 0; i < 12; ++i) sum += draws_.unit();

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -12,7 +11,8 @@
 
 namespace taut::detail {
 
-/// The points of a lattice in a box, row by row; then those of the lattice with half the spacing that are not among them, and so on.
+/// The points of a lattice in a box, row by row; then those of the lattice with half the spacing that are not among
+/// them, and so on.
 class PrmLatticeWalk {
  public:
   /// Throws InputError when the first lattice has 2^32 points or more in the box.

@@ -8,8 +8,6 @@
 #include <limits>
 #include <optional>
 
-#include <taut/geometry/length.h>
-
 namespace taut::detail {
 
 /// An enclosure of a real number. Every operation widens by more than it rounds; what overflows encloses everything.

@@ -3,9 +3,6 @@
 
 #include <gmpxx.h>
 
-#include <span>
-#include <vector>
-
 #include <taut/roadmaps/detail/tangent_line.h>
 
 namespace taut::detail {
@@ -15,8 +12,8 @@ struct SurdDirection {
   mpq_class ax, ay, bx, by, R;
 };
 
-/// Where a tangent touches a circle, as a direction from its centre. `side` is the side that the tangent has the centre on when it leads away, to
-/// `other`.
+/// Where a tangent touches a circle, as a direction from its centre. `side` is the side that the tangent has the centre
+/// on when it leads away, to `other`.
 struct TangentPoint {
   TangentPoint() = default;
   TangentPoint(const TangentEnd& here, const TangentEnd& there, double r);
@@ -43,8 +40,9 @@ int cross_sign(const TangentPoint& a, const PlainDirection& v);
 /// The angle from a to b, both on one circle and at most 180 degrees apart.
 Range angle_between(const TangentPoint& a, const TangentPoint& b);
 
-/// A wall that comes nearer than r to some point of a circle of radius r that it does not end in the centre of: the direction to its nearest point.
-/// The points it forbids are an open arc around that direction. Nothing when it is 2r away or farther. Exact.
+/// A wall that comes nearer than r to some point of a circle of radius r that it does not end in the centre of: the
+/// direction to its nearest point. The points it forbids are an open arc around that direction. Nothing when it is 2r
+/// away or farther. Exact.
 std::optional<PlainDirection> direction_forbidden(Point centre, double r, Point w, Point v);
 
 }  // namespace taut::detail

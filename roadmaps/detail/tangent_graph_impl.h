@@ -1,7 +1,5 @@
 // What TangentGraph keeps, and how a further place joins it. Private.
 #pragma once
-
-#include <optional>
 #include <vector>
 
 #include <taut/roadmaps/detail/tangent_walls.h>
@@ -20,7 +18,8 @@ struct TangentSite {
   std::vector<Point> walls;  ///< the far ends of the walls that meet in a circle's centre
 };
 
-/// A free tangent between two tangent points, from the first's side. Its sides are `points`' own when it is left from them.
+/// A free tangent between two tangent points, from the first's side. Its sides are `points`' own when it is left from
+/// them.
 struct TangentLeg {
   std::uint32_t from = 0, to = 0;  ///< points; the path has from's centre on from_side, to's on to_side
   int from_side = 0, to_side = 0;

@@ -1,23 +1,22 @@
 // A common tangent of two circles, and exactly what it touches. Private.
 #pragma once
-
-#include <array>
 #include <memory>
 
 #include <taut/geometry/point.h>
-#include <taut/geometry/triangulation.h>
 #include <taut/roadmaps/detail/surd.h>
 
 namespace taut::detail {
 
-/// What a path is tangent to: on which side it has the centre (+1 left: it turns left around it), or 0: it goes through the point.
+/// What a path is tangent to: on which side it has the centre (+1 left: it turns left around it), or 0: it goes through
+/// the point.
 struct TangentEnd {
   Point centre;
   int side = 0;
 };
 
-/// The tangent in numbers. d leads from the first centre to the second, D = |d|^2, k = (side2 - side1) r, R = D - k^2. The unit direction is
-/// (sqrt(R) d - k d') / D with d' = d turned left, its length sqrt(R). All products below are scaled by D.
+/// The tangent in numbers. d leads from the first centre to the second, D = |d|^2, k = (side2 - side1) r, R = D - k^2.
+/// The unit direction is (sqrt(R) d - k d') / D with d' = d turned left, its length sqrt(R). All products below are
+/// scaled by D.
 template <class Number>
 struct TangentFrame {
   using Value = Surd<Number>;
@@ -116,8 +115,8 @@ struct TangentFrame {
   Number cx, cy, r, s1, s2, dx, dy, D, k, R;
 };
 
-/// A straight leg between two circles of radius r (or points), tangent to both as their ends say. Every question is answered exactly: an
-/// enclosure in doubles first, then a sign of a + b * sqrt(R) in rationals.
+/// A straight leg between two circles of radius r (or points), tangent to both as their ends say. Every question is
+/// answered exactly: an enclosure in doubles first, then a sign of a + b * sqrt(R) in rationals.
 class TangentLine {
  public:
   /// Precondition: the centres differ.
@@ -125,11 +124,13 @@ class TangentLine {
 
   /// Is there such a line? (Inner tangents need a distance >= 2r, a point one >= r.)
   bool exists() const { return exists_; }
-  /// Does the segment w v start in the first circle's centre without coming nearer than r to the first tangent point; likewise the second's?
+  /// Does the segment w v start in the first circle's centre without coming nearer than r to the first tangent point;
+  /// likewise the second's?
   bool clears_own(Point w, Point v, bool second) const;
   /// Is every point of the leg at least r away from the wall w v?
   bool clears(Point w, Point v) const;
-  /// Does the leg go through the inside of the opening w v, beyond which (to its left or right) one must not be? Its ends are not asked.
+  /// Does the leg go through the inside of the opening w v, beyond which (to its left or right) one must not be? Its
+  /// ends are not asked.
   bool leaves_by(Point w, Point v, bool solid_left) const;
 
   int along(Point w) const;      ///< the sign of the position of w along the leg

@@ -32,8 +32,8 @@ struct Seen {
   static void blocked(std::uint32_t, int, const Ray&, const Ray&) {}
 };
 
-/// Is a direction, given by its turn from each bound of a sector (the sign of bound x direction), in the closed sector? A path that bends to the
-/// left (bend = 1) leaves a left bound that it is parallel to, and so on.
+/// Is a direction, given by its turn from each bound of a sector (the sign of bound x direction), in the closed sector?
+/// A path that bends to the left (bend = 1) leaves a left bound that it is parallel to, and so on.
 template <class Turn, class Along>
 bool in_sector(const Triangulation& tri, const Tri::Sector& sector, int bend, Turn turn, Along is_along) {
   if (sector.full) return true;

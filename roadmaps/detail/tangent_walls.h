@@ -28,12 +28,13 @@ class TangentWalls {
   const GateWalls& walls() const { return walls_; }
   const FreeSpace& space() const { return walls_.space(); }
 
-  /// Can the centre follow the leg: no wall nearer than r, no opening crossed, no joint slipped through? An end at a vertex stays in its sector
-  /// when one is named.
+  /// Can the centre follow the leg: no wall nearer than r, no opening crossed, no joint slipped through? An end at a
+  /// vertex stays in its sector when one is named.
   bool is_free(const TangentLine& line, std::uint32_t from_sector, std::uint32_t to_sector) const;
 
   CircleObstacles around(Point centre) const;
-  /// Can the centre follow the arc from a to b, counter-clockwise by at most 180 degrees? Precondition: a and b keep their distance, a != b.
+  /// Can the centre follow the arc from a to b, counter-clockwise by at most 180 degrees? Precondition: a and b keep
+  /// their distance, a != b.
   bool arc_is_free(const TangentPoint& a, const TangentPoint& b, const CircleObstacles& obstacles) const;
 
   /// The vertices that see a vertex or a place, by a straight line that crosses no wall (openings it may), ascending.

@@ -24,7 +24,8 @@ struct VoronoiDiagram {
   std::vector<Edge> edges;
 };
 
-/// Which edges have length 0 is decided exactly. Deterministic. Precondition: pieces meet only at end points. O(n log n) expected.
+/// Which edges have length 0 is decided exactly. Deterministic. Precondition: pieces meet only at end points. O(n log
+/// n) expected.
 VoronoiDiagram voronoi_diagram(std::span<const Constraint> pieces);
 
 }  // namespace taut::detail

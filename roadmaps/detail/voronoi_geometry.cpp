@@ -23,7 +23,8 @@ struct Vector {
   Real y = 0;
 };
 
-/// An equation f = 0 at some point: value, gradient, a bound of the gradient's change near by, and of the value's rounding.
+/// An equation f = 0 at some point: value, gradient, a bound of the gradient's change near by, and of the value's
+/// rounding.
 struct Equation {
   Real value = 0;
   Vector gradient;
@@ -74,8 +75,8 @@ struct Ray {
   }
 };
 
-/// The ray two sites are equally far on because they share an end, unless they turn back there: then their distances tell more. Of pieces that
-/// go on nearly straight, as where a wall was rounded, the distances tell nothing.
+/// The ray two sites are equally far on because they share an end, unless they turn back there: then their distances
+/// tell more. Of pieces that go on nearly straight, as where a wall was rounded, the distances tell nothing.
 std::optional<Ray> linked(const Segment& s, const Segment& t) {
   if (is_point(s) || !share_end(s, t)) return std::nullopt;
   const Point end = shared_end(s, t);
@@ -99,8 +100,8 @@ struct Conditions {
   }
 };
 
-/// A piece and its own end first: a circle that touches both does so in one point, so their distances are one condition. Then
-/// pieces that go on straight: the difference of their distances says least.
+/// A piece and its own end first: a circle that touches both does so in one point, so their distances are one
+/// condition. Then pieces that go on straight: the difference of their distances says least.
 Conditions conditions(const std::array<Segment, 3>& sites) {
   Conditions best{sites, std::nullopt, true};
   int best_score = 0;
@@ -140,7 +141,8 @@ Real kantorovich(const Step& step, Real clearance) {
   return step.inverse * bend * reach <= 0.5L ? 2 * reach : Real(kUnknown);
 }
 
-/// Where the third site is as far as the foot of a straight ray. The cells follow each other counter-clockwise, so the ray's side is known.
+/// Where the third site is as far as the foot of a straight ray. The cells follow each other counter-clockwise, so the
+/// ray's side is known.
 Vector point_on_ray(const Conditions& c) {
   const Ray& ray = *c.ray;
   const Vector u = c.counter_clockwise ? Vector{-ray.normal.y, ray.normal.x} : Vector{ray.normal.y, -ray.normal.x};

@@ -14,13 +14,16 @@ struct VoronoiPoint {
   double error = 0;      ///< `at` is at most this far from the exact point; infinite when nothing is known
 };
 
-/// Refines `guess` to the point equally far from three sites; a site is a segment without its ends, or a point (a == b).
-///  1. Newton's iteration in extended precision, `error` from Kantorovich's theorem ("Functional analysis and applied mathematics", 1948) at
-///     its result plus the rounding to doubles: there is a point equally far from the sites within `error`. Infinite when the theorem does not apply.
-///  2. A segment and its own end are equally far on the perpendicular there, two segments that share an end on their bisector: these are
-///     the equations used, so rounded walls, which bend by 1e-16, do no harm.
+/// Refines `guess` to the point equally far from three sites; a site is a segment without its ends, or a point (a ==
+/// b).
+///  1. Newton's iteration in extended precision, `error` from Kantorovich's theorem ("Functional analysis and applied
+///     mathematics", 1948) at its result plus the rounding to doubles: there is a point equally far from the sites
+///     within `error`. Infinite when the theorem does not apply.
+///  2. A segment and its own end are equally far on the perpendicular there, two segments that share an end on their
+///     bisector: these are the equations used, so rounded walls, which bend by 1e-16, do no harm.
 ///  3. Two segments that bend at their shared end, with that end as third site: the end itself, clearance 0, no error.
-///  4. Two segments that go straight on at their shared end, with that end: all points of the perpendicular; error infinite.
+///  4. Two segments that go straight on at their shared end, with that end: all points of the perpendicular; error
+///     infinite.
 VoronoiPoint voronoi_point(const std::array<Segment, 3>& sites, Point guess);
 
 /// The shared end when the sites are two segments and an end of both; else null. Guarantees 3 and 4.

@@ -11,8 +11,8 @@ namespace {
 
 using detail::Bezier;
 
-/// Of the edges around a site's cell, which cover all directions from an end, or all feet on one side of a piece, the one that is
-/// met. Chosen by the largest margin, so rounding leaves no gap.
+/// Of the edges around a site's cell, which cover all directions from an end, or all feet on one side of a piece, the
+/// one that is met. Chosen by the largest margin, so rounding leaves no gap.
 class Join {
  public:
   explicit Join(const detail::VoronoiParts& parts) : parts_(parts) {}

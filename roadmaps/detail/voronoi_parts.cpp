@@ -18,8 +18,8 @@ using Gate = VoronoiEdge::Gate;
 bool is_point(const Segment& s) { return s.a == s.b; }
 Point middle(Point p, Point q) { return {p.x + (q.x - p.x) / 2, p.y + (q.y - p.y) / 2}; }
 
-/// Which vertices lie in free space. No edge passes a site, so one vertex of each connected part decides: the one farthest from all sites, where
-/// rounding cannot matter.
+/// Which vertices lie in free space. No edge passes a site, so one vertex of each connected part decides: the one
+/// farthest from all sites, where rounding cannot matter.
 class FreeParts {
  public:
   FreeParts(const FreeSpace& space, const VoronoiDiagram& diagram) : part_(diagram.vertices.size()) {

@@ -1,6 +1,4 @@
 #include <taut/robots/micromouse/certificate.h>
-
-#include <algorithm>
 #include <map>
 
 #include <taut/robots/micromouse/steps.h>

@@ -26,8 +26,8 @@ struct Certificate {
   std::vector<Witness> walls;     ///< standing ones that end every shorter plan; not one of them can be spared
 };
 
-/// The certificate that the sights and moves of run 1 hold; nothing when they prove no route (lo < hi). Walls are tried for
-/// omission in order of their names, so the set is minimal by inclusion, not in number. O(walls * one search).
+/// The certificate that the sights and moves of run 1 hold; nothing when they prove no route (lo < hi). Walls are tried
+/// for omission in order of their names, so the set is minimal by inclusion, not in number. O(walls * one search).
 std::optional<Certificate> certificate(const Record& record);
 
 /// The answer of a check: valid, or the first thing that is wrong.
@@ -37,8 +37,8 @@ struct Finding {
   explicit operator bool() const { return valid; }
 };
 
-/// Whether the certificate proves what it says about this maze. Shares no code with the robots: walls are looked up in the maze,
-/// routes and plans walked cell by cell with a queue.
+/// Whether the certificate proves what it says about this maze. Shares no code with the robots: walls are looked up in
+/// the maze, routes and plans walked cell by cell with a queue.
 ///  1. The task is the one the maze sets.
 ///  2. Each named wall stands and each named opening is open.
 ///  3. The route begins at the start, ends in the goal, has `steps` steps of 1 to 3 cells straight, all openings named.
@@ -49,8 +49,8 @@ Finding check_certificate(const Certificate& certificate, const GridMaze& maze);
 /// That, and: each witness is what the sensors, or a move, of that step of run 1 told.
 Finding check_certificate(const Certificate& certificate, const GridMaze& maze, const Record& record);
 
-/// Whether the record is what the rules make of its actions in this maze: sights, poses, counts, status, score, news of each step.
-/// Shares no code with Trial.
+/// Whether the record is what the rules make of its actions in this maze: sights, poses, counts, status, score, news of
+/// each step. Shares no code with Trial.
 Finding check_record(const Record& record, const GridMaze& maze);
 
 }  // namespace taut::micromouse

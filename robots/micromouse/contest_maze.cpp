@@ -1,6 +1,4 @@
 #include <taut/robots/micromouse/contest_maze.h>
-
-#include <algorithm>
 #include <utility>
 #include <vector>
 

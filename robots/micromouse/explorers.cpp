@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <queue>
-#include <utility>
 
 #include <taut/geometry/detail/draws.h>
 #include <taut/robots/micromouse/detail/flood_step.h>

@@ -11,8 +11,8 @@
 
 namespace taut::micromouse {
 
-/// How a robot explores in run 1. All of them race in run 2 along a route with the fewest steps on what they know, and plan anew
-/// when run 2 itself learns something.
+/// How a robot explores in run 1. All of them race in run 2 along a route with the fewest steps on what they know, and
+/// plan anew when run 2 itself learns something.
 ///
 ///  random         an open direction and 1 to 3 cells, drawn; reset at the goal
 ///  wall_follower  keeps the wall to its left, cell by cell; reset at the goal; may circle for ever
@@ -20,8 +20,8 @@ namespace taut::micromouse {
 ///  breadth_first  to the nearest unvisited cell, until none is left or the steps get short
 ///  flood_fill     along the fewest steps to the goal with unknown walls open; reset at the goal
 ///  a_star         the same by the fewest cells, from where it stands; reset at the goal
-///  plain_prove    flood_fill, then to the nearest cell beside an unknown wall of the shortest optimistic route, until that route
-///                 is wholly known
+///  plain_prove    flood_fill, then to the nearest cell beside an unknown wall of the shortest optimistic route, until
+///                 that route is wholly known
 ///  prove          ours: until the optimum is proven (lo = hi)
 ///  score          ours: until knowing more no longer pays its thirtieths
 enum class Explorer {
@@ -39,6 +39,7 @@ enum class Explorer {
 const std::vector<Explorer>& all_explorers();
 /// `random`, `wall`, `dfs`, `bfs`, `flood`, `astar`, `plain-prove`, `prove`, `score`.
 std::string_view name(Explorer explorer);
+/// Nothing for any other word.
 std::optional<Explorer> explorer_named(std::string_view word);
 
 /// A robot for this task. The seed matters for `random` alone; ours draw their sampled mazes from a fixed one.

@@ -8,6 +8,7 @@
 
 namespace taut::micromouse {
 
+/// Whose rules a maze is held against.
 enum class MazeRules {
   competition,  ///< of the classic and the half-size contest
   course,       ///< of the course: 12, 14 or 16 a side; posts may stand free
@@ -16,11 +17,13 @@ enum class MazeRules {
 /// What a maze breaks of the rules, one line each, in this order; nothing of a legal one.
 ///  1. Size: 16 x 16 or 32 x 32 (course: 12, 14 or 16 a side).
 ///  2. The border is closed: each opening is named.
-///  3. The start is a corner, closed on three sides and open to the north; the wall on its right, between it and the next cell, among them.
-///  4. The goal is one room of at least one cell, with no wall inside, away from the start; 2 x 2 in the middle where the side is 16 or less.
+///  3. The start is a corner, closed on three sides and open to the north; the wall on its right, between it and the
+///     next cell, among them.
+///  4. The goal is one room of at least one cell, with no wall inside, away from the start; 2 x 2 in the middle where
+///     the side is 16 or less.
 ///  5. The goal can be reached from the start.
-///  6. At least one wall touches each inner post, but for posts inside the goal room, which stand free (competition, up to 16
-///     a side: in half-size finals posts are left out).
+///  6. At least one wall touches each inner post, but for posts inside the goal room, which stand free (competition, up
+///     to 16 a side: in half-size finals posts are left out).
 /// O(cells).
 std::vector<std::string> violations(const GridMaze& maze, MazeRules rules = MazeRules::competition);
 

@@ -6,8 +6,9 @@
 
 namespace taut::micromouse {
 
-/// Base of robots that map. It follows its own pose, learns from every sight and move, and turns from run 1 to run 2 when its reset
-/// is granted. A subclass answers what to do next in run 1; kReset counts only once the goal has been reached.
+/// Base of robots that map. It follows its own pose, learns from every sight and move, and turns from run 1 to run 2
+/// when its reset is granted. A subclass answers what to do next in run 1; kReset counts only once the goal has been
+/// reached.
 class MappingRobot : public Robot {
  public:
   explicit MappingRobot(const Task& task) : task_(task), map_(task), odometer_(task) {}

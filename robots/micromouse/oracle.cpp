@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <taut/robots/micromouse/detail/boards.h>
+#include <taut/robots/micromouse/detail/poses.h>
 #include <taut/robots/micromouse/explorers.h>
 #include <taut/robots/micromouse/steps.h>
 #include <taut/robots/micromouse/trial.h>
@@ -17,107 +18,10 @@ namespace {
 
 using detail::cell_of;
 using detail::index_of;
+using detail::PoseGroup;
+using detail::Poses;
 
-/// Where a robot can stand and what that shows. A pose is (cell, heading, felt): felt means that it came here backwards and was
-/// stopped by the wall behind, which it then knows.
-class Poses {
- public:
-  using Pose = std::uint32_t;
-
-  Poses(const GridMaze& maze, const Task& task) : maze_(maze), task_(task) {
-    const std::size_t cells = static_cast<std::size_t>(task.width) * static_cast<std::size_t>(task.height);
-    moves_.resize(cells * 8);
-    for (std::size_t c = 0; c < cells; ++c)
-      for (unsigned heading = 0; heading < 4; ++heading) {
-        auto& from = moves_[c * 8 + heading];
-        add_moves(cell_of(task.width, c), static_cast<Side>(heading), from);
-        std::sort(from.begin(), from.end());
-        from.erase(std::unique(from.begin(), from.end()), from.end());
-        moves_[c * 8 + 4 + heading] = from;
-      }
-  }
-
-  std::size_t count() const { return moves_.size(); }
-  const std::vector<Pose>& moves(Pose pose) const { return moves_[pose]; }
-  Pose start() const { return id(task_.start, Side::north, false); }
-  Cell cell(Pose pose) const { return cell_of(task_.width, pose / 8); }
-
-  /// Calls visit(wall, closed) for all that the pose shows.
-  template <class Visit>
-  void for_each_seen(Pose pose, Visit visit) const {
-    const Cell at = cell(pose);
-    const auto heading = static_cast<Side>(pose % 4);
-    for (const int quarters : {-1, 0, 1}) {
-      const Side side = turned(heading, quarters);
-      Cell c = at;
-      for (; !maze_.wall(c, side); c = ahead(c, side)) visit(canonical({c, side}), false);
-      visit(canonical({c, side}), true);
-    }
-    if (pose % 8 >= 4) visit(canonical({at, opposite(heading)}), true);
-  }
-
- private:
-  Pose id(Cell c, Side heading, bool felt) const {
-    return static_cast<Pose>(index_of(task_.width, c) * 8 + static_cast<std::size_t>(heading) + (felt ? 4 : 0));
-  }
-
-  void add_moves(Cell cell, Side heading, std::vector<Pose>& into) const {
-    for (const int quarters : {-1, 0, 1}) {
-      const Side h = turned(heading, quarters);
-      into.push_back(id(cell, h, maze_.wall(cell, opposite(h))));
-      for (const bool back : {false, true}) {
-        const Side side = back ? opposite(h) : h;
-        Cell c = cell;
-        for (int i = 0; i < kLongestMove && !maze_.wall(c, side); ++i) {
-          c = ahead(c, side);
-          into.push_back(id(c, h, back && i + 1 < kLongestMove && maze_.wall(c, side)));
-        }
-      }
-    }
-  }
-
-  const GridMaze& maze_;
-  const Task& task_;
-  std::vector<std::vector<Pose>> moves_;
-};
-
-/// A demand on the walk: it has to be in one of these poses.
-using Group = std::vector<Poses::Pose>;
-
-/// The shortest walk from the start that meets all groups, as poses. Breadth-first over (groups met, pose).
-std::vector<Poses::Pose> shortest_walk(const Poses& poses, const std::vector<Group>& groups) {
-  const std::size_t n = poses.count();
-  std::vector<std::uint32_t> meets(n);
-  for (std::size_t g = 0; g < groups.size(); ++g)
-    for (const Poses::Pose p : groups[g]) meets[p] |= 1U << g;
-  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-  const std::uint32_t all = (1U << groups.size()) - 1;
-  std::vector<std::uint32_t> from((std::size_t{all} + 1) * n, kNone);
-  const auto state = [&](std::uint32_t met, Poses::Pose p) { return static_cast<std::uint32_t>(met * n + p); };
-  const std::uint32_t root = state(meets[poses.start()], poses.start());
-  std::vector<std::uint32_t> queue{root};
-  from[root] = root;
-  for (std::size_t head = 0; head < queue.size(); ++head) {
-    const std::uint32_t here = queue[head];
-    const auto met = static_cast<std::uint32_t>(here / n);
-    if (met == all) {
-      std::vector<Poses::Pose> walk;
-      for (std::uint32_t s = here;; s = from[s]) {
-        walk.push_back(static_cast<Poses::Pose>(s % n));
-        if (from[s] == s) break;
-      }
-      std::reverse(walk.begin(), walk.end());
-      return walk;
-    }
-    for (const Poses::Pose p : poses.moves(static_cast<Poses::Pose>(here % n))) {
-      const std::uint32_t next = state(met | meets[p], p);
-      if (from[next] != kNone) continue;
-      from[next] = here;
-      queue.push_back(next);
-    }
-  }
-  return {};
-}
+constexpr int kMostGroups = 16;  // walks are searched with states of 32 bits
 
 /// What makes the next demand.
 class Demands {
@@ -129,12 +33,12 @@ class Demands {
       poses.for_each_seen(p, [&](const CellSide& wall, bool) { ++at(views_, wall); });
   }
 
-  Group goal() const {
+  PoseGroup goal() const {
     return where([&](Poses::Pose p) { return task_.in_goal(poses_.cell(p)); });
   }
 
   /// A demand that this walk does not meet and every proving walk does; empty: the walk proves.
-  Group unmet(const std::vector<Poses::Pose>& walk) const {
+  PoseGroup unmet(const std::vector<Poses::Pose>& walk) const {
     WallMap map(task_);
     for (const Poses::Pose p : walk)
       poses_.for_each_seen(p, [&](const CellSide& wall, bool closed) { map.learn(wall.cell, wall.side, closed); });
@@ -183,14 +87,14 @@ class Demands {
   }
 
   template <class Wanted>
-  Group where(Wanted wanted) const {
-    Group group;
+  PoseGroup where(Wanted wanted) const {
+    PoseGroup group;
     for (Poses::Pose p = 0; p < poses_.count(); ++p)
       if (wanted(p)) group.push_back(p);
     return group;
   }
 
-  Group showing(const std::vector<CellSide>& walls) const {
+  PoseGroup showing(const std::vector<CellSide>& walls) const {
     return where([&](Poses::Pose p) {
       bool shows = false;
       poses_.for_each_seen(p, [&](const CellSide& wall, bool) {
@@ -200,8 +104,8 @@ class Demands {
     });
   }
 
-  /// The standing walls that a plan below the optimum crosses, none of them seen, with the fewest poses that show one; empty: there
-  /// is no such plan. Dynamic programme over (steps, cell).
+  /// The standing walls that a plan below the optimum crosses, none of them seen, with the fewest poses that show one;
+  /// empty: there is no such plan. Dynamic programme over (steps, cell).
   /// Walls with a view nearer than `least` moves are left out.
   std::vector<CellSide> easiest_uncut(const WallMap& map, const Boards& far, int least) const {
     const auto w = static_cast<std::size_t>(task_.width);
@@ -264,7 +168,7 @@ class Demands {
   Boards views_;
 };
 
-bool within(const Group& small, const Group& large) {
+bool within(const PoseGroup& small, const PoseGroup& large) {
   return std::includes(large.begin(), large.end(), small.begin(), small.end());
 }
 
@@ -276,19 +180,19 @@ std::optional<ProofBound> proof_bound(const GridMaze& maze, const OracleLimits& 
   if (!best) return std::nullopt;
   const Poses poses(maze, task);
   const Demands demands(maze, task, poses, *best);
-  std::vector<Group> groups{demands.goal()};
+  std::vector<PoseGroup> groups{demands.goal()};
   ProofBound bound{*best, *best + 1, false};
   for (;;) {
     const auto walk = shortest_walk(poses, groups);
     bound.run1 = std::max(bound.run1, static_cast<int>(walk.size()));
-    const Group next = demands.unmet(walk);
+    const PoseGroup next = demands.unmet(walk);
     if (next.empty()) {
       bound.exact = bound.run1 == static_cast<int>(walk.size());
       return bound;
     }
     // A wider demand is met with the narrower one.
-    std::erase_if(groups, [&](const Group& g) { return within(next, g); });
-    if (static_cast<int>(groups.size()) >= limits.groups) return bound;
+    std::erase_if(groups, [&](const PoseGroup& g) { return within(next, g); });
+    if (static_cast<int>(groups.size()) >= std::min(limits.groups, kMostGroups)) return bound;
     groups.push_back(next);
   }
 }

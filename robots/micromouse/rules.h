@@ -44,7 +44,8 @@ constexpr Side opposite(Side side) { return turned(side, 2); }
 /// The cell `count` cells further in a direction.
 Cell ahead(Cell cell, Side side, int count = 1);
 
-/// What the sensors give: the number of open cells up to the next wall to the left, ahead and to the right. None looks back.
+/// What the sensors give: the number of open cells up to the next wall to the left, ahead and to the right. None looks
+/// back.
 struct Sight {
   int left = 0;
   int front = 0;

@@ -34,13 +34,15 @@ std::string_view name(Turn turn);
 /// The length of its middle line in half cells.
 double length(Turn turn);
 
+/// How a turn is driven.
 struct Pace {
   double speed = 0;            ///< m/s, on entering, in the turn and on leaving
   std::optional<double> time;  ///< s; absent: length / speed
   friend bool operator==(const Pace&, const Pace&) = default;
 };
 
-/// The default is a mouse of the classic contest in good shape: about 12 m/s^2 sideways (9 in the small turn, where one follows the other), 10 m/s^2 along. data/mouse_speed.json says the same.
+/// The default is a mouse of the classic contest in good shape: about 12 m/s^2 sideways (9 in the small turn, where one
+/// follows the other), 10 m/s^2 along. data/mouse_speed.json says the same.
 struct SpeedModel {
   double cell = 0.18;  ///< m
   Ramp straight{10, 10, 4};
@@ -54,14 +56,15 @@ struct SpeedModel {
   friend bool operator==(const SpeedModel&, const SpeedModel&) = default;
 };
 
-/// Reads JSON: numbers `cell`, `pivot_90`, `pivot_180`; objects `straight` and `diagonal` with `acceleration`, `deceleration`, `top_speed`;
-/// object `turns` with an object `{"speed": v, "time": t}` a turn, by name, `time` optional; a string `comment`. What is left out is as in the
-/// default. Throws InputError: no JSON (with the line), unknown names, values that are not numbers > 0 up to 10^6, turns faster than
-/// the straights they join.
+/// Reads JSON: numbers `cell`, `pivot_90`, `pivot_180`; objects `straight` and `diagonal` with `acceleration`,
+/// `deceleration`, `top_speed`; object `turns` with an object `{"speed": v, "time": t}` a turn, by name, `time`
+/// optional; a string `comment`. What is left out is as in the default. Throws InputError: no JSON (with the line),
+/// unknown names, values that are not numbers > 0 up to 10^6, turns faster than the straights they join.
 SpeedModel read_speed_model(std::string_view text, const std::string& source = {});
 
-/// The least time in s for a straight of `metres` from speed `from` to speed `to`: up, along at top speed if there is time for it, down.
-/// Nothing when it is too short for the change of speed. Precondition: 0 <= from, to <= top speed; metres >= 0.
+/// The least time in s for a straight of `metres` from speed `from` to speed `to`: up, along at top speed if there is
+/// time for it, down. Nothing when it is too short for the change of speed. Precondition: 0 <= from, to <= top speed;
+/// metres >= 0.
 std::optional<double> straight_seconds(const Ramp& ramp, double from, double to, double metres);
 
 /// The highest speed on the way, when it is driven so.

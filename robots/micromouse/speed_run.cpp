@@ -1,93 +1,26 @@
 #include <taut/robots/micromouse/speed_run.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <queue>
-#include <tuple>
 #include <unordered_map>
 
+#include <taut/robots/micromouse/detail/turn_shapes.h>
 #include <taut/robots/micromouse/rules.h>
 
 namespace taut::micromouse {
 
 namespace {
 
-constexpr std::array<int, 8> kDx{0, 1, 1, 1, 0, -1, -1, -1};
-constexpr std::array<int, 8> kDy{1, 1, 0, -1, -1, -1, 0, 1};
-
-constexpr Eighth turned_by(Eighth heading, int eighths) { return static_cast<Eighth>((heading + eighths) & 7); }
-constexpr bool is_diagonal(Eighth heading) { return (heading & 1) != 0; }
-constexpr bool is_middle_of_cell(Spot s) { return (s.x & 1) != 0 && (s.y & 1) != 0; }
-constexpr Spot ahead_of(Spot s, Eighth heading, int count = 1) {
-  return {s.x + count * kDx[heading], s.y + count * kDy[heading]};
-}
-constexpr Spot middle_of(Cell c) { return {2 * c.x + 1, 2 * c.y + 1}; }
-constexpr Cell cell_at(Spot s) { return {(s.x - 1) / 2, (s.y - 1) / 2}; }
-
-/// A turn as it is driven with one heading to one side.
-struct Shape {
-  Turn turn{};
-  Eighth heading{};
-  Eighth after{};
-  bool from_wall = false;
-  std::vector<Spot> way;  // from the begin, which is (0, 0), to the end: walls in between
-};
-
-Shape reversed(const Shape& shape) {
-  const Spot end = shape.way.back();
-  Shape back{shape.turn, turned_by(shape.after, 4), turned_by(shape.heading, 4), true, {}};
-  for (auto it = shape.way.rbegin(); it != shape.way.rend(); ++it) back.way.push_back({it->x - end.x, it->y - end.y});
-  return back;
-}
-
-void add_orthogonal(std::vector<Shape>& shapes, Eighth heading, int side) {
-  const Eighth across = turned_by(heading, 2 * side);
-  const auto at = [&](int u, int v) {
-    return Spot{u * kDx[heading] + v * kDx[across], u * kDy[heading] + v * kDy[across]};
-  };
-  const auto after = [&](int eighths) { return turned_by(heading, side * eighths); };
-  shapes.push_back({Turn::small_90, heading, after(2), true, {at(0, 0), at(1, 1)}});
-  shapes.push_back({Turn::large_90, heading, after(2), false, {at(0, 0), at(1, 0), at(2, 1), at(2, 2)}});
-  shapes.push_back({Turn::turn_180, heading, after(4), false, {at(0, 0), at(1, 0), at(2, 1), at(1, 2), at(0, 2)}});
-  shapes.push_back({Turn::turn_45, heading, after(1), false, {at(0, 0), at(1, 0), at(2, 1)}});
-  shapes.push_back(reversed(shapes.back()));
-  shapes.push_back({Turn::turn_135, heading, after(3), false, {at(0, 0), at(1, 0), at(2, 1)}});
-  shapes.push_back(reversed(shapes.back()));
-}
-
-std::vector<std::vector<Shape>> all_shapes() {
-  std::vector<Shape> shapes;
-  for (int heading = 0; heading < 8; ++heading)
-    for (const int side : {-1, 1}) {
-      const auto h = static_cast<Eighth>(heading);
-      if (!is_diagonal(h)) {
-        add_orthogonal(shapes, h, side);
-        continue;
-      }
-      const Spot vertex = ahead_of({0, 0}, h);
-      shapes.push_back({Turn::diagonal_90,
-                        h,
-                        turned_by(h, 2 * side),
-                        true,
-                        {{0, 0}, vertex, ahead_of(vertex, turned_by(h, 2 * side))}});
-    }
-  std::vector<std::vector<Shape>> by_heading(8);
-  for (Shape& shape : shapes) by_heading[shape.heading].push_back(std::move(shape));
-  return by_heading;
-}
-
-/// Does the turn begin at such a place? A diagonal one has to cross the wall ahead, not to bounce off it.
-bool fits(const Shape& shape, Spot at) {
-  if (shape.from_wall == is_middle_of_cell(at)) return false;
-  const Spot end{at.x + shape.way.back().x, at.y + shape.way.back().y};
-  if (shape.turn == Turn::diagonal_90) {
-    const Spot vertex = ahead_of(at, shape.heading);
-    return (vertex.y & 1) == 0 ? kDy[shape.heading] == kDy[shape.after] : kDx[shape.heading] == kDx[shape.after];
-  }
-  return is_diagonal(shape.heading) ? is_middle_of_cell(end) : true;
-}
+using detail::ahead_of;
+using detail::cell_at;
+using detail::fits;
+using detail::is_diagonal;
+using detail::is_middle_of_cell;
+using detail::middle_of;
+using detail::turned_by;
+using detail::TurnShape;
 
 /// What a route costs: the aim first.
 struct Cost {
@@ -111,7 +44,7 @@ struct Label {
 class Search {
  public:
   Search(const GridMaze& maze, const Task& task, const SpeedModel& model, Aim aim)
-      : maze_(maze), task_(task), model_(model), aim_(aim), shapes_(all_shapes()) {}
+      : maze_(maze), task_(task), model_(model), aim_(aim), shapes_(detail::turn_shapes()) {}
 
   std::optional<SpeedRun> run() {
     reach(state(middle_of(task_.start), 0, kStanding), {}, kNoState);
@@ -157,7 +90,7 @@ class Search {
   static int crossing(Spot s) { return is_middle_of_cell(s) ? 0 : 1; }
 
   /// Walls crossed after the begin; -1: one of them stands.
-  int crossings(const Shape& shape, Spot at) const {
+  int crossings(const TurnShape& shape, Spot at) const {
     int count = 0;
     for (std::size_t i = 1; i < shape.way.size(); ++i) {
       const Spot s{at.x + shape.way[i].x, at.y + shape.way[i].y};
@@ -193,7 +126,7 @@ class Search {
     for (int count = 0;; ++count) {
       const double metres = unit(heading) * count;
       if (count > 0 && is_middle_of_cell(at)) stop(from, cost, at, metres, crossed);
-      for (const Shape& shape : shapes_[heading])
+      for (const TurnShape& shape : shapes_[heading])
         if (fits(shape, at)) turn(from, cost, at, metres, crossed, shape);
       at = ahead_of(at, heading);
       if (!open(at)) return;
@@ -213,7 +146,7 @@ class Search {
     if (seconds) reach(state(at, heading, kStanding), plus(cost, *seconds, crossed), from);
   }
 
-  void turn(State from, const Cost& cost, Spot at, double metres, int crossed, const Shape& shape) {
+  void turn(State from, const Cost& cost, Spot at, double metres, int crossed, const TurnShape& shape) {
     const auto seconds = straight_seconds(ramp(shape.heading), speed_of(from), model_.pace(shape.turn).speed, metres);
     if (!seconds) return;
     const int more = crossings(shape, at);
@@ -263,10 +196,10 @@ class Search {
     for (std::size_t i = 1; i < shape->way.size(); ++i) cross(run, {at.x + shape->way[i].x, at.y + shape->way[i].y});
   }
 
-  std::pair<const Shape*, Spot> begin_of_turn(State from, State to, Turn kind) const {
+  std::pair<const TurnShape*, Spot> begin_of_turn(State from, State to, Turn kind) const {
     const Eighth heading = heading_of(from);
     for (Spot at = spot_of(from);; at = ahead_of(at, heading))
-      for (const Shape& shape : shapes_[heading])
+      for (const TurnShape& shape : shapes_[heading])
         if (shape.turn == kind && shape.after == heading_of(to) && fits(shape, at) &&
             Spot{at.x + shape.way.back().x, at.y + shape.way.back().y} == spot_of(to))
           return {&shape, at};
@@ -299,7 +232,7 @@ class Search {
   const Task& task_;
   const SpeedModel& model_;
   Aim aim_;
-  std::vector<std::vector<Shape>> shapes_;
+  std::vector<std::vector<TurnShape>> shapes_;
   std::unordered_map<State, Label> labels_;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
@@ -313,24 +246,6 @@ Task task_inside(const GridMaze& maze) {
   return task_of(closed);
 }
 
-Point unit_vector(Eighth heading) {
-  const double scale = is_diagonal(heading) ? 1 / std::numbers::sqrt2 : 1;
-  return {kDx[heading] * scale, kDy[heading] * scale};
-}
-
-Point in_cells(double x, double y) { return {x / 2, y / 2}; }
-
-/// An arc around (x, y) that begins at `from` and turns by `angle` (clockwise positive), all in half cells.
-void add_arc(std::vector<Point>& line, Point centre, Point from, double angle, double step) {
-  const double radius = std::hypot(from.x - centre.x, from.y - centre.y);
-  const int pieces = std::max(2, static_cast<int>(std::ceil(std::abs(angle) * radius / 2 / step)));
-  const double begin = std::atan2(from.y - centre.y, from.x - centre.x);
-  for (int i = 1; i <= pieces; ++i) {
-    const double at = begin - angle * i / pieces;
-    line.push_back(in_cells(centre.x + radius * std::cos(at), centre.y + radius * std::sin(at)));
-  }
-}
-
 }  // namespace
 
 std::string_view name(const Drive& drive) {
@@ -342,34 +257,6 @@ std::string_view name(const Drive& drive) {
 std::optional<SpeedRun> speed_run(const GridMaze& maze, const SpeedModel& model, Aim aim) {
   const Task task = task_inside(maze);
   return Search(maze, task, model, aim).run();
-}
-
-// A turn is an arc between two tangents, which reach as far as the shorter of them allows.
-std::vector<Point> trace(const Drive& drive, double step) {
-  std::vector<Point> line{in_cells(drive.from.x, drive.from.y)};
-  if (drive.kind == Drive::Kind::pivot) return line;
-  const Point end = in_cells(drive.to.x, drive.to.y);
-  if (drive.kind == Drive::Kind::turn) {
-    const Point u = unit_vector(drive.heading), w = unit_vector(drive.after);
-    const int eighths = ((drive.after - drive.heading + 12) & 7) - 4;  // -4..3, clockwise positive
-    const double dx = drive.to.x - drive.from.x, dy = drive.to.y - drive.from.y;
-    if (eighths == -4) {
-      const double side = u.y * dx - u.x * dy > 0 ? 1 : -1;
-      const Point from{drive.from.x + u.x, drive.from.y + u.y};
-      line.push_back(in_cells(from.x, from.y));
-      add_arc(line, {from.x + dx / 2, from.y + dy / 2}, from, side * std::numbers::pi, step);
-    } else {
-      const double cross = u.x * w.y - u.y * w.x;
-      const double before = (dx * w.y - dy * w.x) / cross, behind = (u.x * dy - u.y * dx) / cross;
-      const double tangent = std::min(before, behind), angle = eighths * std::numbers::pi / 4;
-      const double radius = tangent / std::tan(std::abs(angle) / 2), side = eighths > 0 ? 1 : -1;
-      const Point from{drive.from.x + (before - tangent) * u.x, drive.from.y + (before - tangent) * u.y};
-      line.push_back(in_cells(from.x, from.y));
-      add_arc(line, {from.x + side * radius * u.y, from.y - side * radius * u.x}, from, angle, step);
-    }
-  }
-  line.push_back(end);
-  return line;
 }
 
 }  // namespace taut::micromouse

@@ -12,7 +12,8 @@
 
 namespace taut::micromouse {
 
-/// A point of the half-cell lattice: (2x + 1, 2y + 1) is the middle of cell (x, y), one even coordinate the middle of a wall.
+/// A point of the half-cell lattice: (2x + 1, 2y + 1) is the middle of cell (x, y), one even coordinate the middle of a
+/// wall.
 struct Spot {
   int x = 0;
   int y = 0;
@@ -40,6 +41,7 @@ struct Drive {
 /// `straight`, `diagonal`, the name of the turn, `pivot`.
 std::string_view name(const Drive& drive);
 
+/// A run as it is driven. Seconds and metres are the sums over the drives.
 struct SpeedRun {
   std::vector<Drive> drives;  ///< each begins where, as and as fast as the one before ends
   std::vector<Cell> cells;    ///< passed through, start and goal included
@@ -47,19 +49,22 @@ struct SpeedRun {
   double metres = 0;
 };
 
+/// What counts first.
 enum class Aim {
   fastest,      ///< least time, of those the fewest cells
   fewest_cells  ///< the shortest as cells count, of those the fastest
 };
 
 /// From standing in the middle of the start, looking north, to standing in the middle of a goal cell.
-///  1. Between turns the mouse goes straight, orthogonally along the middles of cells or diagonally through middles of walls, as
-///     straight_seconds() has it. Turns are those of Turn, at their one speed. Standing in the middle of a cell it may turn on the spot, so
-///     there is a run whenever there is a way.
+///  1. Between turns the mouse goes straight, orthogonally along the middles of cells or diagonally through middles of
+///     walls, as straight_seconds() has it. Turns are those of Turn, at their one speed. Standing in the middle of a
+///     cell it may turn on the spot, so there is a run whenever there is a way.
 ///  2. It crosses walls in their middles only where they are open; openings of the border count as closed.
-///  3. No run of these has less time (Aim::fastest): Dijkstra over (spot, heading, kind of the last turn), an edge being a whole straight and
-///     the turn behind it. Times are sums of doubles; among equal ones the lower state wins. Same input, same run.
-/// Nothing when there is no way. Throws InputError as task_of, but not for openings of the border. O(states log states), states <= 200 a cell.
+///  3. No run of these has less time (Aim::fastest): Dijkstra over (spot, heading, kind of the last turn), an edge
+///     being a whole straight and the turn behind it. Times are sums of doubles; among equal ones the lower state wins.
+///     Same input, same run.
+/// Nothing when there is no way. Throws InputError as task_of, but not for openings of the border. O(states log
+/// states), states <= 200 a cell.
 std::optional<SpeedRun> speed_run(const GridMaze& maze, const SpeedModel& model = {}, Aim aim = Aim::fastest);
 
 /// The middle line of a drive in cells, from end to end: arcs as chords, at most `step` cells long.

@@ -18,6 +18,7 @@ enum class Offence {
   rotation,     ///< neither -90, 0 nor 90: nothing turned
   movement,     ///< beyond 3 cells: cut to 3
 };
+/// In words, for messages.
 std::string_view name(Offence offence);
 
 /// One step, enough to replay it.
@@ -35,6 +36,7 @@ struct Step {
   std::vector<WallSeen> felt{};  ///< what the move told beyond that
 };
 
+/// How a trial stands or ended.
 enum class TrialStatus {
   running,
   finished,       ///< both runs reached the goal
@@ -43,8 +45,10 @@ enum class TrialStatus {
   no_second_run,  ///< the steps ran out in run 2
   no_route,       ///< the maze has no way from start to goal: not a step was taken
 };
+/// In words, for messages.
 std::string_view name(TrialStatus status);
 
+/// A trial as it went, enough to replay and score it.
 struct Record {
   Task task;
   TrialStatus status = TrialStatus::running;
@@ -62,8 +66,8 @@ struct Record {
 ///
 ///  1. Step: turn; move cell by cell until a wall stops it; the step counts whatever came of it.
 ///  2. The goal counts at the end of a step only.
-///  3. The reset in run 1 costs a step. Once the goal has been reached it puts the robot at the start, heading north, and begins
-///     run 2; before that, and in run 2, it does nothing else.
+///  3. The reset in run 1 costs a step. Once the goal has been reached it puts the robot at the start, heading north,
+///     and begins run 2; before that, and in run 2, it does nothing else.
 ///  4. Run 2 ends with the first step that ends in the goal. All is over after task().max_steps steps of both runs.
 /// Nothing an action says makes it fail. O(side) a step.
 class Trial {

@@ -1,7 +1,5 @@
 // What a robot knows of a maze: each wall is unknown, open or closed.
 #pragma once
-
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -10,9 +8,11 @@
 
 namespace taut::micromouse {
 
+/// What is known of a wall.
 enum class WallState : std::uint8_t { unknown, open, closed };
 
-/// The rows of a set of cells: bit y * width + x. As passages: cell has an open (or a known) side to the north or to the east.
+/// The rows of a set of cells: bit y * width + x. As passages: cell has an open (or a known) side to the north or to
+/// the east.
 using CellBits = std::vector<std::uint64_t>;
 
 /// Passages of a maze as two sets of cells: which ones are open to the north, which ones to the east.
@@ -29,8 +29,10 @@ struct Passages {
 
 /// No wall but the border (`open`), or all of them.
 Passages passages(int width, int height, bool open);
+/// Those of a maze; its border counts as closed.
 Passages passages_of(const GridMaze& maze);
 
+/// A fact about a wall.
 struct WallSeen {
   CellSide wall{};  ///< canonical
   bool closed = false;

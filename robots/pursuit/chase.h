@@ -22,6 +22,7 @@ struct ChaseRules {
 /// Where the robot goes next from `at` at second `now`: a neighbour or `at` itself; nothing: it gives up.
 using NextMove = std::function<std::optional<CellIndex>(CellIndex at, int now)>;
 
+/// How a chase ended.
 enum class ChaseEnd {
   caught,
   escaped,  ///< the trajectory ended
@@ -37,6 +38,7 @@ struct ChaseStep {
   friend bool operator==(const ChaseStep&, const ChaseStep&) = default;
 };
 
+/// What came of a chase.
 struct ChaseResult {
   ChaseEnd end = ChaseEnd::gave_up;
   int time = 0;                  ///< seconds passed
@@ -50,16 +52,19 @@ struct ChaseResult {
 
 /// Plays until an end.
 ///
-///  1. A step takes one second, or the whole seconds that thinking took, rounded up, if more (unless planning is free). It costs (seconds) x (cost of
-///     the cell that is left).
-///  2. Caught: at the end of a step the robot is where the target is at that second. The seconds within a long step do not count.
-///  3. A step that ends after the last meeting's second still counts; then the target has escaped, as it has at once when there is no meeting at all.
+///  1. A step takes one second, or the whole seconds that thinking took, rounded up, if more (unless planning is free).
+///     It costs (seconds) x (cost of the cell that is left).
+///  2. Caught: at the end of a step the robot is where the target is at that second. The seconds within a long step do
+///     not count.
+///  3. A step that ends after the last meeting's second still counts; then the target has escaped, as it has at once
+///     when there is no meeting at all.
 ///  4. An illegal step ends the chase and is neither counted nor tracked; `reason` names it.
 ChaseResult play(const ChaseMap& map, const ChaseRules& rules, const NextMove& next_move);
 
 /// Anything that plans.
 using PlanFunction = std::function<Plan(const Chase&, const PlanLimits&, PlanEffort*)>;
 
+/// A planner as the program offers it.
 struct NamedPlanner {
   std::string_view name;
   std::string_view description;
@@ -70,12 +75,14 @@ struct NamedPlanner {
 std::span<const NamedPlanner> chase_planners();
 const NamedPlanner* chase_planner(std::string_view name);  ///< null when there is none of that name
 
-/// Plans when there is no plan, and goes along it. When a step took longer than the plan has it, first gives up as much waiting as it needs to be in
-/// time; plans again when there is not enough, then for the second at which it expects to be ready.
+/// Plans when there is no plan, and goes along it. When a step took longer than the plan has it, first gives up as much
+/// waiting as it needs to be in time; plans again when there is not enough, then for the second at which it expects to
+/// be ready.
 ///
-/// With a clock it thinks while it moves: as long as its plan is not proven it plans ahead, for the cell and the second where the plan will have led it 2
-/// seconds later, then 6, then 18, in so many times `limits.seconds`. It changes to that plan there if the rest costs less than the old plan's, and if it was
-/// ready by then. No more than that: what so much time does not prove rarely becomes better.
+/// With a clock it thinks while it moves: as long as its plan is not proven it plans ahead, for the cell and the second
+/// where the plan will have led it 2 seconds later, then 6, then 18, in so many times `limits.seconds`. It changes to
+/// that plan there if the rest costs less than the old plan's, and if it was ready by then. No more than that: what so
+/// much time does not prove rarely becomes better.
 class Follower {
  public:
   /// The map is kept by reference. `limits` hold for each call of the planner. `seconds`: a clock for the thinking.

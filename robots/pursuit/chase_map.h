@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <limits>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <taut/geometry/grid_maze.h>
@@ -20,11 +19,13 @@ using CellIndex = std::uint32_t;
 
 /// A validated cost map; immutable.
 ///
-///  1. Cells are (x, y), 1 <= x <= x_size(), 1 <= y <= y_size(), as in the files. They are numbered with a border of obstacles around them, so that
-///     the eight neighbours of every cell of the map exist: index + {-1, 0, 1} + {-stride(), 0, stride()}.
+///  1. Cells are (x, y), 1 <= x <= x_size(), 1 <= y <= y_size(), as in the files. They are numbered with a border of
+///     obstacles around them, so that the eight neighbours of every cell of the map exist: index + {-1, 0, 1} +
+///     {-stride(), 0, stride()}.
 ///  2. A cell is an obstacle or has a cost of 0 <= cost < 2^32 - 1 units; one unit is 10^-decimals().
 ///  3. For every path of at most duration() seconds: its cost in units times 2^bit_width(duration()) fits in 63 bits.
-///  4. The start is on the map and free. Trajectory entries are on the map, possibly in obstacles; consecutive ones need not be neighbours.
+///  4. The start is on the map and free. Trajectory entries are on the map, possibly in obstacles; consecutive ones
+///     need not be neighbours.
 class ChaseMap {
  public:
   static constexpr std::uint32_t kObstacle = std::numeric_limits<std::uint32_t>::max();
@@ -67,7 +68,8 @@ class ChaseMap {
   const std::vector<CellIndex>& target() const { return target_; }
   std::size_t duration() const { return target_.size(); }  ///< number of entries, one a second
 
-  /// The same ground and start, for somebody who must not know where the target goes: the trajectory has one entry, the start.
+  /// The same ground and start, for somebody who must not know where the target goes: the trajectory has one entry, the
+  /// start.
   ChaseMap without_trajectory() const;
 
   int decimals() const { return decimals_; }
@@ -91,7 +93,8 @@ class ChaseMap {
   std::string source_;
 };
 
-/// The map as a file with sections N, C, R, T, M that read_chase_map reads back; obstacles are written as the threshold.
+/// The map as a file with sections N, C, R, T, M that read_chase_map reads back; obstacles are written as the
+/// threshold.
 std::string chase_map_text(const ChaseMap& map);
 
 }  // namespace taut::pursuit

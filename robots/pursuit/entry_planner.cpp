@@ -50,8 +50,8 @@ struct Ground {
   }
 };
 
-/// Keys (cost, moves) of ways of at most `last` moves between `origin` and every cell; a move costs what the cell that is left costs, which is the
-/// nearer one to the origin when the ways lead away from it.
+/// Keys (cost, moves) of ways of at most `last` moves between `origin` and every cell; a move costs what the cell that
+/// is left costs, which is the nearer one to the origin when the ways lead away from it.
 std::vector<std::uint64_t> keys_from(Ground& ground, CellIndex origin, bool away) {
   const ChaseMap& map = ground.map();
   std::vector<std::uint64_t> keys(map.index_count(), kFar);

@@ -31,17 +31,20 @@ class Unfolding {
 
 /// Chases what it sees.
 ///
-///  1. What it knows is the ground and the sights it was given: the constructor takes a map that has no trajectory (ChaseMap::without_trajectory).
-///  2. As soon as a meeting that it has seen can be reached in time, it follows the exact plan to the cheapest such meeting. It looks for a cheaper one
-///     among later sights whenever a sixteenth of the time to the meeting has passed, unless the second alone makes all new ones dearer.
-///  3. Else it expects the target to go on in the direction of its last step until something is in the way, and to stay there; it heads for the first
-///     cell of that line where it could, without obstacles, be in time, along a way of least cost. When the target did otherwise it plans again, but not before a sixteenth of the way
-///     has passed: each second once it is near.
+///  1. What it knows is the ground and the sights it was given: the constructor takes a map that has no trajectory
+///     (ChaseMap::without_trajectory).
+///  2. As soon as a meeting that it has seen can be reached in time, it follows the exact plan to the cheapest such
+///     meeting. It looks for a cheaper one among later sights whenever a sixteenth of the time to the meeting has
+///     passed, unless the second alone makes all new ones dearer.
+///  3. Else it expects the target to go on in the direction of its last step until something is in the way, and to stay
+///     there; it heads for the first cell of that line where it could, without obstacles, be in time, along a way of
+///     least cost. When the target did otherwise it plans again, but not before a sixteenth of the way has passed: each
+///     second once it is near.
 ///  4. While it sees no free cell of the target, it goes on to where it last expected it, then waits.
 ///  5. Each step is legal. With a horizon that shows the whole trajectory at second 0 it costs what exact_plan costs.
 ///
-/// A decision takes O(cells log cost) at worst, in most seconds O(1). Nothing is promised about the cost: a target that never turns is never caught from
-/// behind.
+/// A decision takes O(cells log cost) at worst, in most seconds O(1). Nothing is promised about the cost: a target that
+/// never turns is never caught from behind.
 class OnlinePursuer {
  public:
   /// The ground is kept by reference. `limits` hold for each exact plan.

@@ -1,7 +1,5 @@
 // The question of a chase and its answers: where the target can be met, and the pursuer's way there.
 #pragma once
-
-#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -10,7 +8,8 @@
 
 namespace taut::pursuit {
 
-/// The two scoring programs differ by one second: the cell after t moves is compared with the entry counted t from 0, t >= 1, or from 1.
+/// The two scoring programs differ by one second: the cell after t moves is compared with the entry counted t from 0, t
+/// >= 1, or from 1.
 enum class Clock { zero, one };
 
 /// The target is in `cell`, a free one, at `second`, counted from the robot's start.
@@ -21,7 +20,8 @@ struct Meeting {
   friend bool operator==(const Meeting&, const Meeting&) = default;
 };
 
-/// All meetings of a map by ascending second, one a second at most: entries in obstacles are none, nor is the one at the very start.
+/// All meetings of a map by ascending second, one a second at most: entries in obstacles are none, nor is the one at
+/// the very start.
 std::vector<Meeting> meetings_of(const ChaseMap& map, Clock clock);
 
 /// Somebody in `from` at second `now` who wants to be at one of `meetings` in time, at the least cost.
@@ -35,13 +35,15 @@ struct Chase {
 /// The whole map from its start.
 Chase chase_of(const ChaseMap& map, Clock clock);
 
+/// How planning ended.
 enum class PlanStatus {
   found,    ///< a way that meets the target
   none,     ///< proven: nobody can
   stopped,  ///< out of time or memory before either was known
 };
 
-/// A way: `cells[i]` is where one is at second `now + i`, the first is `from`, the last a meeting, and no earlier one is.
+/// A way: `cells[i]` is where one is at second `now + i`, the first is `from`, the last a meeting, and no earlier one
+/// is.
 struct Plan {
   PlanStatus status = PlanStatus::none;
   bool optimal = false;          ///< proven: no way costs less
@@ -67,10 +69,12 @@ struct PlanLimits {
   std::function<void(const Plan&)> better{};
 };
 
-/// Why nobody can meet the target, for Plan::reason: the trajectory lies in obstacles, apart from the robot, or ends too soon.
+/// Why nobody can meet the target, for Plan::reason: the trajectory lies in obstacles, apart from the robot, or ends
+/// too soon.
 std::string reason_of_failure(const Chase& chase);
 
-/// An independent check. Empty when `plan` is a legal way that keeps what Plan says (but optimality), else what is wrong.
+/// An independent check. Empty when `plan` is a legal way that keeps what Plan says (but optimality), else what is
+/// wrong.
 std::string fault_of(const Plan& plan, const Chase& chase);
 
 }  // namespace taut::pursuit

@@ -1,7 +1,6 @@
 #include <taut/robots/pursuit/read_chase_map.h>
 
 #include <algorithm>
-#include <bit>
 #include <optional>
 #include <utility>
 
@@ -87,7 +86,8 @@ class Tokens {
     return *value;
   }
 
-  /// One to four digits and a fraction of zeros, if any: the usual cost. Absent, and nothing read, when it is something else.
+  /// One to four digits and a fraction of zeros, if any: the usual cost. Absent, and nothing read, when it is something
+  /// else.
   std::optional<std::uint32_t> small() {
     const char* p = at_;
     std::uint32_t value = 0;

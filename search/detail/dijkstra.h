@@ -7,8 +7,9 @@
 
 namespace taut::detail {
 
-/// Calls `expand(v)` for each vertex taken from the queue and opens again what was expanded too early: legs shorter than the rounding of
-/// a length (those between vertices at one point, for example) make lower bounds order the queue only nearly right.
+/// Calls `expand(v)` for each vertex taken from the queue and opens again what was expanded too early: legs shorter
+/// than the rounding of a length (those between vertices at one point, for example) make lower bounds order the queue
+/// only nearly right.
 template <class Expand>
 class DijkstraVisitor : public boost::dijkstra_visitor<> {
  public:

@@ -1,7 +1,5 @@
 // Closed chains of walls and gates, and whether they separate two points. Private.
 #pragma once
-
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>

@@ -1,6 +1,5 @@
-// Jump point search. Of the neighbours of a cell only those are looked at that have no way as short past the cell from where one came;
-// chains of cells with a single such neighbour are jumped over.
-#include <array>
+// Jump point search. Of the neighbours of a cell only those are looked at that have no way as short past the cell from
+// where one came; chains of cells with a single such neighbour are jumped over.
 #include <cstdlib>
 
 #include <taut/search/detail/grid_estimator.h>

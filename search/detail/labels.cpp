@@ -84,7 +84,8 @@ std::span<const Labels::Id> Labels::parents(Id id, std::span<Id> room) const {
   return room.first(count);
 }
 
-/// A label from which one leg leads to each of two different ones, or to the one from the other, by parents and by ties.
+/// A label from which one leg leads to each of two different ones, or to the one from the other, by parents and by
+/// ties.
 Labels::Id Labels::common_parent(Id a, Id b) const {
   std::array<Id, 4> room_a, room_b;
   const auto of_a = parents(a, room_a), of_b = parents(b, room_b);

@@ -12,11 +12,11 @@
 
 namespace taut::detail {
 
-/// Every label ever given, in order. A label is never changed: a shorter way to a vertex is a new label. So a label's chain of parents
-/// is the very chain whose length its interval encloses, whatever is found later, and lengths can be compared exactly at any time.
-/// Parents are older than their children, so the last common ancestor of two labels is found by climbing from the younger one. Ways of
-/// equal length are kept as ties: on a lattice they lead to a common ancestor two legs away where the parents alone would lead
-/// far back.
+/// Every label ever given, in order. A label is never changed: a shorter way to a vertex is a new label. So a label's
+/// chain of parents is the very chain whose length its interval encloses, whatever is found later, and lengths can be
+/// compared exactly at any time. Parents are older than their children, so the last common ancestor of two labels is
+/// found by climbing from the younger one. Ways of equal length are kept as ties: on a lattice they lead to a common
+/// ancestor two legs away where the parents alone would lead far back.
 /// 32 bytes a label, 8 a tie.
 class Labels {
  public:
@@ -48,8 +48,8 @@ class Labels {
   }
   Chain chain(Id id) const { return {labels_[id].parent, point(labels_[id].vertex)}; }
 
-  /// A new label for v, through `parent`. Precondition: it is shorter than `former`, if there is one; then its lower and upper bound
-  /// are not greater than that one's.
+  /// A new label for v, through `parent`. Precondition: it is shorter than `former`, if there is one; then its lower
+  /// and upper bound are not greater than that one's.
   Id extend(Id parent, Vertex v, Id former);
 
   /// Is the way through `parent` straight to v shorter than the label `than` of v? Exact. Remembers a tie.
@@ -64,7 +64,8 @@ class Labels {
   std::vector<Point> points(Chain chain) const;
 
  private:
-  /// Through `parent` it is exactly as far as through the label's own; `next` is another tie of the same label, 0 for none.
+  /// Through `parent` it is exactly as far as through the label's own; `next` is another tie of the same label, 0 for
+  /// none.
   struct Tie {
     Id parent = kNone;
     std::uint32_t next = 0;

@@ -11,9 +11,10 @@
 
 namespace taut::detail {
 
-/// The lengths of the shortest paths from a few bends, the landmarks, to every bend. By the triangle inequality a path from bend b to a
-/// goal g is no shorter than |d(L, g) - d(L, b)|, for each landmark L (Goldberg and Harrelson, "Computing the shortest path: A* search meets graph
-/// theory", SODA 2005). Landmarks lie as far as possible from each other, in the component that has most bends. Immutable.
+/// The lengths of the shortest paths from a few bends, the landmarks, to every bend. By the triangle inequality a path
+/// from bend b to a goal g is no shorter than |d(L, g) - d(L, b)|, for each landmark L (Goldberg and Harrelson,
+/// "Computing the shortest path: A* search meets graph theory", SODA 2005). Landmarks lie as far as possible from each
+/// other, in the component that has most bends. Immutable.
 ///
 /// Kept as floats, 4 bytes a bend and landmark; each is off by at most error(). What is not reached is infinitely far.
 class Landmarks {

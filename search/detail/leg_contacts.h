@@ -1,4 +1,5 @@
-// All contacts of a path with a million constraints: an r-tree over the legs, the constraints streamed through it. Private.
+// All contacts of a path with a million constraints: an r-tree over the legs, the constraints streamed through it.
+// Private.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +31,8 @@ class LegTree {
   /// Exact. O(n log k + candidates) for n constraints and k legs.
   LegContacts contacts() const;
 
-  /// Exact choice. Precondition: no leg meets a constraint. Expected O(n log k): constraints come in scattered order, so the
-  /// best so far soon rules out all but a few.
+  /// Exact choice. Precondition: no leg meets a constraint. Expected O(n log k): constraints come in scattered order,
+  /// so the best so far soon rules out all but a few.
   NearestPiece nearest() const;
 
  private:

@@ -1,11 +1,10 @@
 #include <taut/search/detail/polyanya_engine.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace taut::detail {
 
-// ---- the queue ----------------------------------------------------------------------------------------------------------------------
+// ---- the queue ------------------------------------------------------------------------------------------------------
 
 namespace {
 constexpr auto kLater = [](const auto& a, const auto& b) { return a.bound > b.bound; };
@@ -46,7 +45,7 @@ bool PolyanyaEngine::take() {
   return false;
 }
 
-// ---- what is seen -------------------------------------------------------------------------------------------------------------------
+// ---- what is seen ---------------------------------------------------------------------------------------------------
 
 PolyanyaEngine::Cone PolyanyaEngine::cone(std::uint32_t root, std::uint32_t right, std::uint32_t left) const {
   const Root& r = roots_[root];
@@ -84,7 +83,8 @@ void PolyanyaEngine::look_through() {
   follow(cone, polygon, mesh_.next(node_.enter), mesh_.first[polygon + 1] - mesh_.first[polygon] - 1);
 }
 
-/// Along the chain of sides, counter-clockwise, that the cone falls upon: corners inside it are seen, each side cuts out its part.
+/// Along the chain of sides, counter-clockwise, that the cone falls upon: corners inside it are seen, each side cuts
+/// out its part.
 void PolyanyaEngine::follow(const Cone& cone, std::uint32_t polygon, std::uint32_t chain, std::uint32_t sides) {
   const std::uint32_t first = mesh_.first[polygon], end = mesh_.first[polygon + 1];
   const auto next = [first, end](std::uint32_t c) { return c + 1 == end ? first : c + 1; };
@@ -132,7 +132,7 @@ void PolyanyaEngine::see_goals(const Cone& cone, std::uint32_t polygon) {
   }
 }
 
-// ---- turning ------------------------------------------------------------------------------------------------------------------------
+// ---- turning --------------------------------------------------------------------------------------------------------
 
 /// The turns that a shortest path from `from` can make at a corner: with the obstacle on its side.
 std::uint32_t PolyanyaEngine::turns_at(Point from, std::uint32_t corner) const {

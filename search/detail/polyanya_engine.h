@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include <taut/geometry/detail/side.h>
@@ -23,17 +22,20 @@ struct MeshGoal {
   std::vector<std::uint32_t> polygons;
 };
 
-/// One search after the other on one mesh, in the same memory: nothing is cleared or allocated between them once it has grown.
+/// One search after the other on one mesh, in the same memory: nothing is cleared or allocated between them once it has
+/// grown.
 ///
-/// A root is the start or a bend that a shortest path may turn at, with its length and the root before it. A node is a root and what is seen
-/// from it through a portal: a cone between two rays, each through a corner, or away from the root before (the straight
-/// continuation of the last leg). Rays are never rounded, so what is seen is exact: every test is the side of three given points.
+/// A root is the start or a bend that a shortest path may turn at, with its length and the root before it. A node is a
+/// root and what is seen from it through a portal: a cone between two rays, each through a corner, or away from the
+/// root before (the straight continuation of the last leg). Rays are never rounded, so what is seen is exact: every
+/// test is the side of three given points.
 ///
-/// Where only one way leads from polygon to polygon, as in a maze without loops, there is nothing to search: a string is pulled taut along it.
+/// Where only one way leads from polygon to polygon, as in a maze without loops, there is nothing to search: a string
+/// is pulled taut along it.
 ///
-/// Two numbers are doubles, with their error bounds: a root's length, and the lower bound of a path through a node, by which
-/// the queue is ordered. Where bounds overlap lengths are compared as sums of roots, and the search goes on until no open node's lower bound
-/// is below the best path's upper one. So the path is the shortest, whatever was rounded.
+/// Two numbers are doubles, with their error bounds: a root's length, and the lower bound of a path through a node, by
+/// which the queue is ordered. Where bounds overlap lengths are compared as sums of roots, and the search goes on until
+/// no open node's lower bound is below the best path's upper one. So the path is the shortest, whatever was rounded.
 class PolyanyaEngine {
  public:
   /// `landmarks` may be absent; they outlive the engine.
@@ -111,7 +113,8 @@ class PolyanyaEngine {
     double least = 0;  // of a path through it, at least
   };
 
-  /// enter: the side, seen from inside, of the polygon that the cone comes to; kNone: the root's turns, those in `right`.
+  /// enter: the side, seen from inside, of the polygon that the cone comes to; kNone: the root's turns, those in
+  /// `right`.
   struct Node {
     double bound;
     std::uint32_t root;

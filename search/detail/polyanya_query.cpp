@@ -97,7 +97,8 @@ void PolyanyaEngine::allow_blocks(std::span<const std::uint32_t> starts) {
   if (!nearest_) unreached_ = reachable;
 }
 
-/// All blocks between two polygons: the only ones that a shortest path from one to the other can pass. False when they lie in two components.
+/// All blocks between two polygons: the only ones that a shortest path from one to the other can pass. False when they
+/// lie in two components.
 bool PolyanyaEngine::allow_between(std::uint32_t p, std::uint32_t q) {
   const Navmesh::BlockTree& tree = mesh_.blocks;
   while (p != q) {
@@ -111,7 +112,8 @@ bool PolyanyaEngine::allow_between(std::uint32_t p, std::uint32_t q) {
   return true;
 }
 
-/// From start to goal along each pair of their polygons, where no other way leads from the one to the other. False where there is something to search.
+/// From start to goal along each pair of their polygons, where no other way leads from the one to the other. False
+/// where there is something to search.
 bool PolyanyaEngine::follow_corridors(const Query& query) {
   if (is_separated_ || !nearest_ || query.other_ends || goals_.size() != 1 || !only_bridges_ ||
       query.limits.expansions <= mesh_.polygon_count())
@@ -122,7 +124,8 @@ bool PolyanyaEngine::follow_corridors(const Query& query) {
   return true;
 }
 
-/// The corridor between two polygons. False when there is none, or when it passes another polygon of the same end: from there it is no longer.
+/// The corridor between two polygons. False when there is none, or when it passes another polygon of the same end: from
+/// there it is no longer.
 bool PolyanyaEngine::lay_out(std::uint32_t p, std::uint32_t q, std::span<const std::uint32_t> starts) {
   const Navmesh::BlockTree& tree = mesh_.blocks;
   const std::uint32_t start = p, goal = q;

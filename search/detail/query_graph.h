@@ -21,8 +21,9 @@ struct Leg {
   friend bool operator==(const Leg&, const Leg&) = default;
 };
 
-/// An IncidenceGraph over an unchanged roadmap of n vertices: n is the start, n + 1 + i is goal i. Legs lead out of the start and into the
-/// goals only. The legs of a vertex are two ranges of targets: the roadmap's row, then the goals it sees.
+/// An IncidenceGraph over an unchanged roadmap of n vertices: n is the start, n + 1 + i is goal i. Legs lead out of the
+/// start and into the goals only. The legs of a vertex are two ranges of targets: the roadmap's row, then the goals it
+/// sees.
 class QueryGraph {
  public:
   using Vertex = Roadmap::Vertex;

@@ -11,8 +11,8 @@ namespace taut::detail {
 
 Point middle(const Box& box);
 
-/// Throws InputError when an end is no place for the robot (require_free). The answer, a path of one point, when `from` is in
-/// the goal room already: from there the middle of one of its boxes is seen.
+/// Throws InputError when an end is no place for the robot (require_free). The answer, a path of one point, when `from`
+/// is in the goal room already: from there the middle of one of its boxes is seen.
 std::optional<GraphSearchResult> answer_at_start(const FreeSpace& space, Point from, const Goal& to);
 
 /// The query whose answer is that path: one leg of length 0.
@@ -29,16 +29,17 @@ struct RoomSide {
 
 std::vector<RoomSide> room_sides(const std::vector<Box>& room);
 
-/// A point of a side where a shortest path may enter, whatever comes before: an end of the side or a place where it meets a constraint.
+/// A point of a side where a shortest path may enter, whatever comes before: an end of the side or a place where it
+/// meets a constraint.
 struct RoomEntry {
   Point point;
   Point inside;
 };
 
-/// A shortest path into a room enters at one of these, or at the foot of the perpendicular from its last bend: the nearest point of what
-/// it sees of a side is a foot, an end of a free stretch of the side, or lies in line with a corner, where it would rather
-/// bend. A constraint that meets a side in no pair of doubles gives a point rounded along the side into the free space.
-/// O(sides * constraints).
+/// A shortest path into a room enters at one of these, or at the foot of the perpendicular from its last bend: the
+/// nearest point of what it sees of a side is a foot, an end of a free stretch of the side, or lies in line with a
+/// corner, where it would rather bend. A constraint that meets a side in no pair of doubles gives a point rounded along
+/// the side into the free space. O(sides * constraints).
 std::vector<RoomEntry> room_entries(const FreeSpace& space, const std::vector<Box>& room);
 
 }  // namespace taut::detail

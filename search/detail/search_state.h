@@ -1,4 +1,5 @@
-// What Boost.Graph's searches read and write: property maps over labels, and how they are compared. For .cpp files only.
+// What Boost.Graph's searches read and write: property maps over labels, and how they are compared. For .cpp files
+// only.
 #pragma once
 
 #include <cstdlib>
@@ -13,13 +14,15 @@
 
 namespace taut::detail {
 
-/// The state of one search. Per vertex 16 bytes of zeroed pages, touched only where the search comes, and 2 bits of colour.
+/// The state of one search. Per vertex 16 bytes of zeroed pages, touched only where the search comes, and 2 bits of
+/// colour.
 ///
-/// Why the answer is exact although the queue is ordered by rounded lower bounds: a vertex gets another label only when that is strictly
-/// shorter, exactly, and is then open again, also when it had been expanded. So as long as a goal's label is not the shortest possible, some
-/// vertex on a shortest path is open with its final label, and its key, a lower bound of the whole path, is below the goal's length. A goal's
-/// key is the upper bound of its length and the search ends when a goal has the least key: no open vertex can improve on it any more. Among
-/// the goals labelled by then the shortest is chosen, exactly.
+/// Why the answer is exact although the queue is ordered by rounded lower bounds: a vertex gets another label only when
+/// that is strictly shorter, exactly, and is then open again, also when it had been expanded. So as long as a goal's
+/// label is not the shortest possible, some vertex on a shortest path is open with its final label, and its key, a
+/// lower bound of the whole path, is below the goal's length. A goal's key is the upper bound of its length and the
+/// search ends when a goal has the least key: no open vertex can improve on it any more. Among the goals labelled by
+/// then the shortest is chosen, exactly.
 class SearchState {
  public:
   using Vertex = Roadmap::Vertex;

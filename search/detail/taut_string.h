@@ -10,9 +10,10 @@
 
 namespace taut::detail {
 
-/// The shortest path through a sequence of portals between convex polygons, of which only the ends that change are named. One after the other in the same memory. Exact. O(ends).
-/// It keeps the shortest paths from the start to both ends of the current portal: one path up to the apex, then two chains
-/// that bend away from each other, the left one to the left. (Lee, Preparata 1984; Chazelle 1982.)
+/// The shortest path through a sequence of portals between convex polygons, of which only the ends that change are
+/// named. One after the other in the same memory. Exact. O(ends). It keeps the shortest paths from the start to both
+/// ends of the current portal: one path up to the apex, then two chains that bend away from each other, the left one to
+/// the left. (Lee, Preparata 1984; Chazelle 1982.)
 class TautString {
  public:
   void begin(Point from) {
@@ -67,8 +68,8 @@ class TautString {
     own.push(p);
   }
 
-  /// Is p on the inner side of a -> b, or in line and beyond? In line and not beyond, the string goes around b, or p is the near end of a portal
-  /// that lies in line.
+  /// Is p on the inner side of a -> b, or in line and beyond? In line and not beyond, the string goes around b, or p is
+  /// the near end of a portal that lies in line.
   static bool is_within(Point a, Point b, Point p, int inward) {
     const int turn = side_of(a, b, p) * inward;
     if (turn != 0) return turn > 0;

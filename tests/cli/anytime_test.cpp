@@ -5,8 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "support/paths.h"
-#include "support/run_program.h"
+#include "support/program_test.h"
 
 namespace taut::test {
 namespace {
@@ -14,18 +13,11 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-std::string maze(const char* name) { return (data_dir() / name).string(); }
-
-class AnytimeProgram : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!program()) GTEST_SKIP() << "the program is not built";
-  }
-};
+class AnytimeProgram : public ProgramTest {};
 
 TEST_F(AnytimeProgram, EndsWithTheShortestPathAndSaysHowItCameThere) {
-  const json exact = json::parse(run_taut("solve --json - " + maze("half_open_60x60.txt")).out);
-  const Outcome run = run_taut("solve --anytime --json - " + maze("half_open_60x60.txt"));
+  const json exact = json::parse(run_taut("solve --json - " + data_file("half_open_60x60.txt")).out);
+  const Outcome run = run_taut("solve --anytime --json - " + data_file("half_open_60x60.txt"));
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.err, "") << "stages are told on terminals and with --stats";
   const json answer = json::parse(run.out);
@@ -45,7 +37,7 @@ TEST_F(AnytimeProgram, EndsWithTheShortestPathAndSaysHowItCameThere) {
 }
 
 TEST_F(AnytimeProgram, PrintsTheBoundAndTellsEachStageWithStats) {
-  const Outcome run = run_taut("solve --anytime --epsilon 5 --stats " + maze("half_open_60x60.txt"));
+  const Outcome run = run_taut("solve --anytime --epsilon 5 --stats " + data_file("half_open_60x60.txt"));
   EXPECT_THAT(run.out, HasSubstr("length 84.949388, bound 1, "));
   EXPECT_THAT(run.err, HasSubstr("epsilon 5: length "));
   EXPECT_THAT(run.err, HasSubstr("epsilon 1: length 84.949388, bound 1, "));
@@ -54,7 +46,7 @@ TEST_F(AnytimeProgram, PrintsTheBoundAndTellsEachStageWithStats) {
 TEST_F(AnytimeProgram, KeepsToTheRoadmapAskedFor) {
   for (const char* kind : {"visibility", "full", "cells", "cells8", "prm", "prm-lattice"}) {
     SCOPED_TRACE(kind);
-    const std::string query = std::string("solve --json - --roadmap ") + kind + " " + maze("maze_61x61_loops.txt");
+    const std::string query = std::string("solve --json - --roadmap ") + kind + " " + data_file("maze_61x61_loops.txt");
     const json plain = json::parse(run_taut(query).out), anytime = json::parse(run_taut(query + " --anytime").out);
     EXPECT_EQ(anytime["length_text"], plain["length_text"]);
     EXPECT_EQ(anytime["optimal"], plain["optimal"]);
@@ -92,7 +84,7 @@ TEST_F(AnytimeProgram, RefusesWhatItCannotDo) {
   for (const char* options :
        {"--epsilon 2", "--anytime --roadmap polyanya", "--anytime --roadmap voronoi", "--anytime --algorithm dijkstra",
         "--anytime --shorten --roadmap prm", "--anytime --widest"}) {
-    const Outcome run = run_taut(std::string("solve ") + options + " " + maze("maze_5x7.txt"));
+    const Outcome run = run_taut(std::string("solve ") + options + " " + data_file("maze_5x7.txt"));
     EXPECT_EQ(run.code, 2) << options;
     EXPECT_THAT(run.err, HasSubstr("makes no sense")) << options;
   }

@@ -5,8 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "support/paths.h"
-#include "support/run_program.h"
+#include "support/program_test.h"
 
 namespace taut::test {
 namespace {
@@ -22,16 +21,15 @@ constexpr const char* kMap =
     ".@@@.\n"
     ".....\n";
 
-class Batch : public testing::Test {
+class Batch : public ProgramTest {
  protected:
   void SetUp() override {
-    if (!program()) GTEST_SKIP() << "the program is not built";
+    ProgramTest::SetUp();
     map = folder.file("x.map", kMap);
   }
   Outcome run(const std::string& queries, const std::string& options = "") {
     return run_taut("batch " + map + " - " + options, queries);
   }
-  Folder folder;
   std::string map;
 };
 

@@ -6,8 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "support/paths.h"
-#include "support/run_program.h"
+#include "support/program_test.h"
 
 namespace taut::test {
 namespace {
@@ -15,8 +14,9 @@ namespace {
 constexpr const char* kRoom = "0 0 4 0\n4 0 4 4\n4 4 0 4\n0 4 0 0\n2 0 2 3\nstart 1 2\ngoal 3 2\n";
 constexpr const char* kSealed = "0 0 4 0\n4 0 4 4\n4 4 0 4\n0 4 0 0\n2 0 2 4\nstart 1 2\ngoal 3 2\n";
 
-TEST(BugCommand, GivesLengthBoundAndContactsAsJson) {
-  if (!program()) GTEST_SKIP() << "the program is not built";
+class BugCommand : public ProgramTest {};
+
+TEST_F(BugCommand, GivesLengthBoundAndContactsAsJson) {
   const Outcome run = run_taut("bug - --algorithm 2 --turn left --json -", kRoom);
   ASSERT_EQ(run.code, 0) << run.err;
   const auto json = nlohmann::json::parse(run.out);
@@ -27,16 +27,14 @@ TEST(BugCommand, GivesLengthBoundAndContactsAsJson) {
   EXPECT_EQ(json["leaves"].size(), 1U);
 }
 
-TEST(BugCommand, EndsWithOneWhenThereIsNoPathAndTwoOnNonsense) {
-  if (!program()) GTEST_SKIP() << "the program is not built";
+TEST_F(BugCommand, EndsWithOneWhenThereIsNoPathAndTwoOnNonsense) {
   EXPECT_EQ(run_taut("bug - --algorithm 1", kSealed).code, 1);
   EXPECT_EQ(run_taut("bug - --algorithm 2", kSealed).code, 1);
   EXPECT_EQ(run_taut("bug - --algorithm 3", kSealed).code, 2);
   EXPECT_EQ(run_taut("bug - --from 9,9", kSealed).code, 3);
 }
 
-TEST(BugCommand, PrintsTheShortestLengthAndTheRatioBesideTangentBugs) {
-  if (!program()) GTEST_SKIP() << "the program is not built";
+TEST_F(BugCommand, PrintsTheShortestLengthAndTheRatioBesideTangentBugs) {
   const Outcome run = run_taut("bug - --algorithm tangent --range inf --json -", kRoom);
   ASSERT_EQ(run.code, 0) << run.err;
   const auto json = nlohmann::json::parse(run.out);
@@ -50,15 +48,13 @@ TEST(BugCommand, PrintsTheShortestLengthAndTheRatioBesideTangentBugs) {
   EXPECT_EQ(run_taut("bug - --algorithm tangent", kSealed).code, 1);
 }
 
-TEST(BugCommand, TakesARangeForTangentBugOnly) {
-  if (!program()) GTEST_SKIP() << "the program is not built";
+TEST_F(BugCommand, TakesARangeForTangentBugOnly) {
   EXPECT_EQ(run_taut("bug - --range 2", kRoom).code, 2);
   for (const char* range : {"-1", "nan", "far"})
     EXPECT_EQ(run_taut(std::string("bug - --algorithm tangent --range ") + range, kRoom).code, 2) << range;
 }
 
-TEST(BugCommand, DrawsWhatWasInSight) {
-  if (!program()) GTEST_SKIP() << "the program is not built";
+TEST_F(BugCommand, DrawsWhatWasInSight) {
   const std::string still = run_taut("bug - --algorithm tangent --svg -", kRoom).out;
   EXPECT_THAT(still, testing::HasSubstr("<g class=\"views\">"));
   EXPECT_THAT(still, testing::Not(testing::HasSubstr("<animate ")));
@@ -67,9 +63,7 @@ TEST(BugCommand, DrawsWhatWasInSight) {
               testing::Not(testing::HasSubstr("<g class=\"views\">")));
 }
 
-TEST(BugCommand, ComparesAllBugsWithTheShortestPath) {
-  if (!program()) GTEST_SKIP() << "the program is not built";
-  const Folder folder;
+TEST_F(BugCommand, ComparesAllBugsWithTheShortestPath) {
   const std::string room = folder.file("room.txt", kRoom), sealed = folder.file("sealed.txt", kSealed);
   const Outcome run = run_taut("bug compare " + room + " --range 0,1,inf");
   EXPECT_EQ(run.code, 0) << run.err;

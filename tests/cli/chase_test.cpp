@@ -6,8 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "support/paths.h"
-#include "support/run_program.h"
+#include "support/program_test.h"
 
 namespace taut::test {
 namespace {
@@ -17,12 +16,7 @@ using testing::ContainsRegex;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-class ChaseProgram : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!program()) GTEST_SKIP() << "the program is not built";
-  }
-};
+class ChaseProgram : public ProgramTest {};
 
 std::string town() { return (data_dir() / "town_60x40.chase").string(); }
 

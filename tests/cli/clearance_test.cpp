@@ -6,8 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "support/paths.h"
-#include "support/run_program.h"
+#include "support/program_test.h"
 
 namespace taut::test {
 namespace {
@@ -18,28 +17,17 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-// Two rooms; from the left to the right one a door of width 1 at the bottom and, further away, one of width 3 at the top.
+// Two rooms; from the left to the right one a door of width 1 at the bottom and, further away, one of width 3 at the
+// top.
 constexpr const char* kTwoDoors =
     "0 0 20 0\n20 0 20 20\n20 20 0 20\n0 20 0 0\n10 0 10 2\n10 3 10 16\n10 19 10 20\nstart 5 5\ngoal 15 5\n";
 // Entrance and exit are openings of width 1; within, a door of width 1/2.
 constexpr const char* kOpenings =
     "0 0 4 0\n4 0 4 1\n4 2 4 3\n4 3 0 3\n0 3 0 2\n0 1 0 0\n2 0 2 1.25\n2 1.75 2 3\nstart 0 1.5\ngoal 4 1.5\n";
 
-class ClearanceProgram : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!program()) GTEST_SKIP() << "the program is not built";
-  }
-  std::string in_folder(const char* name) const { return (folder / name).string(); }
-
-  Folder folder;
-};
-
-class SolveClearance : public ClearanceProgram {};
-class Passage : public ClearanceProgram {};
-class VoronoiKind : public ClearanceProgram {};
-
-std::string maze(const char* name) { return (data_dir() / name).string(); }
+class SolveClearance : public ProgramTest {};
+class Passage : public ProgramTest {};
+class VoronoiKind : public ProgramTest {};
 
 TEST_F(SolveClearance, TakesTheShortWayForASmallDiscAndTheLongOneForALargeOne) {
   const json narrow = json::parse(run_taut("solve - --clearance 0.5 --json -", kTwoDoors).out);
@@ -145,15 +133,15 @@ TEST_F(SolveClearance, PrintsThePointsOfTheWayForCheck) {
 }
 
 TEST_F(SolveClearance, EndsInARoom) {
-  const json answer = json::parse(run_taut("solve --widest --json - " + maze("mouse_16.maz")).out);
+  const json answer = json::parse(run_taut("solve --widest --json - " + data_file("mouse_16.maz")).out);
   EXPECT_EQ(answer["radius"], 0.5);
   EXPECT_EQ(answer["verified"], true);
 }
 
 TEST_F(SolveClearance, IsTheSameEveryTime) {
-  const std::string query = "solve --tradeoff --path " + maze("half_open_60x60.txt");
-  EXPECT_EQ(run_taut("solve --tradeoff " + maze("half_open_60x60.txt")).out,
-            run_taut("solve --tradeoff " + maze("half_open_60x60.txt")).out);
+  const std::string query = "solve --tradeoff --path " + data_file("half_open_60x60.txt");
+  EXPECT_EQ(run_taut("solve --tradeoff " + data_file("half_open_60x60.txt")).out,
+            run_taut("solve --tradeoff " + data_file("half_open_60x60.txt")).out);
   EXPECT_EQ(run_taut(query).code, 2);
 }
 
@@ -197,8 +185,8 @@ TEST_F(Passage, AgreesWithTheWidestPath) {
   for (const char* name :
        {"maze_25x25.txt", "floor_plan.geojson", "islands.wkt", "mouse_32.maze", "corridors_30x20.txt"}) {
     SCOPED_TRACE(name);
-    const json widest = json::parse(run_taut("solve --widest --json - " + maze(name)).out);
-    const json passage = json::parse(run_taut("passage --json - " + maze(name)).out);
+    const json widest = json::parse(run_taut("solve --widest --json - " + data_file(name)).out);
+    const json passage = json::parse(run_taut("passage --json - " + data_file(name)).out);
     EXPECT_EQ(widest["radius_below"], passage["largest"]["radius"]);
     EXPECT_EQ(widest["verified"], true);
   }

@@ -6,8 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "support/paths.h"
-#include "support/run_program.h"
+#include "support/program_test.h"
 
 namespace taut::test {
 namespace {
@@ -18,26 +17,14 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-std::string maze(const char* name) { return (data_dir() / name).string(); }
-
-class RoadmapProgram : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!program()) GTEST_SKIP() << "the program is not built";
-  }
-  std::string in_folder(const char* name) const { return (folder / name).string(); }
-
-  Folder folder;
-};
-
-class Compare : public RoadmapProgram {};
-class SavedRoadmaps : public RoadmapProgram {};
-class RoadmapKinds : public RoadmapProgram {};
+class Compare : public ProgramTest {};
+class SavedRoadmaps : public ProgramTest {};
+class RoadmapKinds : public ProgramTest {};
 
 constexpr std::size_t kPlanners = 10;  // that fit a grid maze
 
 TEST_F(Compare, PrintsALineForEachPlanner) {
-  const Outcome run = run_taut("compare " + maze("maze_5x7.txt"));
+  const Outcome run = run_taut("compare " + data_file("maze_5x7.txt"));
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.out, StartsWith("planner "));
   EXPECT_THAT(run.out, ContainsRegex("visibility-astar +yes +9.321693 +1 "));
@@ -47,7 +34,7 @@ TEST_F(Compare, PrintsALineForEachPlanner) {
 
 TEST_F(Compare, NeverFindsAnythingShorterThanTheOptimum) {
   for (const char* name : {"maze_25x25.txt", "mouse_16.maz", "half_open_60x60.txt"}) {
-    const json all = json::parse(run_taut("compare --json - " + maze(name)).out);
+    const json all = json::parse(run_taut("compare --json - " + data_file(name)).out);
     ASSERT_EQ(all["planners"].size(), kPlanners);
     for (const json& planner : all["planners"]) {
       SCOPED_TRACE(planner["name"]);
@@ -60,7 +47,7 @@ TEST_F(Compare, NeverFindsAnythingShorterThanTheOptimum) {
 }
 
 TEST_F(Compare, MeasuresAgainstTheOptimumAlsoWhenOnlyCellsRun) {
-  const json all = json::parse(run_taut("compare --planners cells8,cells4 --json - " + maze("maze_5x7.txt")).out);
+  const json all = json::parse(run_taut("compare --planners cells8,cells4 --json - " + data_file("maze_5x7.txt")).out);
   ASSERT_EQ(all["planners"].size(), 2U);
   EXPECT_EQ(all["planners"][0]["name"], "cells8");
   EXPECT_NEAR(all["optimum"], 9.321693, 1e-6);
@@ -69,27 +56,27 @@ TEST_F(Compare, MeasuresAgainstTheOptimumAlsoWhenOnlyCellsRun) {
 
 TEST_F(Compare, RunsRandomisedPlannersWithSeveralSeeds) {
   const json all =
-      json::parse(run_taut("compare --planners prm --runs 3 --seed 5 --json - " + maze("maze_25x25.txt")).out);
+      json::parse(run_taut("compare --planners prm --runs 3 --seed 5 --json - " + data_file("maze_25x25.txt")).out);
   EXPECT_EQ(all["planners"][0]["solved"], 1.0);
   EXPECT_EQ(all["planners"][0]["verified"], true);
 }
 
 TEST_F(RoadmapKinds, SolveTheHomeworkAsWritten) {
-  const Outcome lattice = run_taut("solve --roadmap prm-lattice " + maze("maze_45x45.txt"));
+  const Outcome lattice = run_taut("solve --roadmap prm-lattice " + data_file("maze_45x45.txt"));
   EXPECT_EQ(lattice.code, 0) << lattice.err;
   EXPECT_THAT(lattice.out, HasSubstr("not proven optimal"));
-  EXPECT_EQ(run_taut("solve --roadmap prm-homework --seed 2 " + maze("maze_5x7.txt")).code, 0);
+  EXPECT_EQ(run_taut("solve --roadmap prm-homework --seed 2 " + data_file("maze_5x7.txt")).code, 0);
 }
 
 TEST_F(Compare, LeavesOutWhatDoesNotFitUnlessItWasAskedFor) {
-  const Outcome all = run_taut("compare " + maze("islands.wkt"));
+  const Outcome all = run_taut("compare " + data_file("islands.wkt"));
   EXPECT_EQ(all.code, 0);
   EXPECT_THAT(all.out, Not(HasSubstr("cells4")));
   EXPECT_THAT(all.err, HasSubstr("cells4 did not run"));
-  const Outcome asked = run_taut("compare --planners cells4 " + maze("islands.wkt"));
+  const Outcome asked = run_taut("compare --planners cells4 " + data_file("islands.wkt"));
   EXPECT_EQ(asked.code, 3);
   EXPECT_THAT(asked.err, HasSubstr("has no cells"));
-  EXPECT_EQ(run_taut("compare --planners magic " + maze("islands.wkt")).code, 2);
+  EXPECT_EQ(run_taut("compare --planners magic " + data_file("islands.wkt")).code, 2);
 }
 
 TEST_F(Compare, SaysNoneWhereThereIsNoPath) {
@@ -100,7 +87,7 @@ TEST_F(Compare, SaysNoneWhereThereIsNoPath) {
 }
 
 TEST_F(Compare, DrawsAPictureForEachPlannerOnOnePage) {
-  const Outcome run = run_taut("compare --svg - " + maze("maze_5x7.txt"));
+  const Outcome run = run_taut("compare --svg - " + data_file("maze_5x7.txt"));
   EXPECT_THAT(run.out, StartsWith("<svg xmlns="));
   std::size_t frames = 0;
   for (std::size_t at = 0; (at = run.out.find("<svg x=\"", at)) != std::string::npos; ++at)
@@ -112,7 +99,7 @@ TEST_F(Compare, DrawsAPictureForEachPlannerOnOnePage) {
 TEST_F(Compare, HasHelp) { EXPECT_THAT(run_taut("compare --help").out, HasSubstr("Usage: taut compare")); }
 
 TEST_F(Compare, TakesRunsAndSeed) {
-  const json all = json::parse(run_taut("compare --runs 3 --seed 7 --json - " + maze("maze_5x7.txt")).out);
+  const json all = json::parse(run_taut("compare --runs 3 --seed 7 --json - " + data_file("maze_5x7.txt")).out);
   EXPECT_EQ(all["runs"], 3);
   EXPECT_EQ(all["seed"], 7);
   EXPECT_FALSE(all["planners"][0].contains("all_runs"));  // nothing random about it
@@ -121,47 +108,48 @@ TEST_F(Compare, TakesRunsAndSeed) {
 TEST_F(SavedRoadmaps, AnswerAsTheRoadmapsTheyCameFrom) {
   for (const char* kind : {"visibility", "full", "cells", "cells8"}) {
     SCOPED_TRACE(kind);
-    const std::string file = in_folder(kind), query = "solve --path -q " + maze("maze_25x25.txt");
+    const std::string file = in_folder(kind), query = "solve --path -q " + data_file("maze_25x25.txt");
     const Outcome built = run_taut(query + " --roadmap " + kind + " --save " + file);
     EXPECT_EQ(built.code, 0) << built.err;
     EXPECT_EQ(run_taut(query + " --load " + file).out, built.out);
     EXPECT_EQ(run_taut(query + " --from 3,3 --load " + file).out,
               run_taut(query + " --from 3,3 --roadmap " + kind).out);
-    EXPECT_EQ(run_taut("roadmap -q --kind " + std::string(kind) + " --save - " + maze("maze_25x25.txt")).out,
+    EXPECT_EQ(run_taut("roadmap -q --kind " + std::string(kind) + " --save - " + data_file("maze_25x25.txt")).out,
               contents(file));
   }
 }
 
 TEST_F(SavedRoadmaps, RefuseAnotherMazeKindAndDamageInOneLine) {
   const std::string file = in_folder("kept"), load = " --load " + file;
-  ASSERT_EQ(run_taut("solve " + maze("maze_25x25.txt") + " --save " + file).code, 0);
+  ASSERT_EQ(run_taut("solve " + data_file("maze_25x25.txt") + " --save " + file).code, 0);
   const auto expect_refusal = [](const Outcome& run, const char* says) {
     EXPECT_EQ(run.code, 3);
     EXPECT_THAT(run.err, HasSubstr(says));
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
     EXPECT_EQ(run.out, "");
   };
-  expect_refusal(run_taut("solve " + maze("maze_5x7.txt") + load), "maze_25x25.txt (fingerprint ");
-  expect_refusal(run_taut("solve " + maze("maze_5x7.txt") + load),
+  expect_refusal(run_taut("solve " + data_file("maze_5x7.txt") + load), "maze_25x25.txt (fingerprint ");
+  expect_refusal(run_taut("solve " + data_file("maze_5x7.txt") + load),
                  "not of " TAUT_DATA_DIR "/maze_5x7.txt (fingerprint ");
-  expect_refusal(run_taut("solve " + maze("maze_25x25.txt") + load + " --robot disc:0.1"),
+  expect_refusal(run_taut("solve " + data_file("maze_25x25.txt") + load + " --robot disc:0.1"),
                  "built for the robot `point`");
-  expect_refusal(run_taut("solve " + maze("maze_25x25.txt") + load + " --roadmap cells"), "of the kind 'visibility'");
-  expect_refusal(run_taut("solve " + maze("maze_25x25.txt") + " --load " + maze("maze_5x7.txt")),
+  expect_refusal(run_taut("solve " + data_file("maze_25x25.txt") + load + " --roadmap cells"),
+                 "of the kind 'visibility'");
+  expect_refusal(run_taut("solve " + data_file("maze_25x25.txt") + " --load " + data_file("maze_5x7.txt")),
                  "is no saved roadmap");
-  expect_refusal(run_taut("solve " + maze("maze_25x25.txt") + " --load " + in_folder("absent")), "no such file");
+  expect_refusal(run_taut("solve " + data_file("maze_25x25.txt") + " --load " + in_folder("absent")), "no such file");
   const std::string cut = folder.file("cut", contents(file).substr(0, 1000));
-  expect_refusal(run_taut("solve " + maze("maze_25x25.txt") + " --load " + cut), "is cut off");
+  expect_refusal(run_taut("solve " + data_file("maze_25x25.txt") + " --load " + cut), "is cut off");
 }
 
 TEST_F(RoadmapKinds, SayThatTheirPathsAreNotProvenOptimal) {
-  const Outcome run = run_taut("solve --roadmap cells " + maze("maze_5x7.txt"));
+  const Outcome run = run_taut("solve --roadmap cells " + data_file("maze_5x7.txt"));
   EXPECT_EQ(run.code, 0);
   EXPECT_THAT(run.out, HasSubstr("length 13.000000 (shortest in the roadmap cells; not proven optimal), "));
-  const json answer = json::parse(run_taut("solve --roadmap cells8 --json - " + maze("maze_5x7.txt")).out);
+  const json answer = json::parse(run_taut("solve --roadmap cells8 --json - " + data_file("maze_5x7.txt")).out);
   EXPECT_EQ(answer["optimal"], false);
   EXPECT_EQ(answer["roadmap"], "cells8");
-  EXPECT_EQ(run_taut("solve --roadmap magic " + maze("maze_5x7.txt")).code, 2);
+  EXPECT_EQ(run_taut("solve --roadmap magic " + data_file("maze_5x7.txt")).code, 2);
 }
 
 // A post covers the middles of the cells that the way leads through; beside it there is room.
@@ -179,7 +167,7 @@ TEST_F(RoadmapKinds, ProveNothingWhenTheyFindNoPath) {
 }
 
 TEST_F(RoadmapKinds, AreExported) {
-  const std::string query = "roadmap --kind cells " + maze("maze_5x7.txt");
+  const std::string query = "roadmap --kind cells " + data_file("maze_5x7.txt");
   const json map = json::parse(run_taut(query + " --geojson -").out);
   EXPECT_EQ(map["features"].size(), 35U + 34U);
   EXPECT_THAT(run_taut(query + " --graphml -").out, HasSubstr("<edge id=\"e33\""));

@@ -7,8 +7,7 @@
 #include <algorithm>
 #include <string>
 
-#include "support/paths.h"
-#include "support/run_program.h"
+#include "support/program_test.h"
 
 namespace taut::test {
 namespace {
@@ -30,13 +29,7 @@ void expect_one_line(const Outcome& run, int code, const std::string& says) {
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
 }
 
-class ExitCode : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!program()) GTEST_SKIP() << "the program is not built";
-  }
-  Folder folder;
-};
+class ExitCode : public ProgramTest {};
 
 TEST_F(ExitCode, IsZeroWithOneLineWhenAPathIsFound) {
   const Outcome run = run_taut("solve -", kRoom);

@@ -7,8 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "support/paths.h"
-#include "support/run_program.h"
+#include "support/program_test.h"
 
 namespace taut::test {
 namespace {
@@ -22,15 +21,11 @@ using testing::StartsWith;
 constexpr const char* kBend = "start,0,0,,\ngoal,0,3,,\n0,0,1,0\n0,0,1,0\n0,0,0,0\n";
 constexpr const char* kSealed = "S#G\n";
 
-class GridProgram : public testing::Test {
+class GridProgram : public ProgramTest {
  protected:
-  void SetUp() override {
-    if (!program()) GTEST_SKIP() << "the program is not built";
-  }
   static json answer(const std::string& arguments, std::string_view input = {}) {
     return json::parse(run_taut("grid " + arguments + " --json -", input).out);
   }
-  Folder folder;
 };
 
 class GridSolve : public GridProgram {};

@@ -7,8 +7,7 @@
 #include <iterator>
 #include <string>
 
-#include "support/paths.h"
-#include "support/run_program.h"
+#include "support/program_test.h"
 
 namespace taut::test {
 namespace {
@@ -19,13 +18,9 @@ using testing::StartsWith;
 
 constexpr const char* kRoom = "0 0 4 0\n4 0 4 4\n4 4 0 4\n0 4 0 0\n2 0 2 3\nstart 1 2\ngoal 3 2\n";
 
-class Output : public testing::Test {
+class Output : public ProgramTest {
  protected:
-  void SetUp() override {
-    if (!program()) GTEST_SKIP() << "the program is not built";
-  }
   std::ptrdiff_t files() const { return std::distance(fs::directory_iterator(folder.path()), {}); }
-  Folder folder;
 };
 
 TEST_F(Output, IsWrittenBesideTheLine) {

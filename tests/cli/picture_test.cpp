@@ -7,8 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "support/paths.h"
-#include "support/run_program.h"
+#include "support/program_test.h"
 
 namespace taut::test {
 namespace {
@@ -50,10 +49,9 @@ struct Kind {
 
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.command; }
 
-class Picture : public testing::TestWithParam<Kind> {};
+class Picture : public ProgramTest, public testing::WithParamInterface<Kind> {};
 
 TEST_P(Picture, IsXmlWithTheSharedPageAndLegend) {
-  if (!program()) GTEST_SKIP() << "the program is not built";
   std::string command = GetParam().command;
   for (std::size_t at = 0; (at = command.find(" data/", at)) != std::string::npos; at += 6)
     command.replace(at, 6, " " + data_dir().string() + "/");

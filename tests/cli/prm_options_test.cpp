@@ -6,8 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "support/paths.h"
-#include "support/run_program.h"
+#include "support/program_test.h"
 
 namespace taut::test {
 namespace {
@@ -15,22 +14,15 @@ namespace {
 using nlohmann::json;
 using testing::HasSubstr;
 
-std::string maze(const char* name) { return (data_dir() / name).string(); }
-
-class PrmProgram : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!program()) GTEST_SKIP() << "the program is not built";
-  }
-};
+class PrmProgram : public ProgramTest {};
 
 TEST_F(PrmProgram, FindsAPathWithEverySamplerAndConnection) {
   for (const char* options :
        {"--sampler uniform --connection nearest:8", "--sampler lattice --connection visible:8", "--sampler gaussian",
         "--sampler bridge", "--sampler medial-axis", "--sampler corners --lazy", "--connection radius:2",
         "--connection prm-star --eager", "--connection forest:8", "--prm-clearance 0.1", "--lazy --seed 7"}) {
-    const json answer =
-        json::parse(run_taut(std::string("solve --roadmap prm --json - ") + options + " " + maze("maze_5x7.txt")).out);
+    const json answer = json::parse(
+        run_taut(std::string("solve --roadmap prm --json - ") + options + " " + data_file("maze_5x7.txt")).out);
     SCOPED_TRACE(options);
     EXPECT_EQ(answer["status"], "found");
     EXPECT_EQ(answer["verified"], true);
@@ -45,7 +37,7 @@ TEST_F(PrmProgram, FindsAPathWithEverySamplerAndConnection) {
 TEST_F(PrmProgram, SolvesTheHomeworkWithItsOwnNumbers) {
   const std::string numbers = " --samples 500 --prm-clearance 0.1 --connection nearest:8 ";
   for (const char* seed : {"1", "2", "3"}) {
-    EXPECT_EQ(run_taut("solve --roadmap prm" + numbers + "--seed " + seed + " " + maze("maze_5x7.txt")).code, 0);
+    EXPECT_EQ(run_taut("solve --roadmap prm" + numbers + "--seed " + seed + " " + data_file("maze_5x7.txt")).code, 0);
   }
   if (const auto shared = shared_data_dir()) {
     for (const char* name : {"maze_5x7_s1.txt", "maze_5x7_s2.txt"}) {
@@ -55,7 +47,7 @@ TEST_F(PrmProgram, SolvesTheHomeworkWithItsOwnNumbers) {
 }
 
 TEST_F(PrmProgram, WritesTheSameBytesForTheSameSeed) {
-  const std::string query = "solve --roadmap prm --path -q --save - " + maze("maze_25x25.txt");
+  const std::string query = "solve --roadmap prm --path -q --save - " + data_file("maze_25x25.txt");
   const Outcome first = run_taut(query + " --seed 3");
   EXPECT_EQ(first.code, 0) << first.err;
   EXPECT_EQ(run_taut(query + " --seed 3").out, first.out);
@@ -63,17 +55,18 @@ TEST_F(PrmProgram, WritesTheSameBytesForTheSameSeed) {
 }
 
 TEST_F(PrmProgram, PullsThePathToTheShortestOfAPerfectMaze) {
-  const json answer = json::parse(run_taut("solve --roadmap prm --shorten --json - " + maze("maze_25x25.txt")).out);
+  const json answer =
+      json::parse(run_taut("solve --roadmap prm --shorten --json - " + data_file("maze_25x25.txt")).out);
   EXPECT_EQ(answer["length_text"],
-            json::parse(run_taut("solve --json - " + maze("maze_25x25.txt")).out)["length_text"]);
+            json::parse(run_taut("solve --json - " + data_file("maze_25x25.txt")).out)["length_text"]);
   EXPECT_GT(answer["length_in_roadmap"], answer["length"]);
   EXPECT_EQ(answer["optimal"], false) << "nobody proved it";
-  EXPECT_THAT(run_taut("solve --roadmap cells --shorten " + maze("maze_5x7.txt")).out,
+  EXPECT_THAT(run_taut("solve --roadmap cells --shorten " + data_file("maze_5x7.txt")).out,
               HasSubstr("length 9.321693 (pulled taut from 13.000000 in the roadmap cells"));
 }
 
 TEST_F(PrmProgram, StopsUnprovenWhenTheSamplesAreUsedUp) {
-  const Outcome run = run_taut("solve --roadmap prm --samples 200 --json - " + maze("maze_25x25.txt"));
+  const Outcome run = run_taut("solve --roadmap prm --samples 200 --json - " + data_file("maze_25x25.txt"));
   EXPECT_EQ(run.code, 4);
   const json answer = json::parse(run.out);
   EXPECT_EQ(answer["status"], "stopped");
@@ -99,7 +92,7 @@ TEST_F(PrmProgram, RefusesOptionsThatMakeNoSenseInOneLine) {
         "solve --roadmap prm --sampler magic ", "solve --roadmap prm --samples 0 ", "solve --shorten ",
         "solve --roadmap prm --prm-clearance -1 ", "solve --roadmap prm --prm-clearance 0.1 --shorten ",
         "roadmap --samples 10 ", "compare --planners cells4 --samples 10 ", "solve --load x --samples 10 "}) {
-    const Outcome run = run_taut(command + maze("maze_5x7.txt"));
+    const Outcome run = run_taut(command + data_file("maze_5x7.txt"));
     SCOPED_TRACE(command);
     EXPECT_EQ(run.code, 2);
     EXPECT_EQ(run.out, "");
@@ -108,14 +101,15 @@ TEST_F(PrmProgram, RefusesOptionsThatMakeNoSenseInOneLine) {
 }
 
 TEST_F(PrmProgram, ShowsNoProgressWhereThereIsNoTerminal) {
-  const Outcome run = run_taut("solve --roadmap prm --prm-clearance 0.6 --samples 1500000 " + maze("maze_25x25.txt"));
+  const Outcome run =
+      run_taut("solve --roadmap prm --prm-clearance 0.6 --samples 1500000 " + data_file("maze_25x25.txt"));
   EXPECT_EQ(run.code, 4);
   EXPECT_EQ(run.err, "");
 }
 
 TEST_F(PrmProgram, SaysHowTheRoadmapHangsTogether) {
-  EXPECT_THAT(run_taut("solve --roadmap prm --stats " + maze("maze_5x7.txt")).err, HasSubstr(" tested, "));
-  const json map = json::parse(run_taut("roadmap --kind prm --json - " + maze("maze_5x7.txt")).out);
+  EXPECT_THAT(run_taut("solve --roadmap prm --stats " + data_file("maze_5x7.txt")).err, HasSubstr(" tested, "));
+  const json map = json::parse(run_taut("roadmap --kind prm --json - " + data_file("maze_5x7.txt")).out);
   EXPECT_EQ(map["prm"]["vertices"], map["vertices"].size());
   EXPECT_EQ(map["prm"]["edges"], map["edges"].size());
 }

@@ -5,8 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "support/paths.h"
-#include "support/run_program.h"
+#include "support/program_test.h"
 
 namespace taut::test {
 namespace {
@@ -18,13 +17,7 @@ using testing::StartsWith;
 // Two rooms joined above a wall; a dead end (1, 0)-(1, 1) on the left.
 constexpr const char* kRoom = "0 0 4 0\n4 0 4 4\n4 4 0 4\n0 4 0 0\n2 0 2 3\n1 0 1 1\nstart 1 2\ngoal 3 2\n";
 
-class Subcommand : public testing::Test {
- protected:
-  void SetUp() override {
-    if (!program()) GTEST_SKIP() << "the program is not built";
-  }
-  Folder folder;
-};
+class Subcommand : public ProgramTest {};
 
 TEST_F(Subcommand, SolveSaysEverythingInJson) {
   const json answer = json::parse(run_taut("solve - --json -", kRoom).out);

@@ -69,8 +69,9 @@ Scene any_scene() {
   return scene;
 }
 
-/// A path of legs that cross no piece (but may slip through anything), in directions that keep well apart: multiples of (1, 0),
-/// (1, 1), (2, 1) and their mirror images between half-integer points, so that a thin tube around a leg meets only what it touches.
+/// A path of legs that cross no piece (but may slip through anything), in directions that keep well apart: multiples of
+/// (1, 0), (1, 1), (2, 1) and their mirror images between half-integer points, so that a thin tube around a leg meets
+/// only what it touches.
 std::vector<Point> any_path(const Constraints& constraints) {
   const std::vector<std::pair<int, int>> directions{{1, 0}, {0, 1}, {1, 1}, {1, -1}, {2, 1}, {2, -1}, {1, 2}, {1, -2}};
   const double side = kCells;

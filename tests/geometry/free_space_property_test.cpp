@@ -2,7 +2,6 @@
 #include <taut/geometry/free_space.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

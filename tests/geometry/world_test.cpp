@@ -6,18 +6,15 @@
 #include <limits>
 #include <memory>
 
+#include "support/refusal.h"
+
 namespace taut {
 namespace {
 
 Ring box_ring(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
 
 std::string message_of(const WorldParts& parts) {
-  try {
-    const World world(parts);
-    return "accepted";
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return test::refusal_of([&] { const World world(parts); });
 }
 
 // +---+

@@ -4,16 +4,13 @@
 
 #include <taut/io/read_world.h>
 
+#include "support/refusal.h"
+
 namespace taut {
 namespace {
 
 std::string message_of(const std::string& bytes) {
-  try {
-    read_world(bytes, {.format = Format::cell_values, .source = "cellar.csv"});
-    return "accepted";
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return test::refusal_of([&] { read_world(bytes, {.format = Format::cell_values, .source = "cellar.csv"}); });
 }
 
 // o---o---o

@@ -4,6 +4,8 @@
 
 #include <taut/io/read_world.h>
 
+#include "support/refusal.h"
+
 namespace taut {
 namespace {
 
@@ -57,12 +59,7 @@ TEST(GeoJson, ReadsLimitsAndRooms) {
 }
 
 std::string message_of(const std::string& bytes) {
-  try {
-    read_world(bytes);
-    return "accepted";
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return test::refusal_of([&] { read_world(bytes); });
 }
 
 TEST(GeoJson, SaysWhatIsWrong) {

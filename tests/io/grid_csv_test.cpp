@@ -1,25 +1,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <taut/io/grid_csv.h>
+#include <taut/search/grid_search.h>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 
-#include <taut/geometry/errors.h>
-#include <taut/io/grid_csv.h>
-#include <taut/search/grid_search.h>
+#include "support/refusal.h"
 
 namespace taut::test {
 namespace {
 
 std::string complaint(const std::string& text) {
-  try {
-    read_grid(text, "a.csv");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return refusal_of([&] { read_grid(text, "a.csv"); });
 }
 
 TEST(GridCsv, ReadsPaddedLinesWithAnyLineEnds) {

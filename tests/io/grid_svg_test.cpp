@@ -1,24 +1,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <string>
-
-#include <taut/geometry/grid_generator.h>
 #include <taut/io/grid_svg.h>
 #include <taut/search/grid_search.h>
+#include <string>
 #include "support/grid_drawing.h"
+#include "support/text.h"
 
 namespace taut::test {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-std::size_t count(const std::string& text, std::string_view what) {
-  std::size_t n = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
-  return n;
-}
 
 GridPicture picture_of(const OccupancyGrid& grid, GridMoves moves, GridPlace start, GridPlace goal) {
   GridQuery query{GridAlgorithm::astar, natural_heuristic(moves)};

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <taut/geometry/errors.h>
 #include <taut/io/gzip.h>
+
+#include "support/refusal.h"
 
 namespace taut {
 namespace {
@@ -16,12 +16,7 @@ const std::string kPacked(
     30);
 
 std::string refusal(std::string_view bytes, std::size_t limit = 1000) {
-  try {
-    gunzip(bytes, "x.gz", limit);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusal_of([&] { gunzip(bytes, "x.gz", limit); });
 }
 
 TEST(Gzip, UnpacksAllMembers) {

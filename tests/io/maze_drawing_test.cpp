@@ -4,18 +4,15 @@
 
 #include <taut/io/read_world.h>
 
+#include "support/refusal.h"
+
 namespace taut {
 namespace {
 
 GridMaze maze_of(const std::string& bytes) { return *read_world(bytes, {.format = Format::drawing}).grid(); }
 
 std::string message_of(const std::string& bytes) {
-  try {
-    maze_of(bytes);
-    return "accepted";
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return test::refusal_of([&] { maze_of(bytes); });
 }
 
 const char* const kMaze =

@@ -6,6 +6,8 @@
 #include <taut/io/movingai.h>
 #include <taut/io/read_world.h>
 
+#include "support/refusal.h"
+
 namespace taut {
 namespace {
 
@@ -21,12 +23,7 @@ constexpr const char* kSmall =
     "..@.\n";
 
 std::string refusal(const std::string& text) {
-  try {
-    read_movingai_map(text, "x.map");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
+  return test::refusal_of([&] { read_movingai_map(text, "x.map"); });
 }
 
 TEST(MovingAi, ReadsFreeAndBlockedCells) {
@@ -111,12 +108,7 @@ TEST(MovingAi, PointsOfAnyAngleScenariosMayLieOnTheFarSide) {
 
 TEST(MovingAi, BrokenScenariosNameTheirLine) {
   const auto refuse = [](const std::string& text) -> std::string {
-    try {
-      read_movingai_scenarios(text, "x.scen");
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return test::refusal_of([&] { read_movingai_scenarios(text, "x.scen"); });
   };
   EXPECT_THAT(refuse(""), HasSubstr("empty"));
   EXPECT_THAT(refuse("0 a 1 1 0 0 0 0 0\n"), HasSubstr("x.scen:1: a scenario begins with `version 1`"));

@@ -9,29 +9,23 @@
 #include <utility>
 #include <vector>
 
+#include "support/refusal.h"
+
 namespace taut {
 namespace {
 
 using std::string;
 
 string message_of(const string& bytes, Format format) {
-  try {
+  return test::refusal_of([&] {
     ReadOptions options;
     options.format = format;
     read_world(bytes, options);
-    return "accepted";
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  });
 }
 
 string file_message(const string& path) {
-  try {
-    read_world_file(path);
-    return "accepted";
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return test::refusal_of([&] { read_world_file(path); });
 }
 
 TEST(DetectFormat, LooksAtTheFirstLineThatSaysSomething) {

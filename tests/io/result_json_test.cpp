@@ -3,12 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <taut/io/read_path.h>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include <taut/geometry/errors.h>
-#include <taut/io/read_path.h>
+#include "support/refusal.h"
 
 namespace taut {
 namespace {
@@ -118,14 +118,7 @@ TEST(ReadPath, ReadsListsAndLines) {
 }
 
 TEST(ReadPath, NamesTheLineOfWhatIsWrong) {
-  const auto message = [](std::string_view bytes) {
-    try {
-      read_path(bytes, "p");
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string("accepted");
-  };
+  const auto message = [](std::string_view bytes) { return test::refusal_of([&] { read_path(bytes, "p"); }); };
   EXPECT_EQ(message(""), "p: file is empty");
   EXPECT_THAT(message("0 1\n2\n"), HasSubstr("p:2: "));
   EXPECT_THAT(message("0 1\n2 3 4\n"), HasSubstr("p:2: "));

@@ -12,6 +12,8 @@
 #include <taut/roadmaps/visibility_graph.h>
 #include <taut/search/shortest_path.h>
 
+#include "support/refusal.h"
+
 namespace taut {
 namespace {
 
@@ -32,12 +34,7 @@ std::string saved(const FreeSpace& space) {
 }
 
 std::string refusal(const std::string& bytes, const FreeSpace& space) {
-  try {
-    read_roadmap_file(bytes, "kept.roadmap", space);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { read_roadmap_file(bytes, "kept.roadmap", space); });
 }
 
 TEST(RoadmapFile, ReadsBackTheSameRoadmap) {

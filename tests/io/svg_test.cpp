@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <cmath>
 #include <memory>
 #include <string>
 
@@ -91,13 +89,6 @@ TEST(Svg, StaysSmallForLargeMazes) {
   const auto maze = std::make_shared<const GridMaze>(generate_biased_maze(300, 300, 1));
   const std::string text = svg(FreeSpace{world_of(maze)});
   EXPECT_LT(text.size(), 600'000U);
-}
-
-TEST(Svg, MeasuresCorridors) {
-  const auto maze = std::make_shared<const GridMaze>(generate_biased_maze(41, 41, 1));
-  EXPECT_NEAR(corridor_width(FreeSpace{world_of(maze)}), 1, 0.2);
-  EXPECT_NEAR(corridor_width(FreeSpace{world_of(maze, 1e6)}), 1e6, 2e5);
-  EXPECT_LE(corridor_width(FreeSpace{World(room())}), 0.5);
 }
 
 TEST(SvgNumber, IsShort) {

@@ -4,6 +4,8 @@
 
 #include <taut/io/read_world.h>
 
+#include "support/refusal.h"
+
 namespace taut {
 namespace {
 
@@ -43,12 +45,7 @@ TEST(Wkt, ReadsBothSpellingsOfMultipoints) {
 }
 
 std::string message_of(const std::string& bytes) {
-  try {
-    read_world(bytes);
-    return "accepted";
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return test::refusal_of([&] { read_world(bytes); });
 }
 
 TEST(Wkt, SaysWhatItExpected) {

@@ -12,6 +12,8 @@
 #include <taut/search/shortest_path.h>
 #include <taut/search/verify.h>
 
+#include "support/refusal.h"
+
 namespace taut {
 namespace {
 
@@ -33,12 +35,7 @@ CellGraph cells(const std::string& text, CellNeighbours neighbours = CellNeighbo
 }
 
 std::string why_not(const std::string& text) {
-  try {
-    cell_lattice(world(text));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { cell_lattice(world(text)); });
 }
 
 TEST(CellGraph, FindsTheLatticeThatWallsStandOn) {

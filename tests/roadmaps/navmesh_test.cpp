@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <set>
 
 #include <taut/geometry/maze_generator.h>
 #include <taut/geometry/predicates.h>

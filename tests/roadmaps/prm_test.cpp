@@ -205,7 +205,8 @@ RC_GTEST_PROP(Prm, IsAForestThatJoinsWhatItsNeighboursCouldJoin, ()) {
 }
 
 TEST(Prm, RefusesEdgesThatGrazeAWallAndPassAJoint) {
-  // Each of these legs runs along a wall first: that is allowed. Where another wall leaves from it on the side it needs, it is not.
+  // Each of these legs runs along a wall first: that is allowed. Where another wall leaves from it on the side it
+  // needs, it is not.
   const auto is_joined = [](std::vector<Segment> walls) {
     PrmOptions options = lattice(2);
     options.connection = {.rule = Rule::radius, .radius = 8};

@@ -57,7 +57,8 @@ TEST(VisibilityBruteForce, JoinsTheCornersOfAnEmptyBox) {
 }
 
 TEST(VisibilityBruteForce, DrawsTheTangentsOfTwoWalls) {
-  // Two upright walls: the outer tangents and the two sides of each wall, which coincide; the crossing ones are tangent as well.
+  // Two upright walls: the outer tangents and the two sides of each wall, which coincide; the crossing ones are tangent
+  // as well.
   const SmallWorld world{.walls = {{{3, 3}, {3, 7}}, {{7, 3}, {7, 7}}}, .solids = {}};
   const Roadmap graph = visibility_graph_brute_force(world.space(), VisibilityKind::reduced);
   EXPECT_EQ(graph.vertex_count(), 4u);
@@ -68,7 +69,8 @@ TEST(VisibilityBruteForce, DrawsTheTangentsOfTwoBlocks) {
   const SmallWorld world{.walls = {}, .solids = {box_ring(1, 1, 3, 3), box_ring(6, 1, 8, 3)}};
   const Roadmap graph = visibility_graph_brute_force(world.space(), VisibilityKind::reduced);
   EXPECT_EQ(graph.vertex_count(), 8u);
-  // Each block's four sides, one line over and one under both in three parts each of which one is new, two crossing ones.
+  // Each block's four sides, one line over and one under both in three parts each of which one is new, two crossing
+  // ones.
   EXPECT_EQ(graph.edge_count(), 12u);
 }
 
@@ -147,7 +149,8 @@ bool hidden(const VisibilityGraph& graph, Point p, Point v) {
   });
 }
 
-/// Can a path go straight from p to the place that v stands for, by the constraints alone; tangent there in a reduced graph?
+/// Can a path go straight from p to the place that v stands for, by the constraints alone; tangent there in a reduced
+/// graph?
 bool joins(const VisibilityGraph& graph, Point p, Roadmap::Vertex v) {
   const auto& constraints = graph.space().constraints();
   const Triangulation& mesh = graph.space().triangulation();

@@ -111,7 +111,8 @@ TEST(Voronoi, LeavesOutWhatLiesInBlocks) {
   for (const VoronoiVertex& v : map.vertices()) EXPECT_LE(v.clearance_squared, 4);
 }
 
-/// Found by the gates (tests/search/clearance_agreement_test.cpp): doubles have no answer for the vertex of three nearly parallel sites.
+/// Found by the gates (tests/search/clearance_agreement_test.cpp): doubles have no answer for the vertex of three
+/// nearly parallel sites.
 TEST(Voronoi, KnowsVerticesBesideWallsThatRoundingLeftNearlyParallel) {
   const VoronoiRoadmap map(SmallWorld{.walls = {{{6, 5}, {2, 3}}, {{0, 0}, {2, 4}}, {{5, 5}, {6, 0}}},
                                       .solids = {{{5, 0}, {2, 1}, {2, 0}}, box_ring(4, 5, 5, 6)},

@@ -20,12 +20,6 @@ namespace {
 
 using test::SmallWorld;
 
-World bounded(const SmallWorld& small, Boundary boundary) {
-  auto parts = small.parts();
-  parts.boundary = boundary;
-  return World(parts);
-}
-
 ArcSearchResult search(const World& world, Point s, Point g, double r) {
   return arc_search(TangentGraph(FreeSpace(world), r), s, g);
 }
@@ -52,7 +46,7 @@ std::optional<double> polygon_length(const World& world, const Footprint& robot,
 //   ---------.   around the free end: two equal tangents and the arc between them
 //            s
 TEST(ArcSearch, BendsAroundTheEndOfAWall) {
-  const World world = bounded({.walls = {{{0, 5}, {5, 5}}}, .solids = {}}, Boundary::walled);
+  const World world = SmallWorld{.walls = {{{0, 5}, {5, 5}}}, .solids = {}}.bounded(Boundary::walled);
   const auto result = search(world, {2, 2}, {2, 8}, 1);
   ASSERT_EQ(result.status, ArcStatus::found);
   ASSERT_EQ(result.path.bends, (std::vector<ArcBend>{{{5, 5}, 1}}));
@@ -66,14 +60,15 @@ TEST(ArcSearch, BendsAroundTheEndOfAWall) {
 }
 
 TEST(ArcSearch, HugsBothSidesOfAWallAlongTheWholeHalfCircle) {
-  const World world = bounded({.walls = {{{0, 5}, {5, 5}}}, .solids = {}}, Boundary::walled);
+  const World world = SmallWorld{.walls = {{{0, 5}, {5, 5}}}, .solids = {}}.bounded(Boundary::walled);
   const auto result = search(world, {2, 4}, {2, 6}, 1);
   ASSERT_EQ(result.status, ArcStatus::found);
   EXPECT_NEAR(result.path.value(), 3 + M_PI + 3, 1e-13);
 }
 
 TEST(ArcSearch, PassesADoorThatIsExactlyAsWideAsTheDisc) {
-  const World world = bounded({.walls = {{{0, 5}, {4, 5}}, {{6, 5}, {10, 5}}}, .solids = {}}, Boundary::walled);
+  const World world =
+      SmallWorld{.walls = {{{0, 5}, {4, 5}}, {{6, 5}, {10, 5}}}, .solids = {}}.bounded(Boundary::walled);
   const auto result = search(world, {5, 2}, {5, 8}, 1);
   ASSERT_EQ(result.status, ArcStatus::found);
   EXPECT_NEAR(result.path.value(), 6, 1e-14);
@@ -84,7 +79,7 @@ TEST(ArcSearch, PassesADoorThatIsExactlyAsWideAsTheDisc) {
 }
 
 TEST(ArcSearch, NamesTheWallThatAnEndIsTooNearTo) {
-  const World world = bounded({.walls = {{{3, 3}, {7, 3}}}, .solids = {}}, Boundary::walled);
+  const World world = SmallWorld{.walls = {{{3, 3}, {7, 3}}}, .solids = {}}.bounded(Boundary::walled);
   EXPECT_EQ(search(world, {5, 3.5}, {5, 8}, 0.6).status, ArcStatus::start_blocked);
   EXPECT_NE(search(world, {5, 3.5}, {5, 8}, 0.6).wall, kNone);
   EXPECT_EQ(search(world, {5, 8}, {5, 3.5}, 0.6).status, ArcStatus::goal_blocked);
@@ -95,7 +90,7 @@ TEST(ArcSearch, NamesTheWallThatAnEndIsTooNearTo) {
 TEST(ArcSearch, KeepsItsCentreInsideAnOpening) {
   const SmallWorld small{.walls = {{{0, 0}, {10, 0}}, {{0, 10}, {10, 10}}, {{0, 0}, {0, 10}}, {{0, 5}, {9, 5}}},
                          .solids = {}};
-  const World world = bounded(small, Boundary::limit);
+  const World world = small.bounded(Boundary::limit);
   const auto result = search(world, {10, 2}, {10, 8}, 1);
   ASSERT_EQ(result.status, ArcStatus::found);
   EXPECT_NEAR(result.path.value(), 6, 1e-14);
@@ -103,7 +98,8 @@ TEST(ArcSearch, KeepsItsCentreInsideAnOpening) {
 }
 
 TEST(ArcSearch, IsBoundedByPolygonsOfMoreAndMoreSides) {
-  const World world = bounded({.walls = {{{0, 3}, {6, 3}}, {{4, 6}, {10, 6.5}}}, .solids = {}}, Boundary::walled);
+  const World world =
+      SmallWorld{.walls = {{{0, 3}, {6, 3}}, {{4, 6}, {10, 6.5}}}, .solids = {}}.bounded(Boundary::walled);
   const auto result = search(world, {2, 1.5}, {8, 8.5}, 1);
   ASSERT_EQ(result.status, ArcStatus::found);
   double last = HUGE_VAL;
@@ -118,7 +114,7 @@ TEST(ArcSearch, IsBoundedByPolygonsOfMoreAndMoreSides) {
 }
 
 TEST(VerifyArcs, RefusesWhatCutsACorner) {
-  const World world = bounded({.walls = {{{0, 5}, {5, 5}}}, .solids = {}}, Boundary::walled);
+  const World world = SmallWorld{.walls = {{{0, 5}, {5, 5}}}, .solids = {}}.bounded(Boundary::walled);
   const Gates gates{FreeSpace(world)};
   ArcPath path = search(world, {2, 2}, {2, 8}, 1).path;
   EXPECT_TRUE(verify_arcs(path, gates, {2, 2}, {2, 8}).valid);
@@ -134,11 +130,6 @@ TEST(VerifyArcs, RefusesWhatCutsACorner) {
   wrong = path;
   wrong.length = {1, 2};
   EXPECT_FALSE(verify_arcs(wrong, gates, {2, 2}, {2, 8}).valid);
-}
-
-Point any_point(int side) {
-  const int x = test::any(1, 64 * side - 1), y = test::any(1, 64 * side - 1);
-  return {x / 64.0, y / 64.0};
 }
 
 /// The answer is that of disc_passage, it verifies, and it is no longer than the polygon's.
@@ -166,9 +157,9 @@ void is_right(const World& world, Point s, Point g, double r) {
 
 RC_GTEST_PROP(ArcSearch, AgreesWithGatesAndPolygonsInMessyWorlds, ()) {
   const SmallWorld small = test::any_world({.side = 6, .walls = 7, .solids = 2, .straight = test::any(0, 1) == 1});
-  const World world = bounded(small, std::array{Boundary::walled, Boundary::limit, Boundary::open}[test::any(0, 2)]);
+  const World world = small.bounded(std::array{Boundary::walled, Boundary::limit, Boundary::open}[test::any(0, 2)]);
   for (int n = 0; n < 3; ++n) {
-    const Point s = any_point(6), g = any_point(6);
+    const Point s = test::any_fine_point(6), g = test::any_fine_point(6);
     const double r = test::any(0, 1) ? test::any(1, 8) / 8.0 : test::any(1, 70) / 100.0 + 0.0013;
     RC_LOG(test::show(small) +
            fmt::format(" boundary {} s {} g {} r {}\n", int(world.boundary()), test::show(s), test::show(g), r));

@@ -1,5 +1,5 @@
-// The Voronoi diagram and the gates share nothing but predicates: they have to say the same about every disc. In walled worlds, for what is
-// an opening to the gates is a wall to the diagram.
+// The Voronoi diagram and the gates share nothing but predicates: they have to say the same about every disc. In walled
+// worlds, for what is an opening to the gates is a wall to the diagram.
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
@@ -27,17 +27,6 @@ namespace taut {
 namespace {
 
 using test::SmallWorld;
-
-FreeSpace walled(const SmallWorld& world) {
-  auto parts = world.parts();
-  parts.boundary = Boundary::walled;
-  return FreeSpace(World(parts));
-}
-
-Point any_point(int side) {
-  const int x = test::any(1, 64 * side - 1), y = test::any(1, 64 * side - 1);
-  return {x / 64.0, y / 64.0};
-}
 
 /// What is said of every disc, between two points.
 class Both {
@@ -97,18 +86,20 @@ void expect_agreement(const FreeSpace& space, Point s, Point g, double slack = 0
 RC_GTEST_PROP(ClearanceAgreement, OfDiagramAndGatesInMessyWorlds, ()) {
   const SmallWorld small = test::any_world({.side = 6, .walls = 7, .solids = 2, .straight = test::any(0, 1) == 1});
   RC_LOG(test::show(small));
-  const FreeSpace space = walled(small);
-  for (int n = 0; n < 3; ++n) expect_agreement(space, any_point(6), any_point(6));
+  const FreeSpace space(small.bounded(Boundary::walled));
+  for (int n = 0; n < 3; ++n) expect_agreement(space, test::any_fine_point(6), test::any_fine_point(6));
 }
 
-/// Slanting bars have corners that were rounded, and a foot as near to an edge's end as that counts as on it (VoronoiRoadmap, guarantee 4).
+/// Slanting bars have corners that were rounded, and a foot as near to an edge's end as that counts as on it
+/// (VoronoiRoadmap, guarantee 4).
 RC_GTEST_PROP(ClearanceAgreement, OfDiagramAndGatesWithThickWalls, ()) {
   const bool straight = test::any(0, 1) == 1;
   const SmallWorld small =
       test::any_world({.side = 6, .walls = 6, .solids = 2, .thickness = 0.3125, .straight = straight});
   RC_LOG(test::show(small));
-  const FreeSpace space = walled(small);
-  for (int n = 0; n < 2; ++n) expect_agreement(space, any_point(6), any_point(6), straight ? 0 : 1e-12);
+  const FreeSpace space(small.bounded(Boundary::walled));
+  for (int n = 0; n < 2; ++n)
+    expect_agreement(space, test::any_fine_point(6), test::any_fine_point(6), straight ? 0 : 1e-12);
 }
 
 RC_GTEST_PROP(ClearanceAgreement, OfDiagramAndGatesInMazes, ()) {
@@ -116,10 +107,11 @@ RC_GTEST_PROP(ClearanceAgreement, OfDiagramAndGatesInMazes, ()) {
   auto maze = std::make_shared<GridMaze>(generate_backtracker(cells, cells, seed));
   open_walls(*maze, test::any(0, 8) / 10.0, seed);
   auto world = world_of(maze).with_wall_thickness(test::any(0, 1) / 8.0);
-  expect_agreement(FreeSpace(std::move(world)), any_point(cells), any_point(cells));
+  expect_agreement(FreeSpace(std::move(world)), test::any_fine_point(cells), test::any_fine_point(cells));
 }
 
-/// The widest way through points of a grid and the straight steps between neighbours, by a flood in the order of clearance.
+/// The widest way through points of a grid and the straight steps between neighbours, by a flood in the order of
+/// clearance.
 double widest_on_grid(const FreeSpace& space, Point s, Point g, int side, int steps) {
   const double step = double(side) / steps;
   const int row = steps + 1;
@@ -158,7 +150,7 @@ double widest_on_grid(const FreeSpace& space, Point s, Point g, int side, int st
 RC_GTEST_PROP(ClearanceAgreement, OfTheWidestWayAndAGrid, ()) {
   const SmallWorld small = test::any_world({.side = 4, .walls = 5, .solids = 1});
   RC_LOG(test::show(small));
-  const FreeSpace space = walled(small);
+  const FreeSpace space(small.bounded(Boundary::walled));
   const int steps = 64;
   const double step = 4.0 / steps;
   const auto node = [&] { return Point{test::any(1, steps - 1) * step, test::any(1, steps - 1) * step}; };
@@ -206,7 +198,7 @@ RC_GTEST_PROP(VoronoiSearch, GivesPathsThatAreValid, ()) {
   const VoronoiRoadmap map(space);
   for (int n = 0; n < 3; ++n) {
     const bool on_lattice = test::any(0, 2) == 0;  // at walls, ends and corners
-    const Point s = on_lattice ? test::any_lattice_point(6) : any_point(6), g = any_point(6);
+    const Point s = on_lattice ? test::any_lattice_point(6) : test::any_fine_point(6), g = test::any_fine_point(6);
     if (space.locate(s).kind == Location::Kind::outside || space.locate(g).kind == Location::Kind::outside) continue;
     RC_LOG(fmt::format(" s {} g {}\n", test::show(s), test::show(g)));
     const auto arcs = ClearanceSearch(map, s, g).shortest(0);

@@ -1,13 +1,10 @@
 #include <taut/search/funnel.h>
 
 #include <algorithm>
-#include <set>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
-
-#include <taut/geometry/detail/draws.h>
 #include <taut/geometry/maze_generator.h>
 #include <taut/search/prm_planner.h>
 #include <taut/search/shortest_path.h>

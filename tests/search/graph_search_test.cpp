@@ -3,12 +3,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
-
-#include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <random>
 
+#include "support/bellman_ford.h"
 #include "support/lattice.h"
 
 namespace taut {
@@ -18,37 +16,6 @@ using Vertex = Roadmap::Vertex;
 using Edges = std::vector<std::pair<Vertex, Vertex>>;
 
 constexpr GraphAlgorithm kBoth[] = {GraphAlgorithm::astar, GraphAlgorithm::dijkstra};
-
-Length length_of(const std::vector<Point>& points) { return Length(std::span<const Point>(points)); }
-
-Length plus_leg(Length length, Point p, Point q) {
-  length.add(p, q);
-  return length;
-}
-
-/// An independent road to the same answer: rounds over all legs until nothing gets shorter. Lengths of vertices, then of goals.
-std::vector<std::optional<Length>> bellman_ford(const Roadmap& map, const GraphQuery& query) {
-  std::vector<std::optional<Length>> best(map.vertex_count() + query.goals.size());
-  const auto offer = [&](std::size_t v, Length length) {
-    if (best[v] && *best[v] <= length) return false;
-    best[v] = std::move(length);
-    return true;
-  };
-  for (const Vertex v : query.start.vertices) offer(v, plus_leg({}, query.start.point, map.point(v)));
-  for (bool changed = true; changed;) {
-    changed = false;
-    for (Vertex u = 0; u < map.vertex_count(); ++u)
-      for (const Vertex v : map.neighbours(u))
-        if (best[u] && offer(v, plus_leg(*best[u], map.point(u), map.point(v)))) changed = true;
-  }
-  for (std::size_t i = 0; i < query.goals.size(); ++i) {
-    for (const Vertex v : query.goals[i].vertices)
-      if (best[v]) offer(map.vertex_count() + i, plus_leg(*best[v], map.point(v), query.goals[i].point));
-    if (std::find(query.direct.begin(), query.direct.end(), i) != query.direct.end())
-      offer(map.vertex_count() + i, plus_leg({}, query.start.point, query.goals[i].point));
-  }
-  return best;
-}
 
 GraphQuery between(const Roadmap& map, Vertex from, Vertex to) {
   return {.start = {map.point(from), {from}}, .goals = {{map.point(to), {to}}}, .direct = {}};
@@ -181,7 +148,8 @@ TEST(GraphSearch, SeesADifferenceBelowTheRoundingOfTheLength) {
 }
 
 TEST(GraphSearch, OpensAgainWhatRoundingClosedTooEarly) {
-  // Legs far shorter than an ulp of what lies behind them: bounds cannot order their ends, so a vertex may be expanded by the longer way first.
+  // Legs far shorter than an ulp of what lies behind them: bounds cannot order their ends, so a vertex may be expanded
+  // by the longer way first.
   const double far = 0x1p40, tiny = 0x1p-30;
   std::mt19937_64 draw(3);
   for (int round = 0; round < 200; ++round) {
@@ -198,82 +166,12 @@ TEST(GraphSearch, OpensAgainWhatRoundingClosedTooEarly) {
     }
     const Roadmap map(points, edges);
     const auto query = between(map, 0, 8);
-    const auto expected = bellman_ford(map, query).back();
+    const auto expected = test::bellman_ford(map, query).back();
     for (const auto algorithm : kBoth) {
       const auto result = graph_search(map, query, algorithm);
       ASSERT_EQ(result.status == SearchStatus::found, expected.has_value());
       ASSERT_EQ(result.path.length, expected.value_or(Length()));
     }
-  }
-}
-
-struct Case {
-  Roadmap map;
-  GraphQuery query;
-};
-
-/// Few lattice points, many of them equal, so that nearly everything is tied.
-Case any_case() {
-  const auto n = *rc::gen::inRange<Vertex>(1, 14);
-  const int range = *rc::gen::inRange(1, 6);
-  const double unit = *rc::gen::element(1.0, 0.1, 0x1p-20);
-  const auto point = [&] {
-    const int x = *rc::gen::inRange(0, range), y = *rc::gen::inRange(0, range);
-    return Point{x * unit, y * unit};
-  };
-  std::vector<Point> points;
-  for (Vertex v = 0; v < n; ++v) points.push_back(point());
-  const auto vertex = rc::gen::inRange<Vertex>(0, n);
-  const auto edges =
-      *rc::gen::container<Edges>(*rc::gen::inRange<std::size_t>(0, 3 * n), rc::gen::pair(vertex, vertex));
-  const auto terminal = [&] {
-    const Point p = point();
-    return Terminal{p, *rc::gen::container<std::vector<Vertex>>(*rc::gen::inRange<std::size_t>(0, 4), vertex)};
-  };
-  Case c{.map = Roadmap(points, edges), .query = {.start = terminal(), .goals = {}, .direct = {}}};
-  const auto goals = *rc::gen::inRange<std::size_t>(0, 4);
-  for (std::size_t i = 0; i < goals; ++i) {
-    c.query.goals.push_back(terminal());
-    if (*rc::gen::inRange(0, 8) == 0) c.query.direct.push_back(i);
-  }
-  return c;
-}
-
-RC_GTEST_PROP(GraphSearch, AgreesWithBellmanFord, ()) {
-  const Case c = any_case();
-  const auto lengths = bellman_ford(c.map, c.query);
-  std::optional<Length> expected;
-  for (std::size_t i = c.map.vertex_count(); i < lengths.size(); ++i)
-    if (lengths[i] && (!expected || *lengths[i] < *expected)) expected = lengths[i];
-  for (const auto algorithm : kBoth) {
-    const auto result = graph_search(c.map, c.query, algorithm);
-    RC_ASSERT((result.status == SearchStatus::found) == expected.has_value());
-    if (!expected) continue;
-    RC_ASSERT(result.path.length == *expected);
-    RC_ASSERT(length_of(result.path.points) == *expected);
-    RC_ASSERT(result.path.points.front() == c.query.start.point);
-    RC_ASSERT(result.path.points.back() == c.query.goals[result.goal].point);
-    RC_ASSERT(*lengths[c.map.vertex_count() + result.goal] == *expected);
-    RC_ASSERT(std::adjacent_find(result.path.points.begin(), result.path.points.end()) == result.path.points.end());
-  }
-}
-
-RC_GTEST_PROP(GraphShortestPaths, AgreesWithBellmanFordOnEveryGoal, ()) {
-  const Case c = any_case();
-  const auto lengths = bellman_ford(c.map, c.query);
-  const GraphShortestPaths paths(std::make_shared<Roadmap>(c.map), c.query.start);
-  for (std::size_t i = 0; i < c.query.goals.size(); ++i) {
-    const bool direct = std::find(c.query.direct.begin(), c.query.direct.end(), i) != c.query.direct.end();
-    const auto path = paths.path_to(c.query.goals[i], direct);
-    const auto& expected = lengths[c.map.vertex_count() + i];
-    RC_ASSERT(path.has_value() == expected.has_value());
-    if (path) RC_ASSERT(path->length == *expected && length_of(path->points) == *expected);
-  }
-  for (Vertex v = 0; v < c.map.vertex_count(); ++v) {
-    RC_ASSERT(paths.reached(v) == lengths[v].has_value());
-    const Vertex before = paths.predecessor(v);
-    if (before != GraphShortestPaths::kNoVertex)
-      RC_ASSERT(plus_leg(*lengths[before], c.map.point(before), c.map.point(v)) == *lengths[v]);
   }
 }
 

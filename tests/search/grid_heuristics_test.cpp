@@ -17,7 +17,8 @@ namespace taut::test {
 namespace {
 
 constexpr long double kRoot = 1.41421356237309504880168872420969808L;
-// On small grids two different values are farther apart than this, and rounding Euclidean lengths to GridCost moves them less.
+// On small grids two different values are farther apart than this, and rounding Euclidean lengths to GridCost moves
+// them less.
 constexpr long double kApart = 1e-7L;
 
 HeuristicVerdict verdict(const DrawnGrid& d, GridMoves moves, std::string_view h) {

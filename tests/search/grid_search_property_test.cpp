@@ -1,8 +1,7 @@
-// Every search against an independent least cost: Bellman-Ford style relaxation on counts, compared in long double and checked by squares.
+// Every search against an independent least cost: Bellman-Ford style relaxation on counts, compared in long double and
+// checked by squares.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <optional>
 #include <vector>
 
 #include <taut/geometry/detail/draws.h>

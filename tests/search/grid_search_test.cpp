@@ -1,7 +1,5 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include <string>
 #include <vector>
 
 #include <taut/geometry/errors.h>

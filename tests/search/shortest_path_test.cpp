@@ -14,6 +14,7 @@
 #include "support/messy_world.h"
 #include "support/paths.h"
 #include "support/random_world.h"
+#include "support/refusal.h"
 
 namespace taut {
 namespace {
@@ -112,12 +113,7 @@ TEST(ShortestPath, DoesNotEnterARoomThroughItsWall) {
 TEST(ShortestPath, ThrowsWhenAnEndIsNoPlaceToBe) {
   const FreeSpace space = SmallWorld{.walls = {}, .solids = {box_ring(2, 2, 5, 8)}}.space();
   const auto message = [&](Point from, Point to) -> std::string {
-    try {
-      shortest_path(space, from, to);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
+    return test::refusal_of([&] { shortest_path(space, from, to); });
   };
   EXPECT_EQ(message({3, 3}, {8, 8}), "start (3, 3) lies inside the obstacle at (2, 2)");
   EXPECT_EQ(message({1, 1}, {11, 8}), "goal (11, 8) lies outside the world");

@@ -4,16 +4,21 @@
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace taut::test {
 
 /// data/ of this project.
 inline std::filesystem::path data_dir() { return TAUT_DATA_DIR; }
 
+/// A file in it, as an argument for the program.
+inline std::string data_file(const std::string& name) { return (data_dir() / name).string(); }
+
 /// tests/corpus: every input that ever gave a wrong answer.
 inline std::filesystem::path corpus_dir() { return TAUT_CORPUS_DIR; }
 
-/// The data shared between projects: $TAUT_SHARED_DATA, or shared/data beside the checkout. Nothing where there is none: skip the test.
+/// The data shared between projects: $TAUT_SHARED_DATA, or shared/data beside the checkout. Nothing where there is
+/// none: skip the test.
 inline std::optional<std::filesystem::path> shared_data_dir() {
   const char* named = std::getenv("TAUT_SHARED_DATA");
   const std::filesystem::path folder = named != nullptr ? named : TAUT_SHARED_DATA_DIR;

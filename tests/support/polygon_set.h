@@ -8,8 +8,8 @@
 
 namespace taut::test {
 
-/// What CGAL's Polygon_set_2 (exact constructions) says of the union of convex pieces within a box, and of polygons that claim to be
-/// the rest of the box.
+/// What CGAL's Polygon_set_2 (exact constructions) says of the union of convex pieces within a box, and of polygons
+/// that claim to be the rest of the box.
 struct UnionOpinion {
   double free_area = 0;     ///< exact area of the box minus the union, to the nearest double
   double claimed_area = 0;  ///< exact area of the claimed polygons

@@ -1,8 +1,8 @@
-// Small messy worlds for RapidCheck: walls on a lattice that cross, touch, overlap and repeat; blocks that touch and overlap.
+// Small messy worlds for RapidCheck: walls on a lattice that cross, touch, overlap and repeat; blocks that touch and
+// overlap.
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 #include <rapidcheck.h>
@@ -25,6 +25,12 @@ struct RandomWorld {
 inline Point any_lattice_point(int side) {
   const int x = any(0, side), y = any(0, side);
   return {double(x), double(y)};
+}
+
+/// On a lattice 64 times as fine, not on the rim of [0, side] x [0, side].
+inline Point any_fine_point(int side) {
+  const int x = any(1, 64 * side - 1), y = any(1, 64 * side - 1);
+  return {x / 64.0, y / 64.0};
 }
 
 inline Segment any_wall(const RandomWorld& kind) {

@@ -1,4 +1,5 @@
-// The car's rules once more, from the formulas of the course and complex numbers: shares nothing with taut::car but the types.
+// The car's rules once more, from the formulas of the course and complex numbers: shares nothing with taut::car but the
+// types.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,8 @@ struct Replay {
   std::size_t steps = 0;
 };
 
-/// Does a rectangle of half sides 1.5 and 1 have an inner point in common with the unit square around `cell`? Some axis separates them or it does.
+/// Does a rectangle of half sides 1.5 and 1 have an inner point in common with the unit square around `cell`? Some axis
+/// separates them or it does.
 inline bool overlaps_square(std::complex<long double> at, long double heading, std::complex<long double> cell) {
   using Complex = std::complex<long double>;
   const std::array<Complex, 4> axes{1, Complex(0, 1), std::polar(1.0L, heading),
@@ -29,7 +31,8 @@ inline bool overlaps_square(std::complex<long double> at, long double heading, s
   });
 }
 
-/// Collision, then goal, after each step, until either. With walls as squares each step is looked at in 16 places: that misses contacts, but not long ones.
+/// Collision, then goal, after each step, until either. With walls as squares each step is looked at in 16 places: that
+/// misses contacts, but not long ones.
 inline Replay replay(const car::Course& course, car::RoadblockSet open, const std::vector<double>& controls,
                      car::WallReading reading = car::WallReading::points) {
   using Complex = std::complex<long double>;

@@ -1,7 +1,5 @@
 // Worlds of a few walls and blocks, written in one line.
 #pragma once
-
-#include <utility>
 #include <vector>
 
 #include <taut/geometry/free_space.h>
@@ -22,6 +20,12 @@ struct SmallWorld {
     for (const Segment& s : walls) result.walls.push_back({s.a, s.b, thickness, 0});
     for (const Ring& ring : solids) result.solids.push_back({Polygon{ring, {}}, 0});
     return result;
+  }
+  /// Of parts().
+  World bounded(Boundary boundary) const {
+    WorldParts result = parts();
+    result.boundary = boundary;
+    return World(result);
   }
   FreeSpace space() const { return FreeSpace(World(parts())); }
 };

@@ -15,8 +15,8 @@ struct HalfEdge {
   int i = 0;  ///< the corner opposite to the side
 };
 
-/// All contours of a triangulation. Each constrained side of a free triangle is in exactly one, once; each sector that is not
-/// full is the corner between two consecutive ones. Keeps a reference to the triangulation.
+/// All contours of a triangulation. Each constrained side of a free triangle is in exactly one, once; each sector that
+/// is not full is the corner between two consecutive ones. Keeps a reference to the triangulation.
 class Contours {
  public:
   struct At {

@@ -1,7 +1,5 @@
 #include <taut/robots/bug/detail/heading.h>
 
-#include <algorithm>
-
 #include <taut/geometry/predicates.h>
 
 namespace taut::bug::detail {

@@ -36,13 +36,14 @@ struct Walk {
   std::vector<Piece> pieces;
 };
 
-/// Does the way from a place on a contour to the goal lead off the contour at once? Exact. Precondition: it is not the goal.
+/// Does the way from a place on a contour to the goal lead off the contour at once? Exact. Precondition: it is not the
+/// goal.
 bool leads_off(const Triangulation& tri, const Stand& stand, Point goal);
 /// May it begin along the contour, too?
 bool is_open(const Triangulation& tri, const Stand& stand, Point goal);
 
-/// The walk from `stand` straight to the goal, as far as it gets. `from`, with the goal, is the line that it goes along: a
-/// point on it no nearer to the goal than the stand, exactly. Exact. Precondition: the stand is not the goal.
+/// The walk from `stand` straight to the goal, as far as it gets. `from`, with the goal, is the line that it goes
+/// along: a point on it no nearer to the goal than the stand, exactly. Exact. Precondition: the stand is not the goal.
 Walk walk_to(const Triangulation& tri, const Stand& stand, const ExactPoint& from, const Spot& goal);
 
 }  // namespace taut::bug::detail

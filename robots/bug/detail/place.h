@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include <taut/robots/bug/bug.h>
 #include <taut/robots/bug/detail/contours.h>

@@ -6,9 +6,9 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include <taut/robots/bug/detail/logbook.h>
+#include <taut/robots/bug/detail/targets.h>
 #include <taut/robots/bug/detail/view.h>
 
 namespace taut::bug::detail {
@@ -16,12 +16,6 @@ namespace taut::bug::detail {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// The end of the part of a contour in view, to one side.
-struct End {
-  Sight::Step::Kind kind = Sight::Step::Kind::vertex;
-  ExactPoint target{Point{}};  ///< the end itself, or the corner that hides what follows
-};
 
 class Tangent {
  public:
@@ -76,7 +70,8 @@ class Tangent {
     is_straight_ = true;
   }
 
-  /// Goes straight on until `hit`, or what is in the way from there, is within range; not when there is no such pair of doubles.
+  /// Goes straight on until `hit`, or what is in the way from there, is within range; not when there is no such pair of
+  /// doubles.
   bool approach(const ExactPoint& hit) {
     const double dx = here().x.get_d() - hit.x.get_d(), dy = here().y.get_d() - hit.y.get_d();
     const double part = options_.range * (1 - 0x1p-30) / std::hypot(dx, dy);
@@ -95,46 +90,18 @@ class Tangent {
   void at_obstacle(const Place& hit) {
     if (std::exchange(is_straight_, false)) log_.note(x_, hit.contour, log_.journey().hits);
     const Sight sight = look();
-    const End left = end(sight, hit, Turn::left), right = end(sight, hit, Turn::right);
-    std::optional<Corner> best = best_corner(sight, limit_);
-    for (const End* e : {&left, &right})
+    const Targets targets(places_, x_, goal_, options_.turn);
+    const ViewEnd left = targets.end(sight, hit, Turn::left), right = targets.end(sight, hit, Turn::right);
+    std::optional<Corner> best = targets.best_corner(sight, limit_);
+    for (const ViewEnd* e : {&left, &right})
       if (best && e->kind == Kind::range && distance(e->target) < limit_ &&
-          compare(e->target, ExactPoint(best->at)) < 0)
+          targets.compare(e->target, ExactPoint(best->at)) < 0)
         best.reset();
-    if (!best) return follow(hit, better(hit, left, right));
+    if (!best) return follow(hit, targets.better(hit, left, right));
     const bool is_near = distance(left.target) < limit_ || distance(right.target) < limit_;
     Obstacle& obstacle = log_.obstacle(hit.contour);
     ++obstacle.legs;
     go_for(*best, is_near ? product(obstacle.perimeter, 2) : Interval{kInfinity, kInfinity});
-  }
-
-  /// A corner in view, and the way to it.
-  struct Corner {
-    Point at;
-    Walk walk;
-  };
-
-  /// The one of the least |xv| + d(v) among those with d(v) below a limit.
-  std::optional<Corner> best_corner(const Sight& sight, const mpq_class& limit) const {
-    std::optional<Corner> best;
-    for (const std::uint32_t v : sight.corners()) {
-      const ExactPoint p(vertex(v));
-      if (distance(p) >= limit) continue;
-      const int order = best ? compare(p, ExactPoint(best->at)) : -1;
-      if (order > 0 || (order == 0 && !is_preferred(vertex(v)))) continue;
-      if (Walk walk = walk_to(places_.tri(), x_, here(), Spot(vertex(v))); walk.reached)
-        best = Corner{vertex(v), std::move(walk)};
-    }
-    return best;
-  }
-
-  /// The sign of the difference of what two targets promise.
-  int compare(const ExactPoint& p, const ExactPoint& q) const {
-    return compare_roots(squared_distance(here(), p), distance(p), squared_distance(here(), q), distance(q));
-  }
-
-  bool is_preferred(Point v) const {
-    return orientation(Spot(here()), goal_, v) == (options_.turn == Turn::left ? 1 : -1);
   }
 
   void go_for(const Corner& corner, Interval most) {
@@ -144,42 +111,6 @@ class Tangent {
     log_.walk(corner.walk, corner.walk.end);
     x_ = corner.walk.end;
     limit_ = distance(here());
-  }
-
-  // ---- a contour in view -------------------------------------------------------------------------------------------
-
-  End end(const Sight& sight, const Place& hit, Turn turn) const {
-    Place at = hit;
-    for (;;) {
-      const Sight::Step step = sight.step(at, turn);
-      const bool hidden = step.kind == Kind::shadow && step.corner != kNone;
-      if (step.kind != Kind::vertex) {
-        // A vertex behind which nothing is in view is an end of its own.
-        const bool is_vertex = step.end == at && at.is_vertex() && step.kind == Kind::shadow;
-        return {is_vertex ? Kind::vertex : step.kind, hidden ? ExactPoint(vertex(step.corner)) : step.end.stand.at};
-      }
-      at = step.end;
-      if (at.station == hit.station || (!hit.is_vertex() && at == places_.next_vertex(hit, other(turn))))
-        return {Kind::vertex, at.stand.at};
-    }
-  }
-
-  static Turn other(Turn turn) { return turn == Turn::left ? Turn::right : Turn::left; }
-
-  Turn better(const Place& hit, const End& left, const End& right) const {
-    int order = compare(left.target, right.target);
-    if (order == 0) order = compare_slopes(hit);
-    return order == 0 ? options_.turn : order < 0 ? Turn::left : Turn::right;
-  }
-
-  /// Negative when the contour falls steeper towards the goal to the left of `hit`.
-  int compare_slopes(const Place& hit) const {
-    const auto slope = [&](Turn turn) {
-      const ExactPoint &h = hit.stand.at, to = places_.next_vertex(hit, turn).stand.at;
-      const mpq_class along = (to.x - h.x) * (goal_.exact.x - h.x) + (to.y - h.y) * (goal_.exact.y - h.y);
-      return mpq_class(along * abs(along) / squared_distance(h, to));
-    };
-    return cmp(slope(Turn::right), slope(Turn::left));
   }
 
   // ---- following ---------------------------------------------------------------------------------------------------
@@ -207,7 +138,7 @@ class Tangent {
     const Pass pass = sweep(sight, step);
     if (pass.why == Pass::Why::closed) return give_up();
     if (!first && sees_way_on()) return leave_straight();
-    if (const auto corner = best_corner(sight, followed_)) {
+    if (const auto corner = Targets(places_, x_, goal_, options_.turn).best_corner(sight, followed_)) {
       log_.note(x_, start_.contour, log_.journey().leaves);
       go_for(*corner, {kInfinity, kInfinity});
       is_straight_ = true;

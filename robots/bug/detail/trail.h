@@ -1,11 +1,8 @@
 // What was walked, as doubles.
 #pragma once
 
-#include <vector>
-
-#include <taut/geometry/free_space.h>
-#include <taut/robots/bug/detail/contours.h>
 #include <taut/robots/bug/detail/heading.h>
+#include <vector>
 
 namespace taut::bug::detail {
 

@@ -28,12 +28,14 @@ class Range {
   mpq_class squared_;
 };
 
-/// All that is seen from a stand within a range: closed, so corners on a ray that touches others count. Keeps references.
+/// All that is seen from a stand within a range: closed, so corners on a ray that touches others count. Keeps
+/// references.
 class Sight {
  public:
   Sight(const Places& places, const Stand& stand, const Range& range);
 
-  /// The corners seen at which the depth jumps: both sides at the corner lie to one hand of the ray to it. By vertex, ascending.
+  /// The corners seen at which the depth jumps: both sides at the corner lie to one hand of the ray to it. By vertex,
+  /// ascending.
   const std::vector<std::uint32_t>& corners() const { return corners_; }
 
   /// How far a contour is in view along one half-edge.

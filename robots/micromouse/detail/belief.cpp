@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include <taut/robots/micromouse/detail/boards.h>
 #include <taut/robots/micromouse/detail/wall_field.h>
 
 namespace taut::micromouse::detail {

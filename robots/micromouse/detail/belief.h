@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <taut/geometry/detail/draws.h>
-#include <taut/robots/micromouse/detail/boards.h>
 #include <taut/robots/micromouse/wall_map.h>
 
 namespace taut::micromouse::detail {
@@ -19,12 +18,13 @@ struct WallBoard {
 
 /// A fixed number of sampled mazes, drawn from what mazes look like given the facts.
 ///
-/// The law is a random field: a maze's weight is a product over posts and cells, each by how many of its four walls stand and how
-/// they lie (wall_field.h). So walls come in runs, posts hardly ever stand alone, and corridors are more common than walled-in
-/// cells. The samples follow it by Gibbs sampling: update() sets the new facts in each and draws the unknown walls anew, one at a time,
-/// each given all the others. What has not been seen changes little from one step to the next, as only a few rounds are drawn.
-/// Then unknown walls between separate parts are taken down, in random order, until each sample is one piece: mazes are connected.
-/// Deterministic: the draws depend on the seed and the facts alone. An update costs O(samples * (kRounds * unknown walls + cells)).
+/// The law is a random field: a maze's weight is a product over posts and cells, each by how many of its four walls
+/// stand and how they lie (wall_field.h). So walls come in runs, posts hardly ever stand alone, and corridors are more
+/// common than walled-in cells. The samples follow it by Gibbs sampling: update() sets the new facts in each and draws
+/// the unknown walls anew, one at a time, each given all the others. What has not been seen changes little from one
+/// step to the next, as only a few rounds are drawn. Then unknown walls between separate parts are taken down, in
+/// random order, until each sample is one piece: mazes are connected. Deterministic: the draws depend on the seed and
+/// the facts alone. An update costs O(samples * (kRounds * unknown walls + cells)).
 class Belief {
  public:
   Belief(const Task& task, int samples, std::uint64_t seed);
@@ -43,7 +43,8 @@ class Belief {
   static constexpr int kFirstRounds = 30, kRounds = 3;
   static constexpr std::size_t kMostDraws = 8192;  // a sample and update, after the first one
 
-  /// A wall and its factors: the posts at its ends, the cells at its sides, and which of their four arms or sides it is.
+  /// A wall and its factors: the posts at its ends, the cells at its sides, and which of their four arms or sides it
+  /// is.
   struct Place {
     std::array<std::uint32_t, 2> post{}, cell{};
     std::array<std::uint8_t, 2> arm{}, side{};
@@ -72,7 +73,8 @@ class Belief {
   bool fresh_ = true;
 };
 
-/// What a look is worth: from every cell in each direction, the expected weight of the unknown walls that come into sight.
+/// What a look is worth: from every cell in each direction, the expected weight of the unknown walls that come into
+/// sight.
 class Outlook {
  public:
   Outlook(const WallMap& map, const WallBoard& weights, const WallBoard& open);

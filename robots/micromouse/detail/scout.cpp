@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <limits>
 
+#include <taut/robots/micromouse/detail/boards.h>
 #include <taut/robots/micromouse/detail/flood_step.h>
+#include <taut/robots/micromouse/steps.h>
 
 namespace taut::micromouse::detail {
 
@@ -86,7 +88,8 @@ Scout::Plans Scout::sample_plans(std::optional<int> hi) {
     if (hi) plans.gain += *hi - steps;
   }
   plans.gain /= belief_.samples();
-  // A proof has to end unlikely plans too: where few are left, look also at worlds with fewer walls, down to the optimistic one.
+  // A proof has to end unlikely plans too: where few are left, look also at worlds with fewer walls, down to the
+  // optimistic one.
   Passages world;
   for (const double share : {0.375, 0.75, 1.0})
     for (int k = 0; k < belief_.samples() && goal_ == ScoutGoal::proof && shorter * 2 < belief_.samples(); ++k) {
@@ -122,7 +125,8 @@ std::vector<float> Scout::steps_to_goal() const {
 }
 
 Action Scout::explore() {
-  // Decided anew each step; but when nothing new has come for long, a way is followed to its end, so that no two looks swing it.
+  // Decided anew each step; but when nothing new has come for long, a way is followed to its end, so that no two looks
+  // swing it.
   constexpr int kLong = 6;
   idle_ = learned() ? 0 : idle_ + 1;
   const auto hi = optimum(map().certain(), task());

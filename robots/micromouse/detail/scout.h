@@ -3,7 +3,6 @@
 
 #include <taut/robots/micromouse/detail/belief.h>
 #include <taut/robots/micromouse/mapping_robot.h>
-#include <taut/robots/micromouse/steps.h>
 
 namespace taut::micromouse::detail {
 

@@ -22,10 +22,11 @@ constexpr Quad quad_of(unsigned sides) {
   }
 }
 
-/// Logarithms of the factors. Fitted by maximum pseudo-likelihood (each wall given all others: a logistic regression; ridge 1) to
-/// generated mazes of 12 to 16 cells a side with 38 % of the interior walls, 90 plain ones and 60 whose shortest routes are kept long.
-/// A wall of them is foretold at 0.47 nats, against 0.66 when walls are taken for independent; of competition mazes, which
-/// were not fitted, the samples serve as well as with constants fitted to those.
+/// Logarithms of the factors. Fitted by maximum pseudo-likelihood (each wall given all others: a logistic regression;
+/// ridge 1) to generated mazes of 12 to 16 cells a side with 38 % of the interior walls, 90 plain ones and 60 whose
+/// shortest routes are kept long. A wall of them is foretold at 0.47 nats, against 0.66 when walls are taken for
+/// independent; of competition mazes, which were not fitted, the samples serve as well as with constants fitted to
+/// those.
 struct WallField {
   std::array<double, 6> post{0.35, 0.70, 0.98, 0.45, -0.40, -2.1};  // by Quad; interior posts
   std::array<double, 6> cell{0.12, 0.62, 0.82, 1.5, 0.5, -8};       // no cell is walled in

@@ -92,8 +92,8 @@ std::vector<CellIndex> way_to_block(const ChaseMap& map, const Blocks& blocks, C
   return {};
 }
 
-/// Diagonally as long as that leads nearer in x and y. Within one block, or from middle to middle, this visits no other block: the middle is the same
-/// number of cells from all edges.
+/// Diagonally as long as that leads nearer in x and y. Within one block, or from middle to middle, this visits no other
+/// block: the middle is the same number of cells from all edges.
 void go_straight(const ChaseMap& map, std::vector<CellIndex>& way, CellIndex to) {
   const Cell end = map.cell(to);
   for (Cell at = map.cell(way.back()); at != end; way.push_back(map.index(at))) {

@@ -11,7 +11,8 @@
 
 namespace taut::pursuit::detail {
 
-/// Keeps costs exactly as long as none exceeds `limit` units, then rounds to the nearest multiple of the finest unit that fits.
+/// Keeps costs exactly as long as none exceeds `limit` units, then rounds to the nearest multiple of the finest unit
+/// that fits.
 class CostStore {
  public:
   CostStore(const Decimal& threshold, std::uint32_t limit, std::size_t room);

@@ -7,7 +7,8 @@ namespace taut::pursuit::detail {
 
 __extension__ using Wide = unsigned __int128;
 
-/// mantissa * 10^-places, no trailing zeros; zero is {0, 0}. `cut`: further digits than the mantissa holds were not zero.
+/// mantissa * 10^-places, no trailing zeros; zero is {0, 0}. `cut`: further digits than the mantissa holds were not
+/// zero.
 struct Decimal {
   std::uint64_t mantissa = 0;
   int places = 0;

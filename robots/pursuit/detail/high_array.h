@@ -9,8 +9,8 @@
 
 namespace taut::pursuit::detail {
 
-/// Unsigned numbers, each the largest until it is set. Kept inverted in memory that is zero to begin with, which an operating system hands out page by
-/// page as it is written: what is never set costs nothing.
+/// Unsigned numbers, each the largest until it is set. Kept inverted in memory that is zero to begin with, which an
+/// operating system hands out page by page as it is written: what is never set costs nothing.
 template <typename T>
 class HighArray {
   static_assert(std::is_unsigned_v<T>);

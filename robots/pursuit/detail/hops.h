@@ -18,11 +18,12 @@ std::vector<std::ptrdiff_t> neighbour_steps(const ChaseMap& map);
 /// Called now and then, and may throw.
 using Watch = std::function<void()>;
 
-/// For each cell the least number of moves from `from`; kUnreachable where there is no way or it takes more than `limit` moves. O(cells).
+/// For each cell the least number of moves from `from`; kUnreachable where there is no way or it takes more than
+/// `limit` moves. O(cells).
 std::vector<int> hops_from(const ChaseMap& map, CellIndex from, int limit, const Watch& watch = {});
 
-/// For each cell the latest second (minus `now`) at which one can leave it and still be in time for one of the meetings, moving over cells of cost >= lo;
-/// -1 where one cannot. O(cells + last second).
+/// For each cell the latest second (minus `now`) at which one can leave it and still be in time for one of the
+/// meetings, moving over cells of cost >= lo; -1 where one cannot. O(cells + last second).
 std::vector<int> latest_departures(const ChaseMap& map, const std::vector<Meeting>& meetings, int now, std::uint32_t lo,
                                    const Watch& watch = {});
 

@@ -9,8 +9,9 @@
 
 namespace taut::pursuit::detail {
 
-/// Monotone priority queue (Ahuja, Mehlhorn, Orlin, Tarjan, "Faster algorithms for the shortest path problem", 1990). Items of equal key leave in an
-/// order that depends on the calls alone. Amortised 64 moves an item at worst, a few in practice.
+/// Monotone priority queue (Ahuja, Mehlhorn, Orlin, Tarjan, "Faster algorithms for the shortest path problem", 1990).
+/// Items of equal key leave in an order that depends on the calls alone. Amortised 64 moves an item at worst, a few in
+/// practice.
 template <typename Value>
 class RadixHeap {
  public:

@@ -9,10 +9,11 @@ namespace taut::pursuit::detail {
 
 /// Bounds of a range, meeting by meeting.
 ///
-/// For each u <= lo a meeting after t seconds has the bound (*), a concave function of u that the way found for it is a tangent of. Where that way is in
-/// time at u = lo, nothing can raise the bound; where it is late a smaller u can, as it makes moves dearer than seconds (Handler and Zang, "A dual
-/// algorithm for the constrained shortest path problem", 1980). Meetings whose bound reaches the best plan's cost are done with; what remains late
-/// goes to search_labels. One search serves all meetings.
+/// For each u <= lo a meeting after t seconds has the bound (*), a concave function of u that the way found for it is a
+/// tangent of. Where that way is in time at u = lo, nothing can raise the bound; where it is late a smaller u can, as
+/// it makes moves dearer than seconds (Handler and Zang, "A dual algorithm for the constrained shortest path problem",
+/// 1980). Meetings whose bound reaches the best plan's cost are done with; what remains late goes to search_labels. One
+/// search serves all meetings.
 class RangeSearch {
  public:
   /// Both are kept by reference. `meetings` ascending.

@@ -1,12 +1,14 @@
 // The searches of the exact planner, over reduced costs.
 //
-// A way of k moves that is at a meeting after t >= k seconds waits at its cheapest cell, of cost m: it costs sum(w) + (t - k) m. For every number
-// u <= m that is at least
+// A way of k moves that is at a meeting after t >= k seconds waits at its cheapest cell, of cost m: it costs sum(w) +
+// (t - k) m. For every number u <= m that is at least
 //
-//     t u + sum over its moves of (w - u),      with equality for u = m,                                                      (*)
+//     t u + sum over its moves of (w - u),      with equality for u = m,           (*)
 //
-// and the sum has no negative term. So each u gives a bound by one search with Dijkstra's algorithm in the plane, without any clock: the seconds enter
-// by t u and by k <= t. u need not be whole: it is counted in parts, Workspace::parts to a unit. A `Range` lo..hi of m is searched with u = lo, over cells of cost >= lo, along ways that visit a cell of cost <= hi.
+// and the sum has no negative term. So each u gives a bound by one search with Dijkstra's algorithm in the plane,
+// without any clock: the seconds enter by t u and by k <= t. u need not be whole: it is counted in parts,
+// Workspace::parts to a unit. A `Range` lo..hi of m is searched with u = lo, over cells of cost >= lo, along ways that
+// visit a cell of cost <= hi.
 #pragma once
 
 #include <cstdint>
@@ -80,8 +82,8 @@ struct Worker {
 
 /// How a search for one u came to a meeting.
 struct Reach {
-  Cost bound =
-      kNoCost;  ///< (*): no way of the range to this meeting costs less; kNoCost: it cannot be better than the best plan
+  /// (*): no way of the range to this meeting costs less; kNoCost: it cannot be better than the best plan
+  Cost bound = kNoCost;
   Cost moves_cost = 0;  ///< of the way of that bound, without waiting
   int moves = 0;        ///< of that way; more than the meeting's seconds: it is late
 };
@@ -91,8 +93,8 @@ class ForwardSearch {
  public:
   explicit ForwardSearch(Worker& worker) : worker_(worker), work_(worker.work) {}
 
-  /// `meetings` ascending, `latest` of Workspace::latest_for them; u in parts, not above range.lo. Offers the ways in time that it finds. The answers,
-  /// one a meeting, hold until the next run.
+  /// `meetings` ascending, `latest` of Workspace::latest_for them; u in parts, not above range.lo. Offers the ways in
+  /// time that it finds. The answers, one a meeting, hold until the next run.
   const std::vector<Reach>& run(const Range& range, Cost u, const std::vector<Meeting>& meetings,
                                 const std::vector<int>& latest);
   /// The way of the last run to a meeting's cell. Precondition: its bound is not kNoCost.
@@ -122,7 +124,8 @@ class ForwardSearch {
   RadixHeap<std::uint64_t> queue_;
 };
 
-/// Least t u + sum (w - u) from each cell to a meeting, over cells of cost >= lo; u may be below lo, and below 0 (not below least_u). All in parts.
+/// Least t u + sum (w - u) from each cell to a meeting, over cells of cost >= lo; u may be below lo, and below 0 (not
+/// below least_u). All in parts.
 class CostToMeet {
  public:
   CostToMeet(Worker& worker, Cost u, std::uint32_t lo, const std::vector<Meeting>& meetings,
@@ -144,8 +147,10 @@ struct RangeBound {
   std::uint32_t cheapest = 0;  ///< of the cells of that way
 };
 
-/// Where the seconds bind: a search by (reduced cost, moves) that keeps all ways of which neither is better in both, pruned by costs to meet for u = lo
-/// and for the `u` given, in parts, best one where the bound of the best meeting is highest. Gives bound (*) with u = lo, for every meeting among ways that are in time. Nothing when it would take more than so many labels.
+/// Where the seconds bind: a search by (reduced cost, moves) that keeps all ways of which neither is better in both,
+/// pruned by costs to meet for u = lo and for the `u` given, in parts, best one where the bound of the best meeting is
+/// highest. Gives bound (*) with u = lo, for every meeting among ways that are in time. Nothing when it would take more
+/// than so many labels.
 std::optional<RangeBound> search_labels(Worker& worker, const Range& range, const std::vector<Meeting>& meetings,
                                         Cost u, std::size_t most_labels);
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <bit>
 
 #include <taut/robots/pursuit/detail/reduced.h>
 
@@ -79,7 +78,8 @@ void ForwardSearch::expand(Query& query, std::uint64_t key, std::uint64_t state)
   const auto cell = static_cast<CellIndex>(state >> 1);
   const bool touched = state & 1;
   if (touched && work_.is_target[cell]) arrive(query, key, cell);
-  // Ways that are too slow are followed nevertheless: dropping one would let a dearer way pass for the least. Their moves stop counting.
+  // Ways that are too slow are followed nevertheless: dropping one would let a dearer way pass for the least. Their
+  // moves stop counting.
   const std::uint64_t most_moves = (std::uint64_t{1} << work_.bits) - 1;
   const std::uint64_t next = key + step_key(cell) + ((key & most_moves) < most_moves);
   if (static_cast<Cost>(next >> work_.bits) > query.most_reduced) return;

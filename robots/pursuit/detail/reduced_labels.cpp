@@ -57,7 +57,8 @@ class LabelSearch {
     return cost >= kNoCost ? kNoCost : cost / work_.parts;  // u is whole, and so is this
   }
 
-  // By (bound, moves): at one cell the reduced costs ascend, so a label is as good as none when one with no more moves has been there.
+  // By (bound, moves): at one cell the reduced costs ascend, so a label is as good as none when one with no more moves
+  // has been there.
   bool is_dominated(CellIndex cell, bool touched, int moves) const {
     const auto at_most = [&](std::size_t known) { return moves_[known] <= static_cast<std::uint32_t>(moves); };
     return at_most(2 * std::size_t{cell} + 1) || (!touched && at_most(2 * std::size_t{cell}));

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
-
-#include <cmath>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -109,7 +107,8 @@ TEST(Bug, RefusesEndsInsideObstacles) {
   EXPECT_TRUE(travel(space, {1, 1}, {1, 1}).reached);
 }
 
-// Walls that cross, touch and overlap on a lattice, so m-lines run through vertices and along walls; ends on boundaries and joints.
+// Walls that cross, touch and overlap on a lattice, so m-lines run through vertices and along walls; ends on boundaries
+// and joints.
 RC_GTEST_PROP(BugProperty, KeepsItsPromisesInMessyWorlds, ()) {
   const SmallWorld world = test::any_world({.straight = test::any(0, 1) == 1});
   const FreeSpace space = world.space();

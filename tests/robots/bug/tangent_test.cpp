@@ -1,4 +1,5 @@
-// Tangent Bug: what it sees decides where it goes, and nothing else does. That it arrives whenever there is a way is in bug_test.cpp.
+// Tangent Bug: what it sees decides where it goes, and nothing else does. That it arrives whenever there is a way is in
+// bug_test.cpp.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -96,7 +97,8 @@ TEST(TangentBug, FollowsAPocketUntilItSeesSomethingNearerThanTheWholeOfIt) {
   EXPECT_EQ(j.path.length, shortest_path(pocket, {4, 5}, {9, 5})->length);
 }
 
-//       |   +-+      from the wall's upper end the box is nearer to the goal than the wall, but out of range: the robot leaves
+//       |   +-+ from the wall's upper end the box is nearer to the goal than the wall, but out of range: the robot
+//           leaves
 //   S   |   +-+  G   where it only has to touch, on the far side of the wall
 //       |
 TEST(TangentBug, LeavesForCornersWithinItsRangeOnly) {
@@ -109,8 +111,8 @@ TEST(TangentBug, LeavesForCornersWithinItsRangeOnly) {
   EXPECT_EQ(far.leaves[0].at, (Point{4, 8}));
 }
 
-// A convex polygon with corners on a circle. The rule has no memory: at its first corner the robot may find the other way round more
-// promising, and turn back.
+// A convex polygon with corners on a circle. The rule has no memory: at its first corner the robot may find the other
+// way round more promising, and turn back.
 TEST(TangentBug, IsTautAroundAConvexObstacleUnlessItTurnsBack) {
   int turned_back = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {

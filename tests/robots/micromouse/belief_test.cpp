@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include <taut/robots/micromouse/detail/boards.h>
 #include <taut/robots/micromouse/detail/wall_field.h>
 
 #include "robots/micromouse/support.h"

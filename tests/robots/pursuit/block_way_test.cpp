@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstdlib>
-
 #include <taut/robots/pursuit/chase_generator.h>
 #include <taut/robots/pursuit/detail/walk.h>
 #include <taut/robots/pursuit/exact_planner.h>

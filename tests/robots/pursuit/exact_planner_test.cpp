@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <set>
 #include <string>
-#include <vector>
 
 #include <taut/geometry/detail/draws.h>
 #include <taut/io/read_world.h>

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include <taut/robots/pursuit/chase.h>
 #include <taut/robots/pursuit/chase_generator.h>
 #include <taut/robots/pursuit/exact_planner.h>

@@ -1,0 +1,41 @@
+// The options of `taut solve`.
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include <string>
+
+#include <taut/cli/anytime.h>
+#include <taut/cli/clearance.h>
+#include <taut/cli/options.h>
+#include <taut/cli/prm_options.h>
+#include <taut/cli/roadmap_kinds.h>
+#include <taut/search/graph_search.h>
+
+namespace taut::cli {
+
+struct SolveOptions {
+  WorldOptions world;
+  QueryOptions query;
+  OutputOptions output;
+  CommonOptions common;
+  GraphAlgorithm algorithm = GraphAlgorithm::astar;
+  AnytimeOptions anytime;
+  ClearanceQuery clearance;
+  bool no_verify = false;
+  bool path = false;
+  bool shorten = false;
+  PrmRequest prm;
+  bool arcs = false;
+  const RoadmapKind* kind = nullptr;  // when it is given
+  std::string save;
+  std::string load;
+
+  ClearanceRequest clearance_request() const { return {world, query, output, clearance, !no_verify, path}; }
+  bool stdout_taken() const { return output.stdout_taken() || save == "-"; }
+};
+
+/// Adds them all. Those that exclude each other are a CLI::ValidationError (exit 2).
+void add_solve_options(CLI::App& app, SolveOptions& options);
+
+}  // namespace taut::cli
