@@ -137,6 +137,23 @@ std::string blocked_text(const Gates& gates, const DiscPassage& passage, const B
       number_text(2 * r), fmt::join(names, "; "), and_more(barrier.gates.size()));
 }
 
+std::optional<DiscBarrier> disc_barrier(const World& world, Point start, const std::vector<Point>& goals, double r) {
+  std::vector<Point> ends = goals;
+  ends.push_back(start);
+  const FreeSpace space(walled_world(world, ends));
+  const Gates gates(space);
+  std::optional<DiscBarrier> found;
+  for (const Point goal : goals) {
+    const DiscPassage passage = disc_passage(gates, start, goal, r);
+    if (passage.status == PassageStatus::reachable) return std::nullopt;
+    if (found || passage.status != PassageStatus::separated) continue;
+    Barrier barrier = barrier_of(gates, passage.barrier);
+    std::string text = blocked_text(gates, passage, barrier, start, goal, r);
+    found = DiscBarrier{std::move(barrier), std::move(text)};
+  }
+  return found;
+}
+
 std::string pinch_text(const Pinch& pinch, const FreeSpace& space, const std::string& width) {
   const std::string first = segment_text(wall_of(space, pinch.constraints[0], &pinch.posts[0]));
   if (pinch.where == Pinch::Where::gate)

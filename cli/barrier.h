@@ -1,6 +1,7 @@
 // What stands in a disc's way, for people: walls, gates that are too narrow, and the two walls of a pinch.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,6 +48,14 @@ std::string separation_text(const Barrier& barrier);
 /// Why a disc of radius r does not get through, in one line. Precondition: it does not.
 std::string blocked_text(const Gates& gates, const DiscPassage& passage, const Barrier& barrier, Point start,
                          Point goal, double r);
+
+/// Why a disc of radius r gets from start to none of the goals, found among the world's own walls: the barrier around the first goal it is
+/// kept from, and its text. Nothing when walls leave a way to a goal: then only a shape larger than the disc has none.
+struct DiscBarrier {
+  Barrier barrier;
+  std::string text;
+};
+std::optional<DiscBarrier> disc_barrier(const World& world, Point start, const std::vector<Point>& goals, double r);
 
 /// `narrowest 1 between (3, 4) and (3, 5), of the walls (3, 0)-(3, 4) and (3, 5)-(3, 9)`; at an end
 /// `nearest to a wall at the start (1, 1): 0.5 from the wall (0, 0)-(9, 0)`.

@@ -6,6 +6,7 @@
 
 #include <taut/cli/anytime.h>
 #include <taut/cli/arcs.h>
+#include <taut/cli/barrier.h>
 #include <taut/cli/clearance.h>
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>
@@ -52,6 +53,7 @@ class Solver {
     result_.optimal = answer_.kind->optimal;
     options_.anytime.wanted ? search_anytime() : search(space);
     if (result_.status == SearchStatus::none) prove_none(space);
+    if (result_.status == SearchStatus::none && options_.query.robot.kind() == Footprint::Kind::disc) name_gates(input);
     if (result_.status == SearchStatus::found && !options_.no_verify) verify_answer(space);
     result_.seconds.total = total_.seconds();
     begin_stage("write");
@@ -160,13 +162,25 @@ class Solver {
     result_.clearance = verdict.clearance;
   }
 
+  // The edges of where its centre can be say little to people.
+  void name_gates(const Input& input) {
+    auto found = disc_barrier(input.world, *result_.start, goals(), options_.query.robot.radius());
+    if (!found) return;
+    result_.reason = std::move(found->text);
+    answer_.narrow = found->barrier.gate_segments();
+  }
+
   // Of a room, its middles stand for it: none of it can be reached.
-  std::vector<Segment> separation(const FreeSpace& space) const {
+  std::vector<Point> goals() const {
     std::vector<Point> goals;
     if (result_.goal.point) goals.push_back(*result_.goal.point);
     for (const Box& b : result_.goal.room)
       goals.push_back({b.min.x + (b.max.x - b.min.x) / 2, b.min.y + (b.max.y - b.min.y) / 2});
-    for (const Point& goal : goals) {
+    return goals;
+  }
+
+  std::vector<Segment> separation(const FreeSpace& space) const {
+    for (const Point& goal : goals()) {
       if (space.locate(goal).kind == Location::Kind::outside) continue;
       const std::vector<Segment> walls = joined_walls(space.separation(*result_.start, goal), space.world().box());
       if (!walls.empty()) return walls;

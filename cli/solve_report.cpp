@@ -37,6 +37,7 @@ std::string solve_line(const SolveAnswer& answer) {
   const PlanResult& result = answer.result;
   if (result.status == SearchStatus::found) return fmt::format("{}", fmt::join(facts(answer), ", "));
   if (result.status == SearchStatus::stopped) return result.reason;
+  if (!result.reason.empty()) return "no path: " + result.reason;
   if (result.separation.empty()) return "no path";
   return fmt::format("no path: {} start and goal: {}",
                      result.separation.size() == 1 ? "this wall separates"
@@ -55,6 +56,7 @@ SvgPicture solve_picture(const SolveAnswer& answer) {
     picture.roadmap = answer.planned.roadmap.get();
   if (result.status == SearchStatus::found) picture.path = &answer.result.path;
   picture.separation = result.separation;
+  picture.gates = answer.narrow;
   picture.start = result.start;
   picture.goal = result.goal;
   return picture;

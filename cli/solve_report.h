@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <taut/cli/input.h>
 #include <taut/cli/roadmap_kinds.h>
@@ -17,6 +18,7 @@ struct SolveAnswer {
   PlanResult result;
   const RoadmapKind* kind = roadmap_kind("visibility");
   PlannedRoadmap planned;
+  std::vector<Segment> narrow;  ///< when there is none for a disc: across the gates that are too narrow
 };
 
 /// `length 77.262691, 34 corners, 0.004 s`, or the walls that separate, or why it was stopped. For standard output.

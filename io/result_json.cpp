@@ -59,7 +59,10 @@ void add_path(Json& json, const PlanResult& result) {
 void add_outcome(Json& json, const PlanResult& result) {
   switch (result.status) {
     case SearchStatus::found: return add_path(json, result);
-    case SearchStatus::none: json["separation"] = detail::json_of(result.separation); return;
+    case SearchStatus::none:
+      json["separation"] = detail::json_of(result.separation);
+      if (!result.reason.empty()) json["reason"] = result.reason;
+      return;
     case SearchStatus::stopped: json["reason"] = result.reason; json["stage"] = result.stage;
   }
 }

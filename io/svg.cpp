@@ -221,6 +221,9 @@ class Picture {
     std::map<double, SvgPath> by_thickness;
     for (const Wall& wall : world_.walls())
       by_thickness.try_emplace(wall.thickness, scale_).first->second.segment({wall.a, wall.b});
+    // Where a robot's size hides them in `solid`, the limits of the world are lines.
+    if (world_.boundary() == Boundary::walled && space_.footprint().kind() != Footprint::Kind::point)
+      for (const Area& area : world_.areas()) by_thickness.try_emplace(0, scale_).first->second.polygon(area.polygon);
     SvgPath solids(scale_);
     for (const Area& solid : world_.solids()) solids.polygon(solid.polygon);
     if (by_thickness.empty() && solids.empty()) return;

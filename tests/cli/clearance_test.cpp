@@ -160,6 +160,18 @@ TEST_F(SolveClearance, RefusesWhatDoesNotGoTogether) {
   EXPECT_EQ(run_taut("passage - --from 30,30", kTwoDoors).code, 3);
 }
 
+TEST_F(Passage, IsWhatSolveNamesWhenADiscHasNoPath) {
+  const Outcome none = run_taut("solve - --robot disc:1.6", kTwoDoors);
+  EXPECT_EQ(none.code, 1);
+  EXPECT_THAT(none.out, HasSubstr("no path: these 2 gates are narrower than 3.2: "));
+  EXPECT_THAT(none.out, HasSubstr("3 between (10, 16) and (10, 19)"));
+  const json result = json::parse(run_taut("solve - --robot disc:1.6 --json -", kTwoDoors).out);
+  EXPECT_EQ(result["status"], "none");
+  EXPECT_THAT(result["reason"].get<std::string>(), HasSubstr("these 2 gates"));
+  EXPECT_FALSE(result["separation"].empty());
+  EXPECT_THAT(run_taut("solve - --robot square:1.6", kTwoDoors).out, HasSubstr("walls separate start and goal"));
+}
+
 TEST_F(Passage, SaysHowLargeADiscMayBe) {
   const Outcome run = run_taut("passage -", kTwoDoors);
   EXPECT_EQ(run.code, 0);
