@@ -20,7 +20,6 @@ class MouseSheet {
   std::string head() const;  ///< up to and with the floor
   std::string foot() const { return frame_.foot(); }
 
-  double pitch() const { return pitch_; }
   /// The middle of a cell in pixels, or any point whose unit is a cell and whose origin is the lower left corner.
   Point pixel(Cell cell) const;
   Point pixel(Point p) const;

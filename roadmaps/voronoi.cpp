@@ -24,7 +24,6 @@ const std::vector<VoronoiEdge>& VoronoiRoadmap::edges() const { return impl_->ed
 Segment VoronoiRoadmap::segment(std::uint32_t site) const { return impl_->segment(site); }
 
 std::span<const std::uint32_t> VoronoiRoadmap::edges_at(std::uint32_t v) const { return impl_->at_vertex.row(v); }
-std::span<const std::uint32_t> VoronoiRoadmap::edges_beside(std::uint32_t s) const { return impl_->beside_site.row(s); }
 
 double VoronoiRoadmap::max_error() const {
   double result = 0;

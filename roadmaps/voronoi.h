@@ -99,8 +99,7 @@ class VoronoiRoadmap {
   const std::vector<VoronoiEdge>& edges() const;
   double max_error() const;
 
-  std::span<const std::uint32_t> edges_at(std::uint32_t vertex) const;    ///< ascending
-  std::span<const std::uint32_t> edges_beside(std::uint32_t site) const;  ///< ascending
+  std::span<const std::uint32_t> edges_at(std::uint32_t vertex) const;  ///< ascending
   /// The site as a segment; an end is a segment from itself to itself.
   Segment segment(std::uint32_t site) const;
 

@@ -19,7 +19,6 @@ class PrmParts {
   std::uint32_t part(std::uint32_t v);
   void join(std::uint32_t u, std::uint32_t v);
   std::size_t count() const { return count_; }
-  std::size_t size_of_part(std::uint32_t v) { return size_[part(v)]; }
 
  private:
   std::vector<std::uint32_t> parent_, size_;

@@ -1,7 +1,6 @@
 #include <taut/robots/micromouse/steps.h>
 
 #include <algorithm>
-#include <bit>
 #include <cstdlib>
 
 #include <taut/geometry/detail/expects.h>
@@ -76,15 +75,6 @@ Action action_towards(const Pose& pose, Cell to) {
   if (side == opposite(pose.heading)) return {0, -count};
   if (side == pose.heading) return {0, count};
   return {side == turned(pose.heading, 1) ? 90 : -90, count};
-}
-
-double wall_share(const Passages& passages) {
-  const auto w = static_cast<std::size_t>(passages.width), h = static_cast<std::size_t>(passages.height);
-  const std::size_t interior = (w - 1) * h + w * (h - 1);
-  std::size_t open = 0;
-  for (const std::uint64_t k : passages.north) open += static_cast<std::size_t>(std::popcount(k));
-  for (const std::uint64_t k : passages.east) open += static_cast<std::size_t>(std::popcount(k));
-  return interior == 0 ? 0 : static_cast<double>(interior - open) / static_cast<double>(interior);
 }
 
 }  // namespace taut::micromouse

@@ -41,7 +41,4 @@ Side side_towards(Cell from, Cell to);
 /// it lies behind. Precondition: it does.
 Action action_towards(const Pose& pose, Cell to);
 
-/// How many of the interior walls stand. 0 in a maze without any.
-double wall_share(const Passages& passages);
-
 }  // namespace taut::micromouse

@@ -78,7 +78,6 @@ bool WallMap::learn(Cell cell, Side side, bool closed) {
   else
     certain_.set(cell, side, true);
   --unknown_;
-  closed_ += closed;
   return true;
 }
 

@@ -50,7 +50,6 @@ class WallMap {
 
   WallState state(Cell cell, Side side) const;
   std::size_t unknown() const { return unknown_; }           ///< interior walls not yet seen
-  std::size_t seen_closed() const { return closed_; }        ///< interior ones
   std::size_t seen() const { return interior_ - unknown_; }  ///< interior ones
 
   /// Each returns whether, or which of it, was news.
@@ -69,7 +68,6 @@ class WallMap {
   Passages possible_;
   std::size_t interior_ = 0;
   std::size_t unknown_ = 0;
-  std::size_t closed_ = 0;
 };
 
 /// Where a robot is, by its own sights and actions alone.

@@ -92,8 +92,7 @@ class Follower {
   std::optional<CellIndex> next(CellIndex at, int now);
 
   const Plan& first_plan() const { return first_; }  ///< as the planner gave it
-  const Plan& last_plan() const { return plan_; }
-  int plans() const { return plans_; }  ///< calls of the planner
+  int plans() const { return plans_; }               ///< calls of the planner
   /// Of thinking ahead: it took place while the robot moved, so a clock for ChaseRules should leave it out.
   double seconds_ahead() const { return seconds_ahead_; }
 

@@ -281,12 +281,6 @@ class Reader {
 
 }  // namespace
 
-bool looks_like_chase_map(std::string_view bytes) {
-  bytes = without_marks(bytes);
-  while (!bytes.empty() && is_space(bytes.front())) bytes.remove_prefix(1);
-  return bytes.size() > 1 && upper(bytes[0]) == 'N' && is_space(bytes[1]);
-}
-
 ChaseMap read_chase_map(std::string_view bytes, const std::string& source) { return Reader(bytes, source).read(); }
 
 }  // namespace taut::pursuit

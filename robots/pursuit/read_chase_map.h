@@ -8,9 +8,6 @@
 
 namespace taut::pursuit {
 
-/// Can these bytes be a cost map? Looks at the first token alone: `N`.
-bool looks_like_chase_map(std::string_view bytes);
-
 /// Reads sections `N` (x_size, y_size), `C` (threshold), `R` (start), `T` (trajectory) and `M` (costs); see ChaseMap
 /// for their meaning.
 ///

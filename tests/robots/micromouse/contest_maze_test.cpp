@@ -2,10 +2,22 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+
 #include "robots/micromouse/support.h"
 
 namespace taut::micromouse {
 namespace {
+
+/// How many of the interior walls stand, as a share.
+double wall_share(const Passages& passages) {
+  const auto w = static_cast<std::size_t>(passages.width), h = static_cast<std::size_t>(passages.height);
+  const std::size_t interior = (w - 1) * h + w * (h - 1);
+  std::size_t open = 0;
+  for (const std::uint64_t k : passages.north) open += static_cast<std::size_t>(std::popcount(k));
+  for (const std::uint64_t k : passages.east) open += static_cast<std::size_t>(std::popcount(k));
+  return interior == 0 ? 0 : static_cast<double>(interior - open) / static_cast<double>(interior);
+}
 
 TEST(ContestMaze, HasTheWallsTheRouteAndTheSingleEntranceAskedFor) {
   int made = 0;
