@@ -39,11 +39,11 @@ class GridPage {
 
   std::string text() {
     out_ = fmt::format(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"taut\" role=\"img\" viewBox=\"0 0 {0:.2f} {1:.2f}\" "
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"grid\" role=\"img\" viewBox=\"0 0 {0:.2f} {1:.2f}\" "
         "width=\"{0:.2f}\" "
         "height=\"{1:.2f}\">\n<title>{2}</title>\n",
         width_, height_, detail::xml_text(what_.title));
-    out_ += "<style>text{font-family:system-ui,sans-serif;fill:#2b3240}.fact{fill:#6b7280}</style>\n";
+    out_ += "<style>.grid text{font-family:system-ui,sans-serif;fill:#2b3240}.grid .fact{fill:#6b7280}</style>\n";
     out_ += fmt::format("<rect width=\"{:.2f}\" height=\"{:.2f}\" fill=\"#f7f6f2\"/>\n", width_, height_);
     out_ += fmt::format("<g transform=\"translate({0} {0}) scale({1:.6f})\">\n", kMargin, cell_);
     cells();

@@ -63,6 +63,7 @@ TEST_F(ChaseProgram, WritesJsonPathAndPictures) {
   EXPECT_THAT(still, StartsWith("<svg xmlns="));
   EXPECT_THAT(still, HasSubstr("data:image/png;base64,iVBORw0KGgo"));
   EXPECT_THAT(still, HasSubstr("caught at 40"));
+  EXPECT_THAT(still, HasSubstr("<style>.chase text{"));  // in a page with others it changes only itself
   EXPECT_THAT(still, HasSubstr("<title>town_60x40.chase</title>"));
   for (const char* key : {">robot<", ">target<", ">target later<", ">obstacle<", ">cost, rising<"})
     EXPECT_THAT(still, HasSubstr(key));

@@ -161,6 +161,7 @@ TEST_F(GridSolve, DrawsStillAndPlaying) {
   const std::string still = (folder / "a.svg").string(), playing = (folder / "b.svg").string();
   EXPECT_EQ(run_taut("grid solve - --svg " + still + " --animate " + playing, kBend).code, 0);
   EXPECT_THAT(contents(still), StartsWith("<svg "));
+  EXPECT_THAT(contents(still), HasSubstr("<style>.grid text{"));  // in a page with others it changes only itself
   EXPECT_THAT(contents(still), testing::Not(HasSubstr("<animate")));
   EXPECT_THAT(contents(playing), HasSubstr("<animate"));
 }
