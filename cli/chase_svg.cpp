@@ -19,18 +19,18 @@ namespace {
 constexpr int kMostPixels = 1000;
 constexpr Pixel kWall{52, 60, 82};
 
-constexpr const char* kStyle = R"(.taut .robot{stroke:#0b62d6}
-.taut .target{stroke:#d3221f}
-.taut .way{fill:none;stroke-width:3;stroke-linejoin:round;stroke-linecap:round}
-.taut .casing{stroke:#fff;stroke-width:5.5;stroke-opacity:.8}
-.taut .rest{stroke-width:1.5;stroke-dasharray:3 5}
-.taut circle{fill:#fff;stroke-width:2.5}
-.taut .mark text{font-size:12px;paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}
-.taut .robot text{fill:#0b62d6}
-.taut .target text{fill:#d3221f}
-.taut circle.robot{fill:#0b62d6;stroke:#fff}
-.taut circle.target{fill:#d3221f;stroke:#fff}
-.taut image{image-rendering:pixelated}
+constexpr const char* kStyle = R"(.taut.chase .robot{stroke:#0b62d6}
+.taut.chase .target{stroke:#d3221f}
+.taut.chase .way{fill:none;stroke-width:3;stroke-linejoin:round;stroke-linecap:round}
+.taut.chase .casing{stroke:#fff;stroke-width:5.5;stroke-opacity:.8}
+.taut.chase .rest{stroke-width:1.5;stroke-dasharray:3 5}
+.taut.chase circle{fill:#fff;stroke-width:2.5}
+.taut.chase .mark text{font-size:12px;paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}
+.taut.chase .robot text{fill:#0b62d6}
+.taut.chase .target text{fill:#d3221f}
+.taut.chase circle.robot{fill:#0b62d6;stroke:#fff}
+.taut.chase circle.target{fill:#d3221f;stroke:#fff}
+.taut.chase image{image-rendering:pixelated}
 )";
 
 std::string colour_of(const Pixel& p) { return fmt::format("#{:02x}{:02x}{:02x}", p[0], p[1], p[2]); }
@@ -135,7 +135,7 @@ class Picture {
   }
 
   std::string drawn(bool moves) {
-    out_ = frame_.head(kStyle + fmt::format(".taut .obstacle{{fill:{}}}\n", colour_of(kWall)));
+    out_ = frame_.head("chase", kStyle + fmt::format(".taut.chase .obstacle{{fill:{}}}\n", colour_of(kWall)));
     out_ += fmt::format("<g transform=\"translate({:.2f} {:.2f})\">\n", frame_.map().min.x, frame_.map().min.y);
     draw_map();
     draw_ways();

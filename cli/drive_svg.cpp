@@ -17,37 +17,37 @@ constexpr std::size_t kFrames = 1500;  // of an animation, at most
 constexpr double kStepsPerSecond = 60;
 
 // In cells.
-constexpr const char* kStyle = R"(.taut .ground{fill:#fff}
-.taut .seen{fill:#e8a713;fill-opacity:.16}
-.taut .wall{fill:#ccd2dc}
-.taut .dot{fill:#2c3440}
-.taut .block{fill-opacity:.85}
-.taut .open{fill:#4aa96c}
-.taut .closed{fill:#d3245e}
-.taut .unknown{fill:#8b80c9}
-.taut .letter{font-size:.8px;fill:#fff;text-anchor:middle}
-.taut .outlines{fill:none;stroke:#0b7fc1;stroke-opacity:.4;stroke-width:.04}
-.taut .ahead{fill:none;stroke:#0b62a8;stroke-width:.18;stroke-linecap:round}
-.taut .back{fill:none;stroke:#ee8a10;stroke-width:.24;stroke-linecap:round}
-.taut .car{fill:#0b7fc1;fill-opacity:.55;stroke:#0a4a75;stroke-width:.08}
+constexpr const char* kStyle = R"(.taut.drive .ground{fill:#fff}
+.taut.drive .seen{fill:#e8a713;fill-opacity:.16}
+.taut.drive .wall{fill:#ccd2dc}
+.taut.drive .dot{fill:#2c3440}
+.taut.drive .block{fill-opacity:.85}
+.taut.drive .open{fill:#4aa96c}
+.taut.drive .closed{fill:#d3245e}
+.taut.drive .unknown{fill:#8b80c9}
+.taut.drive .letter{font-size:.8px;fill:#fff;text-anchor:middle}
+.taut.drive .outlines{fill:none;stroke:#0b7fc1;stroke-opacity:.4;stroke-width:.04}
+.taut.drive .ahead{fill:none;stroke:#0b62a8;stroke-width:.18;stroke-linecap:round}
+.taut.drive .back{fill:none;stroke:#ee8a10;stroke-width:.24;stroke-linecap:round}
+.taut.drive .car{fill:#0b7fc1;fill-opacity:.55;stroke:#0a4a75;stroke-width:.08}
 @media (prefers-color-scheme:dark){
-.taut .ground{fill:#1d2430}
-.taut .seen{fill:#ffd166;fill-opacity:.14}
-.taut .wall{fill:#3c4656}
-.taut .dot{fill:#d4dbe6}
-.taut .outlines{stroke:#4cc2ff}
-.taut .ahead{stroke:#4cc2ff}
-.taut .car{fill:#4cc2ff;stroke:#bfe8ff}
+.taut.drive .ground{fill:#1d2430}
+.taut.drive .seen{fill:#ffd166;fill-opacity:.14}
+.taut.drive .wall{fill:#3c4656}
+.taut.drive .dot{fill:#d4dbe6}
+.taut.drive .outlines{stroke:#4cc2ff}
+.taut.drive .ahead{stroke:#4cc2ff}
+.taut.drive .car{fill:#4cc2ff;stroke:#bfe8ff}
 }
-.taut .sample.ahead,.taut .sample.back{stroke-width:4}
+.taut.drive .sample.ahead,.taut.drive .sample.back{stroke-width:4}
 )";
 
 /// On the surface's blue the way is warm.
-constexpr const char* kValueStyle = R"(.taut .wall{fill:#868e96}
-.taut .outlines{stroke:#ee5a10;stroke-width:.05}
-.taut .ahead{stroke:#ee5a10}
-.taut .back{stroke:#f8b500}
-.taut .car{fill:#ee5a10;fill-opacity:.8;stroke:#fff}
+constexpr const char* kValueStyle = R"(.taut.drive .wall{fill:#868e96}
+.taut.drive .outlines{stroke:#ee5a10;stroke-width:.05}
+.taut.drive .ahead{stroke:#ee5a10}
+.taut.drive .back{stroke:#f8b500}
+.taut.drive .car{fill:#ee5a10;fill-opacity:.8;stroke:#fff}
 )";
 
 std::string square_path(int x, int y) { return fmt::format("M{} {}h1v1h-1z", x - 0.5, y - 0.5); }
@@ -68,7 +68,7 @@ class Picture {
         frame_({cell_ * course.width, cell_ * course.height}, what.title, what.facts, keys()) {}
 
   std::string draw() {
-    out_ = frame_.head(std::string(kStyle) + (what_.values ? kValueStyle : ""));
+    out_ = frame_.head("drive", std::string(kStyle) + (what_.values ? kValueStyle : ""));
     const Box map = frame_.map();  // an inner <svg> cuts off what reaches beyond the map
     out_ +=
         fmt::format("<svg x=\"{:.3f}\" y=\"{:.3f}\" width=\"{:.3f}\" height=\"{:.3f}\" viewBox=\".5 .5 {} {}\">\n",

@@ -18,29 +18,29 @@ constexpr std::size_t kFrames = 1200;   // of an animation, at most
 constexpr double kCarsASecond = 6;      // car lengths
 constexpr double kOutlinesEvery = 1.5;  // car lengths
 
-constexpr const char* kStyle = R"(.taut .beyond{fill:#ccd2dc}
-.taut .free{fill:#fff}
-.taut .solid{fill:#ccd2dc;stroke:#2c3440}
-.taut .wall{fill:none;stroke:#2c3440;stroke-width:2;stroke-linecap:round}
-.taut .thick{stroke:#4b5668;stroke-linecap:square}
-.taut .swept{fill:#0b7fc1;fill-opacity:.16}
-.taut .outlines{fill:none;stroke:#0b7fc1;stroke-width:.7;stroke-opacity:.6}
-.taut .ahead{fill:none;stroke:#0b62a8;stroke-width:1.6}
-.taut .back{fill:none;stroke:#ee8a10;stroke-width:2}
-.taut .car{fill:#0b7fc1;fill-opacity:.55;stroke:#0a4a75}
-.taut .barrier{fill:none;stroke:#d3245e;stroke-width:3}
+constexpr const char* kStyle = R"(.taut.car-in-world .beyond{fill:#ccd2dc}
+.taut.car-in-world .free{fill:#fff}
+.taut.car-in-world .solid{fill:#ccd2dc;stroke:#2c3440}
+.taut.car-in-world .wall{fill:none;stroke:#2c3440;stroke-width:2;stroke-linecap:round}
+.taut.car-in-world .thick{stroke:#4b5668;stroke-linecap:square}
+.taut.car-in-world .swept{fill:#0b7fc1;fill-opacity:.16}
+.taut.car-in-world .outlines{fill:none;stroke:#0b7fc1;stroke-width:.7;stroke-opacity:.6}
+.taut.car-in-world .ahead{fill:none;stroke:#0b62a8;stroke-width:1.6}
+.taut.car-in-world .back{fill:none;stroke:#ee8a10;stroke-width:2}
+.taut.car-in-world .car{fill:#0b7fc1;fill-opacity:.55;stroke:#0a4a75}
+.taut.car-in-world .barrier{fill:none;stroke:#d3245e;stroke-width:3}
 @media (prefers-color-scheme:dark){
-.taut .beyond{fill:#3c4656}
-.taut .free{fill:#1d2430}
-.taut .solid{fill:#3c4656;stroke:#d4dbe6}
-.taut .wall{stroke:#d4dbe6}
-.taut .thick{stroke:#8e9aad}
-.taut .swept{fill:#4cc2ff}
-.taut .outlines,.taut .ahead{stroke:#4cc2ff}
-.taut .car{fill:#4cc2ff;stroke:#bfe8ff}
-.taut .barrier{stroke:#ff5c8d}
+.taut.car-in-world .beyond{fill:#3c4656}
+.taut.car-in-world .free{fill:#1d2430}
+.taut.car-in-world .solid{fill:#3c4656;stroke:#d4dbe6}
+.taut.car-in-world .wall{stroke:#d4dbe6}
+.taut.car-in-world .thick{stroke:#8e9aad}
+.taut.car-in-world .swept{fill:#4cc2ff}
+.taut.car-in-world .outlines,.taut.car-in-world .ahead{stroke:#4cc2ff}
+.taut.car-in-world .car{fill:#4cc2ff;stroke:#bfe8ff}
+.taut.car-in-world .barrier{stroke:#ff5c8d}
 }
-.taut .sample.ahead,.taut .sample.back{stroke-width:4}
+.taut.car-in-world .sample.ahead,.taut.car-in-world .sample.back{stroke-width:4}
 )";
 
 class Picture {
@@ -57,7 +57,7 @@ class Picture {
   }
 
   std::string draw() {
-    out_ = frame_.head(kStyle);
+    out_ = frame_.head("car-in-world", kStyle);
     world();
     sweep();
     way();

@@ -17,9 +17,13 @@ struct MouseYardsticks {
   std::optional<micromouse::ProofBound> with_proof;  ///< knows it, but has to see a proof
   double every_cell = 0;                             ///< benchmark 1
   std::optional<double> random_walkers;              ///< benchmark 2
+  bool walked = false;                               ///< random walkers were sent, even if too few of them finished
 };
 
-/// Nothing when the maze has no route. `all`: also those that take a search or many trials.
+/// Is the maze small enough, 64 x 64 cells, for the floor with proof to be found in seconds?
+bool fit_for_proof_bound(const GridMaze& maze);
+
+/// Nothing when the maze has no route. `all`: also those that take many trials or, where the maze is fit for it, a search.
 std::optional<MouseYardsticks> yardsticks(const GridMaze& maze, bool all);
 
 /// A trial and all that is told about it.

@@ -25,8 +25,6 @@ using micromouse::Finding;
 using micromouse::Record;
 using micromouse::TrialStatus;
 
-constexpr int kLargestMeasured = 64;  // cells a side; beyond it the search for a proof takes minutes
-
 struct RunOptions {
   MazeOptions maze;
   CommonOptions common;
@@ -115,10 +113,9 @@ int run(const RunOptions& options) {
   begin_stage("read");
   const MouseMaze read = read_mouse_maze(options.maze.file, options.maze.format);
   begin_stage("yardsticks");
-  const bool large = std::max(read.maze.width(), read.maze.height()) > kLargestMeasured;
-  if (large && !options.quick)
-    note(fmt::format("taut: {}: too large for the floor with proof and benchmark 2", read.name));
-  const auto measures = yardsticks(read.maze, !options.quick && !large);
+  if (!options.quick && !fit_for_proof_bound(read.maze))
+    note(fmt::format("taut: {}: too large for the floor with proof", read.name));
+  const auto measures = yardsticks(read.maze, !options.quick);
   if (!measures) return no_route(read.name);
   MouseReport report = report_of(options, read);
   report.yardsticks = *measures;

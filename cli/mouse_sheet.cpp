@@ -18,25 +18,25 @@ using micromouse::CellSide;
 constexpr double kWidestCell = 48;
 
 constexpr std::string_view kColours = R"(
-.taut .floor{fill:#fff}
-.taut .sight{fill-opacity:.3}
-.taut .goal{fill:#7a3fd4;fill-opacity:.22;stroke:none}
-.taut .start{fill:#1d8f5a;fill-opacity:.25;stroke:none}
-.taut .posts{fill:#c03a2b}
-.taut .seen{stroke:#2c3440;fill:none}
-.taut .unseen{stroke:#9aa3b2;fill:none}
-.taut .run1{stroke:#2f6fb5;fill:none;stroke-opacity:.75}
-.taut .run2{stroke:#e0651c;fill:none}
-.taut .fastest{stroke:#1d8f5a;fill:none}
-.taut .wedge{fill:#c2185b;stroke:#fff}
-.taut .flood,.taut .flood text{fill:#5a6474}
+.taut.mouse .floor{fill:#fff}
+.taut.mouse .sight{fill-opacity:.3}
+.taut.mouse .goal{fill:#7a3fd4;fill-opacity:.22;stroke:none}
+.taut.mouse .start{fill:#1d8f5a;fill-opacity:.25;stroke:none}
+.taut.mouse .posts{fill:#c03a2b}
+.taut.mouse .seen{stroke:#2c3440;fill:none}
+.taut.mouse .unseen{stroke:#9aa3b2;fill:none}
+.taut.mouse .run1{stroke:#2f6fb5;fill:none;stroke-opacity:.75}
+.taut.mouse .run2{stroke:#e0651c;fill:none}
+.taut.mouse .fastest{stroke:#1d8f5a;fill:none}
+.taut.mouse .wedge{fill:#c2185b;stroke:#fff}
+.taut.mouse .flood,.taut.mouse .flood text{fill:#5a6474}
 @media(prefers-color-scheme:dark){
-.taut .floor{fill:#1f242c}
-.taut .seen{stroke:#e8ebf0}
-.taut .unseen{stroke:#5a6474}
-.taut .run1{stroke:#76b1ef}
-.taut .fastest{stroke:#4fd093}
-.taut .flood,.taut .flood text{fill:#a3adbc}
+.taut.mouse .floor{fill:#1f242c}
+.taut.mouse .seen{stroke:#e8ebf0}
+.taut.mouse .unseen{stroke:#5a6474}
+.taut.mouse .run1{stroke:#76b1ef}
+.taut.mouse .fastest{stroke:#4fd093}
+.taut.mouse .flood,.taut.mouse .flood text{fill:#a3adbc}
 }
 )";
 
@@ -67,7 +67,7 @@ Point MouseSheet::pixel(Point p) const {
 Point MouseSheet::pixel(Cell cell) const { return pixel(middle(cell)); }
 
 std::string MouseSheet::head() const {
-  return frame_.head(style()) +
+  return frame_.head("mouse", style()) +
          fmt::format(R"(<rect class="floor" x="{}" y="{}" width="{}" height="{}"/>)", svg_number(frame_.map().min.x),
                      svg_number(frame_.map().min.y), svg_number(pitch_ * maze_.width()),
                      svg_number(pitch_ * maze_.height())) +
@@ -76,14 +76,14 @@ std::string MouseSheet::head() const {
 
 std::string MouseSheet::style() const {
   const auto css = [&](const char* name, double part, const char* more) {
-    return fmt::format(".taut .{}{{stroke-width:{}{}}}\n", name, svg_number(pitch_ * part), more);
+    return fmt::format(".taut.mouse .{}{{stroke-width:{}{}}}\n", name, svg_number(pitch_ * part), more);
   };
   return std::string(kColours) + css("seen", 0.13, "") +
          css("unseen", 0.05, fmt::format(";stroke-dasharray:{0} {0}", svg_number(pitch_ / 9)).c_str()) +
          css("run1", 0.07, ";stroke-linejoin:round;stroke-linecap:round") +
          css("run2", 0.16, ";stroke-linejoin:round;stroke-linecap:round") +
          css("fastest", 0.08, ";stroke-linejoin:round;stroke-linecap:round") + css("wedge", 0.04, "") +
-         fmt::format(".taut .flood text{{font-size:{}px}}\n", svg_number(pitch_ * 0.27));
+         fmt::format(".taut.mouse .flood text{{font-size:{}px}}\n", svg_number(pitch_ * 0.27));
 }
 
 std::string MouseSheet::posts() const {

@@ -18,14 +18,14 @@ constexpr double kPathSeconds = 2;
 
 std::string colour_of(std::size_t shade) { return flood_colour(static_cast<double>(shade) / (kShades - 1)); }
 
-constexpr const char* kStyle = R"(.taut .open{fill:#fff}
-.taut .blocked{fill:#2c3440}
-.taut .grid{stroke:#d5d8de;fill:none}
-.taut .frontier{stroke:#b4532a;fill:none}
-.taut .path .line{stroke:#ee5a10;fill:none;stroke-linejoin:round;stroke-linecap:round}
+constexpr const char* kStyle = R"(.taut.grid .open{fill:#fff}
+.taut.grid .blocked{fill:#2c3440}
+.taut.grid .grid{stroke:#d5d8de;fill:none}
+.taut.grid .frontier{stroke:#b4532a;fill:none}
+.taut.grid .path .line{stroke:#ee5a10;fill:none;stroke-linejoin:round;stroke-linecap:round}
 @media (prefers-color-scheme:dark){
-.taut .open{fill:#e5e9f0}
-.taut .grid{stroke:#b9c0cc}
+.taut.grid .open{fill:#e5e9f0}
+.taut.grid .grid{stroke:#b9c0cc}
 }
 )";
 
@@ -38,7 +38,7 @@ class GridPage {
         frame_({cell_ * grid.width, cell_ * grid.height}, what.title, what.facts, keys()) {}
 
   std::string text() {
-    out_ = frame_.head(kStyle);
+    out_ = frame_.head("grid", kStyle);
     out_ += fmt::format("<g transform=\"translate({:.3f} {:.3f}) scale({:.6f})\">\n", frame_.map().min.x,
                         frame_.map().min.y, cell_);
     cells();

@@ -78,7 +78,7 @@ class Picture {
 
   void begin() {
     const auto px = [](double v) { return detail::svg_number(v); };
-    out_ = frame_.head(detail::style(strokes_));
+    out_ = frame_.head("", detail::style(strokes_));
     // An inner <svg> cuts off what reaches beyond the world.
     constexpr double kRim = 16;
     const Box map = frame_.map();

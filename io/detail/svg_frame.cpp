@@ -124,13 +124,13 @@ std::vector<SvgFrame::Place> SvgFrame::key_places() const {
   return places;
 }
 
-std::string SvgFrame::head(const std::string& css) const {
+std::string SvgFrame::head(const std::string& kind, const std::string& css) const {
   return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"taut\" role=\"img\" width=\"{0}\" height=\"{1}\" "
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"taut{6}\" role=\"img\" width=\"{0}\" height=\"{1}\" "
       "viewBox=\"0 0 {0} {1}\">\n<title>{2}</title>\n<desc>{3}</desc>\n<style>{4}{5}</style>\n"
       "<rect class=\"page\" width=\"{0}\" height=\"{1}\"/>\n",
       svg_number(width_), svg_number(height_), xml_text(title_), xml_text(fmt::format("{}", fmt::join(facts_, ", "))),
-      kShared, css);
+      kShared, css, kind.empty() ? "" : " " + kind);
 }
 
 std::string SvgFrame::foot() const {

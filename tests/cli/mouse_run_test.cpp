@@ -104,6 +104,15 @@ TEST_F(MouseRun, RefusesWhatIsNoGridMaze) {
   EXPECT_EQ(run_taut("mouse run --json " + in_folder("no/such/x") + " " + data_file("mouse_12.cells")).code, 3);
 }
 
+TEST_F(MouseRun, MeasuresLongMazesAndSaysWhenNoRandomWalkerFinishes) {
+  const std::string slim = in_folder("slim");
+  ASSERT_EQ(run_taut("generate --kind backtracker --size 250x2 --format num -o " + slim).code, 0);
+  const Outcome run = run_taut("mouse run --explorer flood " + slim);
+  EXPECT_EQ(run.err, "");
+  EXPECT_THAT(run.out, HasSubstr("\n  floor with proof "));
+  EXPECT_THAT(run.out, HasSubstr("\n  benchmark 2               -  not ten of 1000 random walkers finish\n"));
+}
+
 TEST_F(MouseRun, FailsWithItsReasonWhenTheStepsRunOut) {
   const Outcome run = run_taut("mouse run --quick --max-steps 5 --json - " + data_file("mouse_16.maz"));
   EXPECT_EQ(run.code, 4);
