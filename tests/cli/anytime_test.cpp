@@ -54,7 +54,6 @@ TEST_F(AnytimeProgram, KeepsToTheRoadmapAskedFor) {
 }
 
 TEST_F(AnytimeProgram, EndsWithTheBestSoFarWhenTheSecondsAreOver) {
-  const Folder folder;
   run_taut("generate --size 120x120 --loops 0.6 -o " + (folder / "maze.txt").string());
   bool early = false;
   for (const char* seconds : {"0.1", "0.2", "0.4", "0.8", "1.6", "30"}) {

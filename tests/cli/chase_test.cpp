@@ -31,9 +31,9 @@ TEST_F(ChaseProgram, PrintsTheFourColumnsOfTheReport) {
 }
 
 TEST_F(ChaseProgram, ReproducesTheOptimumOfTheCoursesThirdMap) {
-  const auto folder = shared_data_dir();
-  if (!folder) GTEST_SKIP() << "no shared data";
-  const std::string map = (*folder / "pursuit" / "map3.txt.gz").string();
+  const auto shared = shared_data_dir();
+  if (!shared) GTEST_SKIP() << "no shared data";
+  const std::string map = (*shared / "pursuit" / "map3.txt.gz").string();
   EXPECT_EQ(json::parse(run_taut("chase --json - --clock zero " + map).out)["cost"], 241);
   EXPECT_EQ(json::parse(run_taut("chase --json - --clock one " + map).out)["cost"], 240);
 }

@@ -4,15 +4,11 @@
 #include <cstdlib>
 #include <filesystem>
 #include <optional>
-#include <string>
 
 namespace taut::test {
 
 /// data/ of this project.
 inline std::filesystem::path data_dir() { return TAUT_DATA_DIR; }
-
-/// A file in it, as an argument for the program.
-inline std::string data_file(const std::string& name) { return (data_dir() / name).string(); }
 
 /// tests/corpus: every input that ever gave a wrong answer.
 inline std::filesystem::path corpus_dir() { return TAUT_CORPUS_DIR; }

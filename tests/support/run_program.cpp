@@ -46,6 +46,8 @@ std::string Folder::file(std::string_view name, std::string_view bytes) const {
   return path.string();
 }
 
+std::string data_file(std::string_view name) { return (data_dir() / name).string(); }
+
 std::string contents(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};

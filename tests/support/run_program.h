@@ -38,6 +38,9 @@ Outcome run_taut(const std::string& arguments, std::string_view input = {}, doub
 /// A script for /bin/sh, in which "$taut" is the program.
 Outcome run_script(const std::string& script, std::string_view input = {}, double interrupt_after = 0);
 
+/// A file of data/, as an argument.
+std::string data_file(std::string_view name);
+
 std::string contents(const std::filesystem::path& file);
 
 }  // namespace taut::test
