@@ -3,6 +3,7 @@
 #include <CLI/Error.hpp>
 
 #include <algorithm>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -70,15 +71,36 @@ car::WallReading walls_of(const std::string& word) {
   throw CLI::ValidationError("--walls: '" + word + "' is not points or squares");
 }
 
-void require_consistent(const DriveOptions& options) {
+/// The first of these options that is given; empty when none is.
+std::string first_given(const CLI::App& app, std::initializer_list<const char*> names) {
+  for (const char* name : names)
+    if (app.count(name) > 0) return name;
+  return "";
+}
+
+/// Each option is for roadblock maps, for general cars or for both: none is ignored.
+void require_one_kind(const CLI::App& app, const DriveOptions& options) {
+  const std::string for_maps = first_given(
+      app, {"--sample", "--all", "--open", "--planner", "--policy", "--walls", "--show-values", "--controls"});
+  const std::string for_cars =
+      first_given(app, {"--from", "--to", "--weight", "--wall-thickness", "--polygons", "--format"});
+  if (options.world.car && !for_maps.empty())
+    throw CLI::ValidationError("--car drives in a world of walls: not with " + for_maps);
+  if (!options.world.car && !for_cars.empty())
+    throw CLI::ValidationError(for_cars + " needs --car: a roadblock map says where its own car starts");
+}
+
+void require_consistent(const CLI::App& app, const DriveOptions& options) {
+  require_one_kind(app, options);
   if (options.sample.has_value() + options.all + !options.bits.empty() > 1)
     throw CLI::ValidationError("only one of --sample, --all and --open");
+  if (options.bits.find_first_not_of("01") != std::string::npos)
+    throw CLI::ValidationError("--open: '" + options.bits + "' is not of 0 and 1, one a roadblock");
   if (options.output.on_stdout() > 1)
     throw CLI::ValidationError("only one of --svg, --animate and --json can have standard output");
-  if (options.world.car && (options.sample || options.all || !options.bits.empty() || options.controls))
-    throw CLI::ValidationError("--car drives in a world of walls: not with --sample, --all, --open or --controls");
-  if (!options.world.car && !options.world.first().empty())
-    throw CLI::ValidationError(options.world.first() + " needs --car: a roadblock map says where its own car starts");
+  if (app.count("--policy") > 0 && planner_name(options) != "ours")
+    throw CLI::ValidationError("--policy is for --planner ours");
+  if (options.controls && options.output.json.empty()) throw CLI::ValidationError("--controls needs --json");
   if (options.output.draws() && options.all) throw CLI::ValidationError("--svg draws one drive: give --sample I");
   if (options.show_values && !options.output.draws()) throw CLI::ValidationError("--show-values needs --svg");
 }
@@ -117,7 +139,7 @@ void add_options(CLI::App& app, DriveOptions& options) {
   app.callback([&app, &options] {
     options.file = options.world.world.file;
     settle_animation(app, options.output.animation, options.output.svg);
-    require_consistent(options);
+    require_consistent(app, options);
   });
 }
 

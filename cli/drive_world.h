@@ -24,9 +24,6 @@ struct WorldDriveOptions {
   std::optional<DriveEnd> from;
   std::optional<DriveEnd> to;
   double weight = 1.05;
-
-  /// The first option that makes no sense for a roadblock map; empty when none is given.
-  std::string first() const;
 };
 
 /// FILE, --car, --from, --to, --weight and those of a world.

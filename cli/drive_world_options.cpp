@@ -75,13 +75,6 @@ DriveEnd end_of(const std::string& option, const std::string& text) {
 
 }  // namespace
 
-std::string WorldDriveOptions::first() const {
-  if (from) return "--from";
-  if (to) return "--to";
-  if (world.wall_thickness) return "--wall-thickness";
-  return world.read.format ? "--format" : "";
-}
-
 void add_world_drive_options(CLI::App& app, WorldDriveOptions& options) {
   add_world_options(app, options.world);
   app.add_option_function<std::string>(

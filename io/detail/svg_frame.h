@@ -37,8 +37,8 @@ class SvgFrame {
   Box map() const { return map_; }  ///< where the picture belongs, y down
 
   /// From the <svg> tag to the page's ground. `css` adds to the colours all pictures share: ground, text, start and
-  /// goal.
-  std::string head(const std::string& css) const;
+  /// goal. Its rules begin with `.taut.KIND`, so that pictures of several kinds leave each other alone on one page.
+  std::string head(const std::string& kind, const std::string& css) const;
   /// The <g class="legend"> and the end of the document.
   std::string foot() const;
 

@@ -55,6 +55,19 @@ TEST_F(DriveProgram, SumsUpAllSamplesAndTakesTimes) {
   EXPECT_EQ(run_taut("drive " + map + " --policy lucky").code, 2);
 }
 
+TEST_F(DriveProgram, RefusesOptionsThatWouldBeIgnored) {
+  const std::string car = "drive " + data_file("islands.wkt") + " --car length=0.4,width=0.2,radius=0.3 ";
+  for (const char* option : {"--planner rrt", "--policy worst", "--walls squares", "--show-values", "--all"}) {
+    const Outcome outcome = run_taut(car + option);
+    EXPECT_EQ(outcome.code, 2) << option;
+    EXPECT_THAT(outcome.err, HasSubstr("--car drives in a world of walls: not with --")) << option;
+  }
+  for (const char* option : {"--weight 2", "--polygons obstacles", "--from 1,1"})
+    EXPECT_THAT(run_taut("drive " + map + " " + option).err, HasSubstr(" needs --car")) << option;
+  for (const char* options : {"--planner rrt --policy worst", "--controls", "--open 2"})
+    EXPECT_EQ(run_taut("drive " + map + " " + options).code, 2) << options;
+}
+
 TEST_F(DriveProgram, DrivesWhatGenerateMakes) {
   std::stringstream kept;
   kept << std::ifstream(data_dir() / "car" / "rooms_31x31.txt").rdbuf();
