@@ -16,7 +16,8 @@ namespace taut::car {
 
 namespace {
 
-constexpr std::size_t kMemory = 300'000'000;  // bytes for estimates that are kept: some 4 MB for a set of closed roadblocks on a map of 50 x 50
+constexpr std::size_t kMemory =
+    300'000'000;  // bytes for estimates that are kept: some 4 MB for a set of closed roadblocks on a map of 50 x 50
 constexpr std::size_t kLeastKnown = 8;
 constexpr std::size_t kMostCells = 4;  // likewise, 30 MB each
 constexpr double kNear = 3;            // more than half the car's diagonal, half a square's and a step

@@ -13,9 +13,9 @@ namespace taut::car {
 
 namespace {
 
-constexpr std::size_t kManyPlans = 400;  // of the planner, after which a choice gets a fifth of its searches
+constexpr std::size_t kManyPlans = 400;       // of the planner, after which a choice gets a fifth of its searches
 constexpr std::size_t kStatesASearch = 1000;  // on the average, and more than most need
-constexpr std::size_t kMostWays = 64;    // to choose from in one place
+constexpr std::size_t kMostWays = 64;         // to choose from in one place
 
 constexpr double kTrust = 0.98;  // in estimates, as bounds
 

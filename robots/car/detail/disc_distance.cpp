@@ -13,10 +13,10 @@ namespace taut::car::detail {
 namespace {
 
 constexpr double kHalfDiagonal = 0.5 * std::numbers::sqrt2 / kRaster;
-constexpr double kCircumscribed = 1.803;              // more than half the car's diagonal
-constexpr double kReach = 1.5 * std::numbers::sqrt2;  // more than half the car's diagonal, and a step
+constexpr double kCircumscribed = 1.803;                              // more than half the car's diagonal
+constexpr double kReach = 1.5 * std::numbers::sqrt2;                  // more than half the car's diagonal, and a step
 constexpr double kInscribed = kHalfWidth - 2 * kHalfDiagonal - 1e-3;  // room below it: a disc in the car collides
-constexpr float kRoomSeen = 2.8F;                     // more room is not measured
+constexpr float kRoomSeen = 2.8F;                                     // more room is not measured
 
 double distance_to(Cell c, Point p, WallReading reading) {
   const double half = reading == WallReading::squares ? 0.5 : 0;

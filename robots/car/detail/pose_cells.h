@@ -46,9 +46,7 @@ class PoseCells {
     Bits up() const {
       return {{(word[0] << 1) | (word[1] >> (kUpper - 1)), ((word[1] << 1) | (word[0] >> 63)) & kAllUpper}};
     }
-    Bits down() const {
-      return {{(word[0] >> 1) | (word[1] << 63), (word[1] >> 1) | ((word[0] & 1) << (kUpper - 1))}};
-    }
+    Bits down() const { return {{(word[0] >> 1) | (word[1] << 63), (word[1] >> 1) | ((word[0] & 1) << (kUpper - 1))}}; }
   };
 
  private:
@@ -65,7 +63,8 @@ class PoseCells {
   int columns_, rows_;
   std::vector<Bits> open_;     ///< not closed, and not reached so far
   std::vector<Bits> reached_;  ///< the goal, from there
-  std::vector<std::uint8_t> quarters_;  ///< bit 0: heading 0 or a half turn can be passed within a step from there, bit 1: a quarter turn
+  std::vector<std::uint8_t>
+      quarters_;  ///< bit 0: heading 0 or a half turn can be passed within a step from there, bit 1: a quarter turn
 };
 
 }  // namespace taut::car::detail

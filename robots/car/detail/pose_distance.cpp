@@ -226,7 +226,8 @@ std::vector<PoseDistance::State> PoseDistance::unsettle(CostQueue& queue, const 
 }
 
 /// Takes the new closed cells' poses from what is free, and the moves that are lost; seeds the states that leant on one.
-void PoseDistance::shut(const Obstacles& before, const Obstacles& obstacles, const DiscDistance& disc, CostQueue& queue) {
+void PoseDistance::shut(const Obstacles& before, const Obstacles& obstacles, const DiscDistance& disc,
+                        CostQueue& queue) {
   const std::vector<std::uint32_t> were = free_;
   const Course& course = obstacles.course();
   for (int y = 1; y <= course.height; ++y)

@@ -35,8 +35,8 @@ class PoseDistance {
   using State = std::uint32_t;
   struct Move {
     int dx, dy, turn, cost;
-    std::int32_t by = 0;    ///< from a state's number to that of the state it leads to
-    std::size_t entry = 0;  ///< its place among the moves into the heading that it leads to
+    std::int32_t by = 0;                      ///< from a state's number to that of the state it leads to
+    std::size_t entry = 0;                    ///< its place among the moves into the heading that it leads to
     std::vector<std::array<int, 3>> between;  ///< cells passed over, from its begin, and the turn there
   };
 

@@ -13,14 +13,14 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-constexpr double kSame = 1e-11;    // two poses, when their differences are below it
+constexpr double kSame = 1e-11;     // two poses, when their differences are below it
 constexpr double kRounding = 1e-9;  // of a step, in a bound
-constexpr int kIterations = 7;     // of Newton's method
-constexpr double kAstray = 2;      // a control beyond it will not come back to 1
-constexpr std::size_t kLeast = 8;  // steps of a stretch
-constexpr double kShrink = 0.85;   // a stretch's length from one round to the next
+constexpr int kIterations = 7;      // of Newton's method
+constexpr double kAstray = 2;       // a control beyond it will not come back to 1
+constexpr std::size_t kLeast = 8;   // steps of a stretch
+constexpr double kShrink = 0.85;    // a stretch's length from one round to the next
 constexpr int kRounds = 8;
-constexpr int kCoarse = 6;  // steps between the first looks
+constexpr int kCoarse = 6;                                          // steps between the first looks
 constexpr std::array<double, 5> kSides{0, 0.5, -0.5, 0.95, -0.95};  // where the goal comes to lie across the car
 constexpr std::array<std::array<double, 2>, 9> kSplits{
     {{1 / 3.0, 1 / 3.0}, {0.2, 0.6}, {0.15, 0.35}, {0.5, 0.35}, {.1, .8}, {.1, .1}, {.8, .1}, {.1, .5}, {.4, .5}}};
@@ -37,8 +37,7 @@ std::optional<Vector> solved(const std::array<Vector, 3>& a, const Vector& b) {
   const double volume = product(a[0], minors[0]);
   if (std::abs(volume) < 1e-12) return std::nullopt;
   Vector x{};
-  for (std::size_t k = 0; k < 3; ++k)
-    x[k] = (b[0] * minors[0][k] + b[1] * minors[1][k] + b[2] * minors[2][k]) / volume;
+  for (std::size_t k = 0; k < 3; ++k) x[k] = (b[0] * minors[0][k] + b[1] * minors[1][k] + b[2] * minors[2][k]) / volume;
   return x;
 }
 
