@@ -111,7 +111,7 @@ std::optional<Vector> controls_for(Miss miss, Vector u) {
     const std::optional<Vector> step =
         solved({now[0].slope, now[1].slope, now[2].slope}, {now[0].value, now[1].value, now[2].value});
     if (!step) return std::nullopt;
-    for (std::size_t k = 0; k < 3; ++k) u[k] -= (*step)[k];
+    u = {u[0] - (*step)[0], u[1] - (*step)[1], u[2] - (*step)[2]};
     if (std::ranges::any_of(u, [](double c) { return !(std::abs(c) < kAstray); })) return std::nullopt;
   }
   return std::nullopt;
