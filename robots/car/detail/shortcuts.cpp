@@ -134,8 +134,7 @@ class Shortcuts {
 
  private:
   void pass(std::size_t length) {
-    const std::size_t stride = std::max<std::size_t>(1, length / 3);
-    for (std::size_t i = 0; i + length <= plan_.controls.size(); i += stride)
+    for (std::size_t i = 0; i + length <= plan_.controls.size(); i += std::max<std::size_t>(1, length / 3))
       while (i + length <= plan_.controls.size() && shortened(i, i + length)) {
       }
     while (plan_.controls.size() >= length && end_shortened(plan_.controls.size() - length)) {
