@@ -46,9 +46,10 @@ class CurvePath {
 
 /// The shortest path of a car that only goes forward and turns with at least `radius` > 0. At most three segments.
 ///
-/// Closed forms of the six words LSL RSR LSR RSL RLR LRL (Dubins 1957; formulas as in Shkel and Lumelsky, "Classification of the Dubins set", 2001). It ends in `to` to about 1e-12
-/// of the coordinates (1e-8 where its circles just touch: a root of nearly nothing), headings equal up to whole turns. Of words equally long the first in that order. It is NOT symmetric: the way back from `to` to `from` may be another and
-/// of another length. An arc within 1e-10 below a full turn is taken as none: rounding makes it, not geometry.
+/// Closed forms of the six words LSL RSR LSR RSL RLR LRL (Dubins 1957; formulas as in Shkel and Lumelsky, "Classification of the Dubins set",
+/// 2001). It ends in `to` to about 1e-12 of the coordinates (1e-8 where its circles just touch: a root of nearly nothing), headings equal up to
+/// whole turns. Of words equally long the first in that order. It is NOT symmetric: the way back from `to` to `from` may be another and of
+/// another length. An arc within 1e-10 below a full turn is taken as none: rounding makes it, not geometry.
 CurvePath dubins_path(const Pose& from, const Pose& to, double radius);
 
 /// The same for a car that may also go backward: never longer than Dubins' path, and as long as the one from `to` to `from`. At most five segments.

@@ -13,8 +13,9 @@ namespace taut::car {
 
 namespace {
 
-constexpr std::size_t kManyPlans = 400;  // of the planner, after which a choice gets a fifth of its searches
-constexpr std::size_t kMostWays = 64;    // to choose from in one place
+constexpr std::size_t kManyPlans = 400;       // of the planner, after which a choice gets a fifth of its searches
+constexpr std::size_t kStatesASearch = 1000;  // on the average, and more than most need
+constexpr std::size_t kMostWays = 64;         // to choose from in one place
 
 constexpr double kTrust = 0.98;  // in estimates, as bounds
 
@@ -60,7 +61,7 @@ struct RoadblockPolicy::Impl {
   }
 
   const Plan* from_start(RoadblockSet closed) { return planner.plan({course.start.x, course.start.y, 0}, closed); }
-  bool is_spent() const { return planner.plans() > most_plans; }
+  bool is_spent() const { return planner.plans() > most_plans || planner.expanded() > most_expanded; }
 
   /// Nothing when the value is no less than `limit`.
   std::optional<Choice> value(const Pose& from, RoadblockSet open, RoadblockSet closed, double limit) {
@@ -186,7 +187,7 @@ struct RoadblockPolicy::Impl {
   const Course& course;
   Aim aim;
   std::size_t searches;
-  std::size_t most_plans = 0;
+  std::size_t most_plans = 0, most_expanded = 0;
   RoadblockSet relevant = 0;
   using State = std::tuple<double, double, double, RoadblockSet, RoadblockSet>;
   std::map<State, Choice> known, guessed;  ///< the latter for one choice
@@ -200,7 +201,9 @@ RoadblockPolicy::~RoadblockPolicy() = default;
 
 RoadblockPolicy::Choice RoadblockPolicy::choose(const Pose& from, RoadblockSet open, RoadblockSet closed) {
   const std::size_t so_far = impl_->planner.plans();
-  impl_->most_plans = so_far + (so_far < kManyPlans ? impl_->searches : impl_->searches / 5);
+  const std::size_t searches = so_far < kManyPlans ? impl_->searches : impl_->searches / 5;
+  impl_->most_plans = so_far + searches;
+  impl_->most_expanded = impl_->planner.expanded() + kStatesASearch * searches;
   return impl_->choose(from, open, closed);
 }
 

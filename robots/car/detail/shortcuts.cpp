@@ -111,7 +111,7 @@ std::optional<Vector> controls_for(Miss miss, Vector u) {
     const std::optional<Vector> step =
         solved({now[0].slope, now[1].slope, now[2].slope}, {now[0].value, now[1].value, now[2].value});
     if (!step) return std::nullopt;
-    for (std::size_t k = 0; k < 3; ++k) u[k] -= (*step)[k];
+    u = {u[0] - (*step)[0], u[1] - (*step)[1], u[2] - (*step)[2]};
     if (std::ranges::any_of(u, [](double c) { return !(std::abs(c) < kAstray); })) return std::nullopt;
   }
   return std::nullopt;
@@ -134,8 +134,7 @@ class Shortcuts {
 
  private:
   void pass(std::size_t length) {
-    const std::size_t stride = std::max<std::size_t>(1, length / 3);
-    for (std::size_t i = 0; i + length <= plan_.controls.size(); i += stride)
+    for (std::size_t i = 0; i + length <= plan_.controls.size(); i += std::max<std::size_t>(1, length / 3))
       while (i + length <= plan_.controls.size() && shortened(i, i + length)) {
       }
     while (plan_.controls.size() >= length && end_shortened(plan_.controls.size() - length)) {
