@@ -1,5 +1,6 @@
-// Value iteration: sweeps on arrays against a plain loop over states, the same answer to the bit. And drives of all planners over the samples of a map: time of a drive (nearly
-// all of it is planning), steps, share of samples reached; each drive that reached is asked to be free of collisions by the simulator's rules.
+// Value iteration: sweeps on arrays against a plain loop over states, the same answer to the bit. And drives of all
+// planners over the samples of a map: time of a drive (nearly all of it is planning), steps, share of samples reached;
+// each drive that reached is asked to be free of collisions by the simulator's rules.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

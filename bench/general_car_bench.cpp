@@ -1,4 +1,5 @@
-// A general car: the exact test of a leg against a wall beside the usual one, poses sampled along the way in doubles; and whole drives through mazes.
+// A general car: the exact test of a leg against a wall beside the usual one, poses sampled along the way in doubles;
+// and whole drives through mazes.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>

@@ -49,8 +49,9 @@ std::string separation_text(const Barrier& barrier);
 std::string blocked_text(const Gates& gates, const DiscPassage& passage, const Barrier& barrier, Point start,
                          Point goal, double r);
 
-/// Why a disc of radius r gets from start to none of the goals, found among the world's own walls: the barrier around the first goal it is
-/// kept from, and its text. Nothing when walls leave a way to a goal: then only a shape larger than the disc has none.
+/// Why a disc of radius r gets from start to none of the goals, found among the world's own walls: the barrier around
+/// the first goal it is kept from, and its text. Nothing when walls leave a way to a goal: then only a shape larger
+/// than the disc has none.
 struct DiscBarrier {
   Barrier barrier;
   std::string text;

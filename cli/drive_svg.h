@@ -17,9 +17,10 @@ struct DrivePicture {
   const ValueLayer* values = nullptr;  ///< in the place of the tint of what was in sight
 };
 
-/// One SVG 1.1 document, rows down: walls, what the car came near enough to see (tint), roadblocks by state (open, closed, never seen), every
-/// 8th pose as an outline, the centre's way (reversing in another colour), start, goal, the last pose. With `animate` the car drives along it,
-/// for ever, by SMIL. Walls are squares or, in the reading of points, dots on tinted squares. Same input, same bytes.
+/// One SVG 1.1 document, rows down: walls, what the car came near enough to see (tint), roadblocks by state (open,
+/// closed, never seen), every 8th pose as an outline, the centre's way (reversing in another colour), start, goal, the
+/// last pose. With `animate` the car drives along it, for ever, by SMIL. Walls are squares or, in the reading of
+/// points, dots on tinted squares. Same input, same bytes.
 std::string drive_svg(const car::Course& course, const car::Drive& drive, const DrivePicture& picture);
 
 }  // namespace taut::cli

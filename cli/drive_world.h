@@ -39,8 +39,9 @@ struct DriveOutput {
   int on_stdout() const { return (svg == "-") + (animation == "-") + (json == "-"); }
 };
 
-/// Throws InputError, with what helps, when these bytes are no roadblock map but a world that a general car could drive in. What is neither is left to the reader.
-/// A roadblock map has a line that begins with the word `grid` or `roadblock`.
+/// Throws InputError, with what helps, when these bytes are no roadblock map but a world that a general car could drive
+/// in. What is neither is left to the reader. A roadblock map has a line that begins with the word `grid` or
+/// `roadblock`.
 void require_road_map(std::string_view bytes, const std::string& name);
 
 /// Plans, checks independently, writes. Gives the exit code.

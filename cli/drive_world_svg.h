@@ -21,8 +21,9 @@ struct WorldDrivePicture {
   bool animate = false;
 };
 
-/// One SVG 1.1 document, 960 pixels on the longer side: the world, the area the car sweeps over (the union of many outlines: a picture, not a proof), some outlines, the rear axle's
-/// way (reversing in another colour), start, goals, the car at the end. With `animate` it drives along, for ever, by SMIL. Same input, same bytes.
+/// One SVG 1.1 document, 960 pixels on the longer side: the world, the area the car sweeps over (the union of many
+/// outlines: a picture, not a proof), some outlines, the rear axle's way (reversing in another colour), start, goals,
+/// the car at the end. With `animate` it drives along, for ever, by SMIL. Same input, same bytes.
 std::string world_drive_svg(const World& world, const car::CarShape& shape, const WorldDrivePicture& picture);
 
 }  // namespace taut::cli

@@ -23,7 +23,8 @@ struct MouseYardsticks {
 /// Is the maze small enough, 64 x 64 cells, for the floor with proof to be found in seconds?
 bool fit_for_proof_bound(const GridMaze& maze);
 
-/// Nothing when the maze has no route. `all`: also those that take many trials or, where the maze is fit for it, a search.
+/// Nothing when the maze has no route. `all`: also those that take many trials or, where the maze is fit for it, a
+/// search.
 std::optional<MouseYardsticks> yardsticks(const GridMaze& maze, bool all);
 
 /// A trial and all that is told about it.

@@ -29,8 +29,8 @@ struct PlanResult {
   std::string source;   ///< the file's name
   std::string version;  ///< of the program
   SearchStatus status = SearchStatus::none;
-  std::string
-      reason;  ///< when stopped: `interrupted`, `--max-seconds 2`, ...; when none: what a disc does not fit through, if known
+  /// when stopped: `interrupted`, `--max-seconds 2`, ...; when none: what a disc does not fit through, if known
+  std::string reason;
   std::string stage;  ///< when stopped: the stage it happened in, named as in StageSeconds
   Path path;
   std::vector<Segment> separation;  ///< when none: the walls in between, in order around the one or the other
@@ -71,7 +71,8 @@ struct PlanResult {
 ///  verified        true when the independent check accepted the path
 /// when none:
 ///  separation      [[[x1, y1], [x2, y2]], ...] the walls between start and goal, in order around one of them
-///  reason          where a disc does not fit through, when that is why: "this gate is narrower than 1: 0.5 between (3, 4) and (3, 5)"
+///  reason          where a disc does not fit through, when that is why: "this gate is narrower than 1: 0.5 between (3,
+///                  4) and (3, 5)"
 /// when stopped:
 ///  reason          what stopped it: "interrupted", "--max-seconds 2", "out of memory"
 ///  stage           in which stage: a key of `seconds`, or "write"

@@ -26,7 +26,8 @@ struct SvgKey {
 };
 
 /// A page: the picture, below it the title, the facts joined by dots, the keys. Facts and keys flow from left to right
-/// and wrap. Colours are classes under svg.taut or svg.taut.KIND and follow prefers-color-scheme. Same input, same bytes.
+/// and wrap. Colours are classes under svg.taut or svg.taut.KIND and follow prefers-color-scheme. Same input, same
+/// bytes.
 class SvgFrame {
  public:
   /// `size` is the picture's, in pixels.

@@ -54,7 +54,8 @@ bool line_enters(Point a, Point b, Point half) {
   return clip(a.x, b.x - a.x, half.x) && clip(a.y, b.y - a.y, half.y);
 }
 
-/// Does the point `p` turned around `centre` by `angle` (below a half turn) cross a side of the box |x| <= half.x, |y| <= half.y?
+/// Does the point `p` turned around `centre` by `angle` (below a half turn) cross a side of the box |x| <= half.x, |y|
+/// <= half.y?
 bool arc_crosses(Point p, Point centre, double angle, Point half) {
   const double dx = p.x - centre.x, dy = p.y - centre.y, square = dx * dx + dy * dy;
   const double ex = std::cos(angle), ey = std::sin(angle);
@@ -147,7 +148,8 @@ Step::Step(const Pose& from, double control) : from_(from), control_(control) {
   middle_ = {from.x + way * ahead_.x, from.y + way * ahead_.y};
 }
 
-/// Cheap and sure: the car half-way, wider by more than it moves and turns from there to either end, does not touch the square.
+/// Cheap and sure: the car half-way, wider by more than it moves and turns from there to either end, does not touch the
+/// square.
 bool Step::is_out_of_reach(Cell cell, double slack) const {
   // 0.075 ahead, 0.025 radians of the sides and the ends, the arc's height, and 0.001 that the middle is beside it.
   constexpr double kAlong = 0.112, kAcross = 0.047;

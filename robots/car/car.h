@@ -9,7 +9,8 @@
 
 namespace taut::car {
 
-/// Where the car is: its centre, and its heading in radians, positive from +x to +y (clockwise in a picture whose rows go down). Not reduced.
+/// Where the car is: its centre, and its heading in radians, positive from +x to +y (clockwise in a picture whose rows
+/// go down). Not reduced.
 struct Pose {
   double x = 0;
   double y = 0;
@@ -26,8 +27,8 @@ inline constexpr double kSight = 5.0;          ///< cells at most this far from 
 inline constexpr double kReverse = -2.0;       ///< the control that goes back
 inline constexpr int kLongestDrive = 100'000;  ///< steps
 
-/// The pose after a step. A control in [-1, 1] is an arc of length kForward that turns by kTurn * control; kReverse goes straight back; any other value,
-/// NaN included, changes nothing.
+/// The pose after a step. A control in [-1, 1] is an arc of length kForward that turns by kTurn * control; kReverse
+/// goes straight back; any other value, NaN included, changes nothing.
 Pose stepped(const Pose& from, double control);
 
 /// Is the point in or on the car's rectangle? `slack` widens the rectangle on all sides, a negative one shrinks it.
@@ -45,10 +46,11 @@ enum class WallReading : std::uint8_t {
 /// Does the car standing there touch the closed cell? `slack` as in covers().
 bool touches(const Pose& pose, Cell cell, WallReading reading, double slack = 0);
 
-/// Does a step from a pose that does not touch the cell end in (points), or pass through or end in (squares) a pose that does? The sweep is found in closed form,
-/// not by samples: a car meets a square iff it touches it at the end, one of its corners crosses a side of the square on its arc, or a
-/// corner of the square, moved backwards around the same centre, crosses a side of the car. Evaluated in doubles with the
-/// rectangle widened by `slack`: with slack 1e-9 rounding cannot hide a contact.
+/// Does a step from a pose that does not touch the cell end in (points), or pass through or end in (squares) a pose
+/// that does? The sweep is found in closed form, not by samples: a car meets a square iff it touches it at the end, one
+/// of its corners crosses a side of the square on its arc, or a corner of the square, moved backwards around the same
+/// centre, crosses a side of the car. Evaluated in doubles with the rectangle widened by `slack`: with slack 1e-9
+/// rounding cannot hide a contact.
 bool meets(const Pose& from, double control, Cell cell, WallReading reading, double slack = 0);
 
 /// The same step asked about many cells: most are told to be out of its reach without a root or a sine.

@@ -38,17 +38,20 @@ struct PlannedDrive {
 
 /// A short drive.
 ///
-///  1. found: the legs are drivable and free (CarSpace), each begins where the one before ends, the last ends in a goal exactly. Start and goal need not lie on the lattice: legs
-///     lead onto it and off it.
-///  2. none is proven, for any car of this size however it turns: not even the disc inside it gets through (disc_passage). stopped: no drive was found, which proves nothing: the limits were reached,
-///     or kLattices lattices, each twice as fine as the one before, hold none.
-///  3. On its lattice (nodes `step` apart, legs as the header of the planner's lattice lists them) the drive is at most `weight` times as long as the shortest, to 1e-9; of equally long ones it goes forward. The heuristic is the
-///     shortest way of the inner disc around the walls, a proven lower bound; with a goal heading also the shortest Reeds-Shepp (Dubins, for a car that
-///     cannot reverse) path without walls.
-///  4. With `shorten` runs of legs are replaced by shorter ones off the lattice, as exact and as free: the zigzag of a coarse lattice goes. The drive gets no longer.
+///  1. found: the legs are drivable and free (CarSpace), each begins where the one before ends, the last ends in a goal
+///     exactly. Start and goal need not lie on the lattice: legs lead onto it and off it.
+///  2. none is proven, for any car of this size however it turns: not even the disc inside it gets through
+///     (disc_passage). stopped: no drive was found, which proves nothing: the limits were reached, or kLattices
+///     lattices, each twice as fine as the one before, hold none.
+///  3. On its lattice (nodes `step` apart, legs as the header of the planner's lattice lists them) the drive is at most
+///     `weight` times as long as the shortest, to 1e-9; of equally long ones it goes forward. The heuristic is the
+///     shortest way of the inner disc around the walls, a proven lower bound; with a goal heading also the shortest
+///     Reeds-Shepp (Dubins, for a car that cannot reverse) path without walls.
+///  4. With `shorten` runs of legs are replaced by shorter ones off the lattice, as exact and as free: the zigzag of a
+///     coarse lattice goes. The drive gets no longer.
 ///  5. Same query, same drive, unless limits.seconds ends it.
-/// Throws InputError when the car cannot stand at the start (at any of the headings, when free), the inner disc is in a wall at all goals, or the world is larger than 2^25
-/// steps. Precondition: goals are not empty.
+/// Throws InputError when the car cannot stand at the start (at any of the headings, when free), the inner disc is in a
+/// wall at all goals, or the world is larger than 2^25 steps. Precondition: goals are not empty.
 PlannedDrive planned_drive(const CarSpace& space, const DriveQuery& query);
 
 inline constexpr std::size_t kLattices = 3;

@@ -15,11 +15,12 @@ struct NearWall;
 
 /// A car among the walls of a world.
 ///
-///  1. The car is its open rectangle: it may touch walls, not enter them. Walls are the constraints of a point robot's free space (zero-thickness walls, and the
-///     outlines of what is solid) that are no openings. The car may stick out of an opening of the world; its reference point stays inside. What stands outside of the
-///     world is not seen.
-///  2. A leg is free iff the interior of the car meets no wall on the whole way: exact, without sampling. A straight piece sweeps a rectangle. An arc: LegSweep.
-///     Signs are decided by doubles with a running error bound; where they are not sure, by rationals, the sides moved inwards by an infinitesimal.
+///  1. The car is its open rectangle: it may touch walls, not enter them. Walls are the constraints of a point robot's
+///     free space (zero-thickness walls, and the outlines of what is solid) that are no openings. The car may stick out
+///     of an opening of the world; its reference point stays inside. What stands outside of the world is not seen.
+///  2. A leg is free iff the interior of the car meets no wall on the whole way: exact, without sampling. A straight
+///     piece sweeps a rectangle. An arc: LegSweep. Signs are decided by doubles with a running error bound; where they
+///     are not sure, by rationals, the sides moved inwards by an infinitesimal.
 ///  3. Near openings legs are refused that stay inside but whose tangents meet beyond the opening's line.
 /// Immutable; safe to ask from several threads.
 class CarSpace {

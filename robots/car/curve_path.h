@@ -34,7 +34,8 @@ class CurvePath {
   Pose pose_at(double along) const;
   Pose end() const { return pose_at(length_); }
 
-  /// Poses from beginning to end, no two further apart than `spacing` > 0 along the way; each joint of segments among them.
+  /// Poses from beginning to end, no two further apart than `spacing` > 0 along the way; each joint of segments among
+  /// them.
   std::vector<Pose> sampled(double spacing) const;
 
  private:
@@ -46,16 +47,19 @@ class CurvePath {
 
 /// The shortest path of a car that only goes forward and turns with at least `radius` > 0. At most three segments.
 ///
-/// Closed forms of the six words LSL RSR LSR RSL RLR LRL (Dubins 1957; formulas as in Shkel and Lumelsky, "Classification of the Dubins set",
-/// 2001). It ends in `to` to about 1e-12 of the coordinates (1e-8 where its circles just touch: a root of nearly nothing), headings equal up to
-/// whole turns. Of words equally long the first in that order. It is NOT symmetric: the way back from `to` to `from` may be another and of
-/// another length. An arc within 1e-10 below a full turn is taken as none: rounding makes it, not geometry.
+/// Closed forms of the six words LSL RSR LSR RSL RLR LRL (Dubins 1957; formulas as in Shkel and Lumelsky,
+/// "Classification of the Dubins set", 2001). It ends in `to` to about 1e-12 of the coordinates (1e-8 where its circles
+/// just touch: a root of nearly nothing), headings equal up to whole turns. Of words equally long the first in that
+/// order. It is NOT symmetric: the way back from `to` to `from` may be another and of another length. An arc within
+/// 1e-10 below a full turn is taken as none: rounding makes it, not geometry.
 CurvePath dubins_path(const Pose& from, const Pose& to, double radius);
 
-/// The same for a car that may also go backward: never longer than Dubins' path, and as long as the one from `to` to `from`. At most five segments.
+/// The same for a car that may also go backward: never longer than Dubins' path, and as long as the one from `to` to
+/// `from`. At most five segments.
 ///
-/// All 48 words: CSC, CCC, CCCC, CCSC, CCSCC, each driven in either direction of time, mirrored, and (CCC, CCSC) in reverse order (Reeds and Shepp, "Optimal paths for a
-/// car that goes both forwards and backwards", 1990, formulas 8.1 to 8.11). Each candidate is driven to its end; one that does not end in `to` is not taken.
+/// All 48 words: CSC, CCC, CCCC, CCSC, CCSCC, each driven in either direction of time, mirrored, and (CCC, CCSC) in
+/// reverse order (Reeds and Shepp, "Optimal paths for a car that goes both forwards and backwards", 1990, formulas 8.1
+/// to 8.11). Each candidate is driven to its end; one that does not end in `to` is not taken.
 CurvePath reeds_shepp_path(const Pose& from, const Pose& to, double radius);
 
 }  // namespace taut::car

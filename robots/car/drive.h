@@ -12,7 +12,8 @@
 
 namespace taut::car {
 
-/// What the car has seen so far: walls are known beforehand, roadblocks are unknown until a cell of theirs is seen. It does not know the sample.
+/// What the car has seen so far: walls are known beforehand, roadblocks are unknown until a cell of theirs is seen. It
+/// does not know the sample.
 class ObservedMap {
  public:
   explicit ObservedMap(const Course& course) : course_(&course) {}  ///< `course` must outlive it
@@ -85,8 +86,9 @@ struct Drive {
   }
 };
 
-/// Drives from course.start with heading 0 until the goal is reached (0 steps when it is there already), the car collides, the driver sees no route or gives up, or kLongestDrive steps are
-/// done. After each step: collision, then sight, then goal, as the course rules. Precondition: require_start_free.
+/// Drives from course.start with heading 0 until the goal is reached (0 steps when it is there already), the car
+/// collides, the driver sees no route or gives up, or kLongestDrive steps are done. After each step: collision, then
+/// sight, then goal, as the course rules. Precondition: require_start_free.
 Drive drive(const Course& course, RoadblockSet open, Driver& driver, WallReading reading);
 
 }  // namespace taut::car

@@ -86,8 +86,8 @@ Place direction(int heading) {
   return {mpq_class(h.x) / kHeadingScale, mpq_class(h.y) / kHeadingScale};
 }
 
-/// A motion from t = 0 to `end`: a point X of the plane is, in the frame of the first pose, at X(t) = (x0 + x1 t + x2 t^2) / weight, and a point of the car
-/// goes the other way round.
+/// A motion from t = 0 to `end`: a point X of the plane is, in the frame of the first pose, at X(t) = (x0 + x1 t + x2
+/// t^2) / weight, and a point of the car goes the other way round.
 struct Piece {
   Place at, along;  ///< the first pose
   mpq_class end;

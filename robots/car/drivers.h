@@ -20,9 +20,10 @@ enum class DriverKind : std::uint8_t { ours, optimist, pessimist, clairvoyant };
 std::string_view name(DriverKind kind);
 std::optional<DriverKind> driver_named(std::string_view word);
 
-/// A driver along `planner`'s plans. `ours` decides whenever a roadblock shows, the others replan when a roadblock of their way shows closed and when one that
-/// they avoided shows open.
-/// `told` is what a clairvoyant knows: the open roadblocks. `aim` is for `ours`. `planner` must outlive the driver and may be shared by drives on one course.
+/// A driver along `planner`'s plans. `ours` decides whenever a roadblock shows, the others replan when a roadblock of
+/// their way shows closed and when one that they avoided shows open.
+/// `told` is what a clairvoyant knows: the open roadblocks. `aim` is for `ours`. `planner` must outlive the driver and
+/// may be shared by drives on one course.
 std::unique_ptr<Driver> make_driver(DriverKind kind, LatticePlanner& planner, RoadblockSet told = 0,
                                     Aim aim = Aim::expected);
 

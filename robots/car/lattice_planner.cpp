@@ -22,8 +22,8 @@ constexpr std::size_t kLeastKnown = 8;
 constexpr std::size_t kMostCells = 4;  // likewise, 30 MB each
 constexpr double kNear = 3;            // more than half the car's diagonal, half a square's and a step
 
-/// From coarse to fine: the next one is asked only when there is no way in the former. The first is a short look at the second: where it does not
-/// suffice, a proof that there is no way comes sooner.
+/// From coarse to fine: the next one is asked only when there is no way in the former. The first is a short look at the
+/// second: where it does not suffice, a proof that there is no way comes sooner.
 constexpr std::array<detail::Lattice, 3> kLattices{
     {{4, 4, 0.02, 60'000}, {4, 4, 0.02, 1'000'000}, {10, 2, kMargin, 600'000}}};
 
@@ -106,7 +106,8 @@ struct LatticePlanner::Impl {
     return std::ranges::min_element(by_closed, {}, [](const auto& entry) { return entry.second.used; });
   }
 
-  /// Of the ways known from there: the shortest that is clear with `closed`. The best of all when what it was planned around is among that.
+  /// Of the ways known from there: the shortest that is clear with `closed`. The best of all when what it was planned
+  /// around is among that.
   std::optional<Plan> known_way(const Place& place, const Pose& from, RoadblockSet closed, bool& is_best) {
     std::optional<Plan> shortest;
     for (const Way& way : place.ways) {
@@ -157,7 +158,8 @@ struct LatticePlanner::Impl {
       if (&lattice == &kLattices[1] && last.exhausted) continue;
       if (&lattice != &kLattices.front() && !may_reach(from, closed)) return {std::nullopt, None::proven};
       if (&lattice == &kLattices.back()) {
-        // The car came from the start: where that has no way, neither has this, and the fine lattice takes long to say so.
+        // The car came from the start: where that has no way, neither has this, and the fine lattice takes long to say
+        // so.
         const Pose start{course.start.x, course.start.y, 0};
         if (from != start && !answer(start, closed).plan) return {std::nullopt, answer(start, closed).none};
       }

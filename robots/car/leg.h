@@ -25,8 +25,9 @@ struct CarShape {
   double outer_radius() const;
 };
 
-/// A car of this length and width whose rear axle lies `rear` before its rear end. Where length - rear is no double it is rounded up.
-/// Throws InputError unless all are finite, of magnitude 1e-9 to 1e9, and 0 <= rear <= length (rear may be 0).
+/// A car of this length and width whose rear axle lies `rear` before its rear end. Where length - rear is no double it
+/// is rounded up. Throws InputError unless all are finite, of magnitude 1e-9 to 1e9, and 0 <= rear <= length (rear may
+/// be 0).
 CarShape car_shape(double length, double width, double radius, double rear, bool reverse = true);
 
 /// Where the reference point is, exactly, and where the car looks: one of the kHeadings.
@@ -37,8 +38,9 @@ struct LatticePose {
 };
 
 /// A piece of a drive. With the same headings it is straight; otherwise the reference point goes straight along the one
-/// heading, then on the arc that touches both lines, then straight along the other, and one of the two straight pieces has length 0. Poses at both ends
-/// decide all that: nothing is rounded, and the end of one leg is the beginning of the next, however long the drive.
+/// heading, then on the arc that touches both lines, then straight along the other, and one of the two straight pieces
+/// has length 0. Poses at both ends decide all that: nothing is rounded, and the end of one leg is the beginning of the
+/// next, however long the drive.
 struct Leg {
   LatticePose from;
   LatticePose to;
@@ -65,7 +67,8 @@ std::optional<std::string> fault_of(const Leg& leg, const CarShape& shape);
 /// Precondition: the leg has no fault but 3 or 4.
 LegCurve curve_of(const Leg& leg);
 
-/// The pose after the part `along` in [0, 1] of its length, to rounding; the ends are exact but for the heading's radians.
+/// The pose after the part `along` in [0, 1] of its length, to rounding; the ends are exact but for the heading's
+/// radians.
 Pose pose_on(const Leg& leg, double along);
 
 }  // namespace taut::car

@@ -179,7 +179,8 @@ bool ends_at(const Word& w, const Target& goal) {
   return std::hypot(x - goal.x, y - goal.y) <= kEndsThere * scale && std::abs(mod(h - goal.phi)) <= kEndsThere;
 }
 
-/// The word of the formula for the goal as seen with time reversed, mirrored, or from the goal back, brought back to what it means for the goal itself.
+/// The word of the formula for the goal as seen with time reversed, mirrored, or from the goal back, brought back to
+/// what it means for the goal itself.
 void consider(const Family& family, const Target& goal, bool backwards, bool mirrored, bool reversed, Word& best,
               double& least) {
   Target g = goal;

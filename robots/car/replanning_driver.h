@@ -18,7 +18,8 @@ struct Attempt {
 /// A planner to which the roadblocks it is told are closed and all others open.
 using Planning = std::function<Attempt(const Pose& from, RoadblockSet closed)>;
 
-/// Takes unknown roadblocks for open, and plans again whenever one shows closed, on its way or not: the course report's policy.
+/// Takes unknown roadblocks for open, and plans again whenever one shows closed, on its way or not: the course report's
+/// policy.
 std::unique_ptr<Driver> replanning_driver(Planning planning);
 
 }  // namespace taut::car

@@ -18,8 +18,8 @@ struct Roadblock {
   std::vector<Cell> cells{};  ///< at least one
 };
 
-/// What everybody may know beforehand. Cells count from 1, x is the column and y the row, the first row of a file is y = 1; the unit is a cell. What is
-/// beyond the grid is open: only cells are walls.
+/// What everybody may know beforehand. Cells count from 1, x is the column and y the row, the first row of a file is y
+/// = 1; the unit is a cell. What is beyond the grid is open: only cells are walls.
 struct Course {
   int width = 0;
   int height = 0;
@@ -61,9 +61,11 @@ struct RoadMap {
 ///     samples K                       optional, what follows on the line is a remark
 ///     I BITS                          K lines; a character per roadblock in the order of letters, 1 = open
 ///
-///  1. `start`, `goal` and `roadblock` come before `grid`, in any order, start and goal once. A line that begins with # is a comment
-///     unless it is one of the grid's rows; empty lines outside the grid are skipped; CRLF and a byte order mark are accepted.
-///  2. Strict otherwise. X Y of a roadblock lie within the box around its cells; sides are at most kLargestSide; start and goal lie within the grid.
+///  1. `start`, `goal` and `roadblock` come before `grid`, in any order, start and goal once. A line that begins with #
+///     is a comment unless it is one of the grid's rows; empty lines outside the grid are skipped; CRLF and a byte
+///     order mark are accepted.
+///  2. Strict otherwise. X Y of a roadblock lie within the box around its cells; sides are at most kLargestSide; start
+///     and goal lie within the grid.
 /// Throws InputError with the line.
 RoadMap read_road_map(std::string_view bytes, const std::string& source = {});
 

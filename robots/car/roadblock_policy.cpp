@@ -33,7 +33,8 @@ struct Way {
 struct RoadblockPolicy::Impl {
   Impl(LatticePlanner& p, Aim a, std::size_t s) : planner(p), course(p.course()), aim(a), searches(s) {}
 
-  /// The first guess that only what the shortest way crosses matters is corrected until nothing else is crossed by any way.
+  /// The first guess that only what the shortest way crosses matters is corrected until nothing else is crossed by any
+  /// way.
   Choice choose(const Pose& from, RoadblockSet open, RoadblockSet closed) {
     for (;;) {
       const RoadblockSet before = relevant;
@@ -99,7 +100,8 @@ struct RoadblockPolicy::Impl {
     return best;
   }
 
-  /// While visit says so, the shortest first, then around one roadblock that it or one of those after it crosses, then around two.
+  /// While visit says so, the shortest first, then around one roadblock that it or one of those after it crosses, then
+  /// around two.
   template <typename Visit>
   void each_way(const Pose& from, RoadblockSet open, RoadblockSet closed, Visit visit) {
     std::set<RoadblockSet> asked{0};

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -105,6 +106,28 @@ TEST(Layers, DrawNoRandomNumbersThatDifferBetweenMachines) {
   EXPECT_THAT(
       matches(R"(\bstd::[a-z_]+_distribution\b|\brandom_device\b|\bstd::(shuffle|sample)\s*\(|\bs?rand\s*\()", kAll),
       IsEmpty());
+}
+
+std::size_t columns_of(const std::string& line) {
+  return static_cast<std::size_t>(
+      std::count_if(line.begin(), line.end(), [](unsigned char byte) { return (byte & 0xc0) != 0x80; }));
+}
+
+// Code is laid out by ./dev format; this is for comments, and for files that want to be two.
+TEST(Sizes, AreThoseOfAPageThatCanBeRead) {
+  std::vector<std::string> wide, tall;
+  for (const auto& [layer, allowed] : kMayInclude)
+    for (const auto& entry : fs::recursive_directory_iterator(fs::path(TAUT_SOURCE_DIR) / layer)) {
+      if (entry.path().extension() != ".h" && entry.path().extension() != ".cpp") continue;
+      const std::string name = fs::relative(entry.path(), TAUT_SOURCE_DIR).generic_string();
+      std::ifstream in(entry.path());
+      int number = 0;
+      for (std::string line; std::getline(in, line);)
+        if (++number; columns_of(line) > 120) wide.push_back(name + ":" + std::to_string(number));
+      if (number > 300) tall.push_back(name + ": " + std::to_string(number) + " lines");
+    }
+  EXPECT_THAT(wide, IsEmpty()) << "120 columns at most";
+  EXPECT_THAT(tall, IsEmpty()) << "300 lines at most";
 }
 
 }  // namespace

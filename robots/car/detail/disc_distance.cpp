@@ -113,7 +113,8 @@ class DiscRoom {
     for (int j = 0; j < rows_; ++j)
       for (int i = 0; i < columns_; ++i)
         free_[at(i, j)] = obstacles.room({middle(i), middle(j)}) > kHalfWidth - 2 * kHalfDiagonal - 2e-4;
-    // A gate of two centres at most 2 apart (squares: of facing sides) lets no car through, though raster cells in its middle are wider.
+    // A gate of two centres at most 2 apart (squares: of facing sides) lets no car through, though raster cells in its
+    // middle are wider.
     obstacles.each_gate([&](const Box& band) {
       for (int j = std::max(0, raster(band.min.y)); j < std::min(rows_, raster(band.max.y)); ++j)
         for (int i = std::max(0, raster(band.min.x)); i < std::min(columns_, raster(band.max.x)); ++i)

@@ -31,7 +31,8 @@ class Obstacles {
   /// A lower bound of the distance from the point to what is closed, 0 outside of the grid.
   double room(Point p) const;
 
-  /// Gates between two closed points exactly 2 apart, straight across or down: visit(band), around the gate by kBand on both sides, where no centre of a car can be.
+  /// Gates between two closed points exactly 2 apart, straight across or down: visit(band), around the gate by kBand on
+  /// both sides, where no centre of a car can be.
   template <typename Visit>
   void each_gate(Visit visit) const;
   static constexpr double kBand = 0.25;

@@ -9,7 +9,8 @@
 
 namespace taut::car::detail {
 
-/// A* on one lattice, from any of the starts. Fills in status, legs and start when found, and adds to expanded and tested.
+/// A* on one lattice, from any of the starts. Fills in status, legs and start when found, and adds to expanded and
+/// tested.
 void search_drive(const CarSpace& space, const DriveQuery& query, const std::vector<LatticePose>& starts,
                   const LegLattice& lattice, const Geodesic& geodesic, const SearchLimits& limits,
                   PlannedDrive& result);

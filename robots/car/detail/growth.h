@@ -22,8 +22,9 @@ struct Branch {
   std::span<const double> controls;  ///< valid as long as the Growth
 };
 
-/// Growth guided by reachability (Shkolnik, Walter, Tedrake, 2009): a node has eight motions, straight ahead and back, four arcs, the turn on the spot to both sides. It grows
-/// towards a sample by the one that ends nearest to it, if that is nearer than the node itself; a sample that is not so reachable is dropped.
+/// Growth guided by reachability (Shkolnik, Walter, Tedrake, 2009): a node has eight motions, straight ahead and back,
+/// four arcs, the turn on the spot to both sides. It grows towards a sample by the one that ends nearest to it, if that
+/// is nearer than the node itself; a sample that is not so reachable is dropped.
 class Growth {
  public:
   enum class Time : std::uint8_t { forwards, backwards };

@@ -134,7 +134,8 @@ class Search {
   }
 
  private:
-  /// The poses of each primitive, from each heading, at the origin. Headings count from the start's own, which may be off the lattice by rounding.
+  /// The poses of each primitive, from each heading, at the origin. Headings count from the start's own, which may be
+  /// off the lattice by rounding.
   void lay_steps() {
     for (const Primitive& p : primitives_)
       for (int h = 0; h < kLatticeHeadings; ++h) {

@@ -47,7 +47,8 @@ struct Candidate {
   friend auto operator<=>(const Candidate&, const Candidate&) = default;
 };
 
-/// The nodes that legs from the pose reach with tangents at most `more` longer than the tightest turn needs, and some further ones; shortest legs first.
+/// The nodes that legs from the pose reach with tangents at most `more` longer than the tightest turn needs, and some
+/// further ones; shortest legs first.
 std::vector<Candidate> candidates(const LegLattice& lattice, double radius, const LatticePose& from,
                                   const Tangents& turn, double gear, double more) {
   const double least = radius * turn.half, most = least + more;
@@ -70,8 +71,8 @@ std::vector<Candidate> candidates(const LegLattice& lattice, double radius, cons
   return found;
 }
 
-/// The shortest `most` drivable legs from the pose to nodes with a heading. A leg whose tangents are `more` longer than needed is at least `more` longer than the tightest turn, so
-/// those that are less than that longer are all known.
+/// The shortest `most` drivable legs from the pose to nodes with a heading. A leg whose tangents are `more` longer than
+/// needed is at least `more` longer than the tightest turn, so those that are less than that longer are all known.
 void add_legs(const LegLattice& lattice, const CarShape& shape, const LatticePose& from, int heading, bool backward,
               std::size_t most, std::vector<Leg>& legs) {
   const Tangents turn(from.heading, heading);

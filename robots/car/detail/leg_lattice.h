@@ -22,8 +22,9 @@ struct Primitive {
   int di = 0, dj = 0;
 };
 
-/// Of each heading (index heading / stride) its primitives: straight ahead by the least multiple of the step, where that is short; for each turn by 1, 2, 4, ... strides up to
-/// 90 degrees to either side the shortest few legs; and all that backward where the car may. Turned by 90 degrees the set is the same.
+/// Of each heading (index heading / stride) its primitives: straight ahead by the least multiple of the step, where
+/// that is short; for each turn by 1, 2, 4, ... strides up to 90 degrees to either side the shortest few legs; and all
+/// that backward where the car may. Turned by 90 degrees the set is the same.
 std::vector<std::vector<Primitive>> primitives(const LegLattice& lattice, const CarShape& shape);
 
 /// The shortest few drivable legs for each heading and gear from a pose off the lattice to nodes around it.

@@ -22,7 +22,8 @@ constexpr int kStep = 3;  // cells, more than a step
 /// A cell's middle.
 double heading(int h) { return 2 * std::numbers::pi / kHeadings * (h + 0.5); }
 
-/// How much smaller a rectangle is that lies in the rectangles of all poses of a cell, or larger that holds all of them.
+/// How much smaller a rectangle is that lies in the rectangles of all poses of a cell, or larger that holds all of
+/// them.
 Point change(double angle) {
   const double shift =
       kHalfCell * (std::abs(std::cos(angle)) + std::abs(std::sin(angle))) * (1 + kTurnOfCell) + kRounding;
@@ -81,7 +82,8 @@ std::vector<Offset> offsets() {
       Offset offset{i, j, {}};
       for (int h = 0; h < kHeadings; ++h)
         for (const double way : {kForward, -kForward, kBackward, -kBackward}) {
-          // The chord's direction is off the cell's middle by half the cell and half the turn; from cell to cell it may begin and end anywhere.
+          // The chord's direction is off the cell's middle by half the cell and half the turn; from cell to cell it may
+          // begin and end anywhere.
           const double play = 1 + std::abs(way) * kCells * (kTurnOfCell + kTurn) + kRounding;
           if (std::abs(way * kCells * std::cos(heading(h)) - i) <= play &&
               std::abs(way * kCells * std::sin(heading(h)) - j) <= play)

@@ -9,15 +9,19 @@
 
 namespace taut::car::detail {
 
-/// Poses in cells of 1/16 x 1/16 x 1/120 of a turn, which is more than a step turns, up to kBeyond outside of the grid too. Quarter turns lie between cells.
+/// Poses in cells of 1/16 x 1/16 x 1/120 of a turn, which is more than a step turns, up to kBeyond outside of the grid
+/// too. Quarter turns lie between cells.
 ///
-///  1. A cell is closed when each of its poses collides: a rectangle inside all their rectangles touches something closed, or the cell's middle lies in a gate
-///     that is no wider than the car. Both are tested conservatively: a cell that holds a free pose is not closed.
-///  2. Two cells are neighbours when some step, of any control, leads from a pose of one to a pose of the other, or back; what the step meets between is not looked at,
-///     but for this: in squares, whose contacts count all along a step, a step past a quarter turn needs a free pose with that very heading
-///     within its length. The free ones are known exactly: car and squares are parallel then, and all edges lie on the halves of the unit. So
-///     a bend is no way when it leaves a car that stands square to it exactly its own length or width.
-///  3. reaches() is false only where no sequence of steps leads to the goal, whatever the controls, unless it leaves the grid by more than kBeyond. True says nothing.
+///  1. A cell is closed when each of its poses collides: a rectangle inside all their rectangles touches something
+///     closed, or the cell's middle lies in a gate that is no wider than the car. Both are tested conservatively: a
+///     cell that holds a free pose is not closed.
+///  2. Two cells are neighbours when some step, of any control, leads from a pose of one to a pose of the other, or
+///     back; what the step meets between is not looked at, but for this: in squares, whose contacts count all along a
+///     step, a step past a quarter turn needs a free pose with that very heading within its length. The free ones are
+///     known exactly: car and squares are parallel then, and all edges lie on the halves of the unit. So a bend is no
+///     way when it leaves a car that stands square to it exactly its own length or width.
+///  3. reaches() is false only where no sequence of steps leads to the goal, whatever the controls, unless it leaves
+///     the grid by more than kBeyond. True says nothing.
 /// Bits of a cell are headings: all of them spread at once. Linear in the number of cells, some 0.2 s for 50 x 50.
 class PoseCells {
  public:
@@ -63,8 +67,8 @@ class PoseCells {
   int columns_, rows_;
   std::vector<Bits> open_;     ///< not closed, and not reached so far
   std::vector<Bits> reached_;  ///< the goal, from there
-  std::vector<std::uint8_t>
-      quarters_;  ///< bit 0: heading 0 or a half turn can be passed within a step from there, bit 1: a quarter turn
+  /// bit 0: heading 0 or a half turn can be passed within a step from there, bit 1: a quarter turn
+  std::vector<std::uint8_t> quarters_;
 };
 
 }  // namespace taut::car::detail

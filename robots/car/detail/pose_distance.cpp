@@ -22,7 +22,8 @@ constexpr int kFarthest = 5;         // raster cells that a move spans
 
 int wrapped(int heading) { return (heading + kHeadings) % kHeadings; }
 
-/// Around a closed cell, kTouch raster cells to all sides: the headings in which a car there, smaller by kTableSlack, touches it.
+/// Around a closed cell, kTouch raster cells to all sides: the headings in which a car there, smaller by kTableSlack,
+/// touches it.
 using Touches = std::array<std::uint32_t, static_cast<std::size_t>((2 * kTouch + 1) * (2 * kTouch + 1))>;
 
 Touches touches_around(WallReading reading) {
@@ -225,7 +226,8 @@ std::vector<PoseDistance::State> PoseDistance::unsettle(CostQueue& queue, const 
   return lost;
 }
 
-/// Takes the new closed cells' poses from what is free, and the moves that are lost; seeds the states that leant on one.
+/// Takes the new closed cells' poses from what is free, and the moves that are lost; seeds the states that leant on
+/// one.
 void PoseDistance::shut(const Obstacles& before, const Obstacles& obstacles, const DiscDistance& disc,
                         CostQueue& queue) {
   const std::vector<std::uint32_t> were = free_;

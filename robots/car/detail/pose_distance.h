@@ -10,15 +10,17 @@
 
 namespace taut::car::detail {
 
-/// Steps to the goal from poses on a lattice: the raster's middles, kTableHeadings headings, the car's own moves rounded to it. An estimate of what
-/// the true car needs, within some percent; unlike a disc's way it knows what turning and reversing cost. Whether poses
-/// are free is tested with the car smaller by kTableSlack, for what rounding moves.
+/// Steps to the goal from poses on a lattice: the raster's middles, kTableHeadings headings, the car's own moves
+/// rounded to it. An estimate of what the true car needs, within some percent; unlike a disc's way it knows what
+/// turning and reversing cost. Whether poses are free is tested with the car smaller by kTableSlack, for what rounding
+/// moves.
 class PoseDistance {
  public:
   PoseDistance(const Obstacles& obstacles, const DiscDistance& disc, Point goal);
 
-  /// The same goal with more cells closed: only what went through them is searched again, as long as that is the faster (up to a tenth of all states). The
-  /// estimates are those of one made anew. `before` had a subset of the closed cells.
+  /// The same goal with more cells closed: only what went through them is searched again, as long as that is the faster
+  /// (up to a tenth of all states). The estimates are those of one made anew. `before` had a subset of the closed
+  /// cells.
   PoseDistance(const PoseDistance& before, const Obstacles& before_obstacles, const Obstacles& obstacles,
                const DiscDistance& disc);
 

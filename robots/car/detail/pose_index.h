@@ -9,8 +9,8 @@
 
 namespace taut::car::detail {
 
-/// An r-tree of poses as points (x, y, kArm cos heading, kArm sin heading): the distance is that of the centres and of tips kArm ahead, so that whole turns
-/// do not count. Same calls, same answers.
+/// An r-tree of poses as points (x, y, kArm cos heading, kArm sin heading): the distance is that of the centres and of
+/// tips kArm ahead, so that whole turns do not count. Same calls, same answers.
 class PoseIndex {
  public:
   PoseIndex();

@@ -27,12 +27,12 @@ class PreparedLeg {
   /// Of all that the car sweeps over, relative to the beginning; a little too large.
   const Box& box() const { return box_; }
 
-  /// Does the car's interior meet the wall on the way? Precondition: it does not at the beginning. `at` is where the leg begins this time, exactly; a leg between
-  /// nodes of a lattice may begin elsewhere than the one this was made of.
+  /// Does the car's interior meet the wall on the way? Precondition: it does not at the beginning. `at` is where the
+  /// leg begins this time, exactly; a leg between nodes of a lattice may begin elsewhere than the one this was made of.
   bool meets(const NearWall& wall, const Leg& at, const CarShape& shape) const;
 
-  /// May the reference point get to the side of an opening that is solid? No only when it is certain that it does not: neither the ends nor the corner
-  /// of the leg's tangents lie there, or the three keep away from it.
+  /// May the reference point get to the side of an opening that is solid? No only when it is certain that it does not:
+  /// neither the ends nor the corner of the leg's tangents lie there, or the three keep away from it.
   bool may_leave(const Segment& opening, bool solid_left, const Leg& at) const;
 
  private:

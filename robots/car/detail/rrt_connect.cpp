@@ -16,7 +16,8 @@ constexpr int kGoalHeadings = 16;
 
 using Controls = std::vector<double>;
 
-/// Poses, each with controls that are driven from its parent to it (the car's tree) or from it to its parent (the goal's).
+/// Poses, each with controls that are driven from its parent to it (the car's tree) or from it to its parent (the
+/// goal's).
 class Tree {
  public:
   std::uint32_t add(const Pose& pose, std::uint32_t parent, std::span<const double> controls) {
@@ -111,7 +112,8 @@ class RrtConnect {
   std::optional<std::uint32_t> grow_car(const Pose& towards) { return cars_.grow(towards, ahead_); }
   std::optional<std::uint32_t> grow_goal(const Pose& towards) { return goals_.grow(towards, behind_); }
 
-  /// All controls from the car to the goal over a joint of two nodes, if a joint lands near enough for the rest to be clear from there.
+  /// All controls from the car to the goal over a joint of two nodes, if a joint lands near enough for the rest to be
+  /// clear from there.
   std::optional<Controls> joined(std::uint32_t from, std::uint32_t to) const {
     for (const Steering& way : steerings(cars_.pose(from), goals_.pose(to))) {
       Controls all = way.controls();

@@ -24,7 +24,8 @@ class RrtStar {
     add({kRoot, 0, from, {}});
   }
 
-  /// Joints first. Where they give no plan, only growth, which is that of RRT and a twentieth of the time, until there is one; then joints again.
+  /// Joints first. Where they give no plan, only growth, which is that of RRT and a twentieth of the time, until there
+  /// is one; then joints again.
   std::optional<std::vector<double>> run() {
     for (std::size_t joined = 0; joined < kEnough && draw(); ++joined) grow_jointly();
     if (goals_.empty()) {
@@ -131,7 +132,8 @@ class RrtStar {
     for (const std::uint32_t n : goals_) least_ = std::min(least_, nodes_[n].cost);
   }
 
-  /// Hangs a subtree onto another node if all its ways stay clear from where the new way ends. It lands beside its old place, by at most kLanding.
+  /// Hangs a subtree onto another node if all its ways stay clear from where the new way ends. It lands beside its old
+  /// place, by at most kLanding.
   void hang(std::uint32_t root, Joint by) {
     std::vector<std::pair<std::uint32_t, Pose>> moved{{root, by.end}};
     for (std::size_t i = 0; i < moved.size(); ++i) {

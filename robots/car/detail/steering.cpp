@@ -68,7 +68,8 @@ Turn turn_of(Kind kind, double by, bool fraction_first) {
   return {angle, kind == Kind::spot, fraction_first};
 }
 
-/// The straight's direction has to fit the turns and the turns the direction: a fixed point, found by iteration or not at all.
+/// The straight's direction has to fit the turns and the turns the direction: a fixed point, found by iteration or not
+/// at all.
 std::optional<Steering> steering(const Pose& from, const Pose& to, Kind first, Kind last, bool backwards) {
   const Complex between(to.x - from.x, to.y - from.y);
   double heading = std::arg(backwards ? -between : between);

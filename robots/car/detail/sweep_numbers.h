@@ -1,4 +1,5 @@
-// The numbers that sweeps are decided with: doubles that know their error, and rationals with an infinitesimal. Private.
+// The numbers that sweeps are decided with: doubles that know their error, and rationals with an infinitesimal.
+// Private.
 #pragma once
 
 #include <gmpxx.h>
@@ -13,8 +14,8 @@
 
 namespace taut::car::detail {
 
-/// A double v that is at most e from the exact value. Running error analysis (Wilkinson): each operation adds what it rounds. Errors are
-/// themselves rounded, which `sign` allows for.
+/// A double v that is at most e from the exact value. Running error analysis (Wilkinson): each operation adds what it
+/// rounds. Errors are themselves rounded, which `sign` allows for.
 struct Approx {
   double v = 0;
   double e = 0;
@@ -105,7 +106,8 @@ struct Signs<Infinitesimal> {
   }
 };
 
-/// A side of the car moved inwards by the infinitesimal, where there is one: what touches the car does not meet it then.
+/// A side of the car moved inwards by the infinitesimal, where there is one: what touches the car does not meet it
+/// then.
 template <class N>
 N drawn_in(double size) {
   return N(size);

@@ -11,8 +11,8 @@ namespace taut::car::detail {
 
 enum class Answer : std::uint8_t { no, yes, doubt };
 
-/// N is Approx (answers may be `doubt`), mpq_class (the closed rectangle: touching is meeting), or Infinitesimal (the open one: exact).
-/// Everything is relative to leg.from.at.
+/// N is Approx (answers may be `doubt`), mpq_class (the closed rectangle: touching is meeting), or Infinitesimal (the
+/// open one: exact). Everything is relative to leg.from.at.
 
 /// A rectangle along a heading.
 template <class N>
@@ -45,8 +45,8 @@ Answer meets(const Rectangle<N>& r, const Vec<N>& a, const Vec<N>& b) {
   return sign.doubt ? Answer::doubt : Answer::yes;
 }
 
-/// Does the closed arc around the origin, counter-clockwise from p to q by less than 180 degrees, meet the closed segment a b?
-/// The segment is clipped to the wedge of p and q; on what is left, |X|^2 - |p|^2 is one convex quadratic.
+/// Does the closed arc around the origin, counter-clockwise from p to q by less than 180 degrees, meet the closed
+/// segment a b? The segment is clipped to the wedge of p and q; on what is left, |X|^2 - |p|^2 is one convex quadratic.
 template <class N>
 Answer arc_meets(const Vec<N>& p, const Vec<N>& q, const Vec<N>& a, const Vec<N>& b) {
   Signs<N> sign;
@@ -84,7 +84,8 @@ Answer arc_meets(const Vec<N>& p, const Vec<N>& q, const Vec<N>& a, const Vec<N>
   return sign.doubt ? Answer::doubt : Answer::yes;
 }
 
-/// The car turning around a pivot. The four corners, front left, rear left, rear right, front right, before and after, from the pivot.
+/// The car turning around a pivot. The four corners, front left, rear left, rear right, front right, before and after,
+/// from the pivot.
 template <class N>
 struct ArcSweep {
   Vec<N> pivot;
@@ -96,9 +97,10 @@ struct ArcSweep {
 /// Does the closed segment meet the car on its way, if it does not meet it at the beginning? It does iff
 ///  - a corner's arc meets the segment, or
 ///  - an end of the segment, turned the other way, meets a side of the car as it stands at the beginning.
-/// For at the first moment of contact the two touch in boundary points alone, so they share a part of a line in a side of the car:
-/// a point or a segment, and each end of that is a corner of the car or an end of the segment. That covers short segments which only a side
-/// sweeps over (their ends cross that side) and the bulge of a side beyond its corners' arcs.
+/// For at the first moment of contact the two touch in boundary points alone, so they share a part of a line in a side
+/// of the car: a point or a segment, and each end of that is a corner of the car or an end of the segment. That covers
+/// short segments which only a side sweeps over (their ends cross that side) and the bulge of a side beyond its
+/// corners' arcs.
 template <class N>
 Answer meets(const ArcSweep<N>& s, const Vec<N>& a, const Vec<N>& b) {
   bool doubt = false;
@@ -120,8 +122,9 @@ Answer meets(const ArcSweep<N>& s, const Vec<N>& a, const Vec<N>& b) {
   return doubt ? Answer::doubt : Answer::no;
 }
 
-/// All that a leg sweeps over. The rectangle of a straight piece of length 0 is left out where that is certain and the pose is
-/// covered by its neighbour: at the beginning, which the caller knows to be free, and at the end, which the arc includes.
+/// All that a leg sweeps over. The rectangle of a straight piece of length 0 is left out where that is certain and the
+/// pose is covered by its neighbour: at the beginning, which the caller knows to be free, and at the end, which the arc
+/// includes.
 template <class N>
 struct LegSweep {
   using Constant = std::conditional_t<std::is_same_v<N, Approx>, Approx, mpq_class>;

@@ -9,7 +9,8 @@
 namespace taut::micromouse::detail {
 
 /// The value that `text` is. `what` says what it should be: `certificate`.
-/// Throws InputError, naming source and line, when it is not JSON, holds a number beyond doubles, or is nested deeper than `deepest`.
+/// Throws InputError, naming source and line, when it is not JSON, holds a number beyond doubles, or is nested deeper
+/// than `deepest`.
 nlohmann::json parse_json(std::string_view text, const std::string& source, const char* what, int deepest);
 
 }  // namespace taut::micromouse::detail

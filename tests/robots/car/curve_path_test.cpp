@@ -77,7 +77,8 @@ TEST(CurvePath, IsDrivenAsItsSegmentsSay) {
   }
 }
 
-// Random drives of up to five segments: the path to where they end is never longer, and for short drives it often is as long.
+// Random drives of up to five segments: the path to where they end is never longer, and for short drives it often is as
+// long.
 TEST(Dubins, IsNoLongerThanAnyDrive) {
   Draws draws;
   std::set<std::string> optimal;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <taut/robots/car/detail/pose_distance.h>
+#include <taut/robots/car/detail/replay.h>
 #include <taut/robots/car/detail/shortcuts.h>
 #include <taut/robots/car/lattice_planner.h>
 #include <taut/robots/car/road_map_generator.h>

@@ -65,7 +65,8 @@ TEST(PoseCells, ProveThatAGapOfTwoIsNoWayAndOneOfThreeMayBe) {
     }
 }
 
-/// Two rooms, one above the other, and between them a lane that runs down to the left and then to the right, each row one cell on.
+/// Two rooms, one above the other, and between them a lane that runs down to the left and then to the right, each row
+/// one cell on.
 Course bent_lane(int open) {
   Course course = walled_room(30, 27);
   for (int y = 11; y <= 17; ++y)
