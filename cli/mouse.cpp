@@ -51,13 +51,13 @@ void add_maze_options(CLI::App& app, MazeOptions& options, const char* name) {
 }
 
 void add_explorer_options(CLI::App& app, Explorer& explorer) {
-  const auto take = [&explorer](const std::string& word) { explorer = explorer_of(word); };
+  const auto take = [&explorer](const std::string& word) { explorer = explorer_of(word, "--explorer"); };
   app.add_option_function<std::string>("--explorer", take, "How run 1 explores: " + explorer_names() + " (default)")
       ->type_name("NAME")
       ->group("Robot");
   const auto mode = [&explorer](const std::string& word) {
     if (word != "prove" && word != "score") throw CLI::ValidationError("--mode: '" + word + "' is not prove or score");
-    explorer = explorer_of(word);
+    explorer = explorer_of(word, "--mode");
   };
   app.add_option_function<std::string>("--mode", mode,
                                        "Of our own explorer: prove (until the optimum is certain) or score")
@@ -66,9 +66,9 @@ void add_explorer_options(CLI::App& app, Explorer& explorer) {
       ->group("Robot");
 }
 
-Explorer explorer_of(const std::string& word) {
+Explorer explorer_of(const std::string& word, const char* option) {
   const std::optional<Explorer> explorer = micromouse::explorer_named(word);
-  if (!explorer) throw CLI::ValidationError("--explorer: '" + word + "' is not one of " + explorer_names());
+  if (!explorer) throw CLI::ValidationError(std::string(option) + ": '" + word + "' is not one of " + explorer_names());
   return *explorer;
 }
 

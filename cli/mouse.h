@@ -31,7 +31,7 @@ void add_maze_options(CLI::App& app, MazeOptions& options, const char* name = "M
 void add_explorer_options(CLI::App& app, micromouse::Explorer& explorer);
 
 /// `flood`, or a CLI::ValidationError that says what there is.
-micromouse::Explorer explorer_of(const std::string& word);
+micromouse::Explorer explorer_of(const std::string& word, const char* option);
 
 /// Throws InputError, also when the file is readable but describes no grid maze.
 MouseMaze read_grid_maze(const std::string& file, std::optional<Format> format = std::nullopt);

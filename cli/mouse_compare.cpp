@@ -65,7 +65,7 @@ std::vector<Explorer> explorers_in(const std::string& list) {
   std::vector<Explorer> explorers;
   for (std::size_t from = 0; from <= list.size();) {
     const std::size_t comma = std::min(list.find(',', from), list.size());
-    explorers.push_back(explorer_of(list.substr(from, comma - from)));
+    explorers.push_back(explorer_of(list.substr(from, comma - from), "--explorers"));
     from = comma + 1;
   }
   return explorers;

@@ -178,7 +178,7 @@ World read_world_file(const std::string& path, ReadOptions options, ReadNotes* n
 
 std::string read_bytes(const std::string& path) {
   if (path == "-") return unpacked(drain(std::cin), "<stdin>");
-  const std::string shown = detail::printable_name(path);
+  const std::string shown = path.empty() ? "''" : detail::printable_name(path);
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) throw InputError(shown, 0, "is a directory, not a file");
   if (!std::filesystem::exists(path, error)) throw InputError(shown, 0, "no such file");

@@ -124,6 +124,7 @@ TEST_F(ExitCode, IsThreeWhenTheInputIsWrong) {
 
 TEST_F(ExitCode, IsThreeWhenThereIsNoSuchFileOrItIsAFolder) {
   expect_one_line(run_taut("solve /no/such/file"), 3, "/no/such/file: ");
+  expect_one_line(run_taut("solve ''"), 3, "'': ");
   expect_one_line(run_taut("solve " + folder.path().string()), 3, "directory");
 }
 

@@ -54,6 +54,8 @@ TEST_F(MouseCompare, LeavesOutMazesWithoutARoute) {
   EXPECT_THAT(run.err, HasSubstr("left out"));
   EXPECT_EQ(run_taut("mouse compare " + sealed).code, 1);
   EXPECT_EQ(run_taut("mouse compare --explorers magic " + sealed).code, 2);
+  EXPECT_THAT(run_taut("mouse compare --explorers flood,foo " + sealed).err,
+              HasSubstr("--explorers: 'foo' is not one of"));
 }
 
 }  // namespace
