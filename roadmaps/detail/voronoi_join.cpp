@@ -11,6 +11,8 @@ namespace {
 
 using detail::Bezier;
 
+constexpr double kStraightOff = 1e-9;  // of a piece's length, between the feet of an edge's ends
+
 /// Of the edges around a site's cell, which cover all directions from an end, or all feet on one side of a piece, the
 /// one that is met. Chosen by the largest margin, so rounding leaves no gap.
 class Join {
@@ -22,12 +24,14 @@ class Join {
     const Segment s = parts_.segment(piece);
     const Point d{s.b.x - s.a.x, s.b.y - s.a.y};
     const auto foot = [&](Point p) { return ((p.x - s.a.x) * d.x + (p.y - s.a.y) * d.y) / (d.x * d.x + d.y * d.y); };
+    const auto height = [&](Point p) { return (d.x * (p.y - s.a.y) - d.y * (p.x - s.a.x)) * side; };
     pick(piece, [&](const Bezier& c) -> Hit {
-      const Point mid = c.at(0.5);
-      if ((d.x * (mid.y - s.a.y) - d.y * (mid.x - s.a.x)) * side <= 0) return {-HUGE_VAL, 0};
+      if (height(c.at(0.5)) <= 0) return {-HUGE_VAL, 0};
       const double x0 = foot(c.from), x1 = foot(c.to);
-      const double t = x0 == x1 ? 0 : std::clamp((along - x0) / (x1 - x0), 0.0, 1.0);
-      return {std::min(along - std::min(x0, x1), std::max(x0, x1) - along), t};
+      const double margin = std::min(along - std::min(x0, x1), std::max(x0, x1) - along);
+      // Straight off the piece, at a joint: its far end is where the cell ends, and mostly another edge's as well.
+      if (std::abs(x1 - x0) < kStraightOff) return {margin - 1, height(c.from) < height(c.to) ? 1.0 : 0.0};
+      return {margin, std::clamp((along - x0) / (x1 - x0), 0.0, 1.0)};
     });
   }
 
