@@ -158,6 +158,30 @@ Vector point_on_ray(const Conditions& c) {
   return {ray.foot.x + reach * u.x, ray.foot.y + reach * u.y};
 }
 
+/// Of two points and a piece nearly parallel to the line through them: the centre of one of the two circles there are,
+/// of which one lies far off or, parallel, nowhere. A guess by general formulas divides by almost 0 and may be astray.
+std::optional<Vector> centre_over_level_points(const std::array<Segment, 3>& sites, Point guess) {
+  constexpr Real kLevel = 1e-9L;  // the square of the sine
+  constexpr Real kAstray = 1e8L;  // of a guess, in distances of the sites
+  const auto piece = std::find_if(sites.begin(), sites.end(), [](const Segment& s) { return !is_point(s); });
+  const auto i = static_cast<std::size_t>(piece - sites.begin());
+  if (i == 3 || !is_point(sites[(i + 1) % 3]) || !is_point(sites[(i + 2) % 3])) return std::nullopt;
+  const Point p = sites[(i + 1) % 3].a, q = sites[(i + 2) % 3].a;
+  const Vector d = direction(*piece), e = direction({p, q}), normal{-e.y, e.x};
+  const Vector middle{(Real(p.x) + q.x) / 2, (Real(p.y) + q.y) / 2}, w = from(piece->a, middle);
+  const Real sine = d.x * normal.x + d.y * normal.y, half = std::hypot(Real(q.x) - p.x, Real(q.y) - p.y) / 2;
+  const Real off = d.x * w.y - d.y * w.x, slope = d.x * normal.y - d.y * normal.x;
+  if (sine * sine > kLevel || off == 0) return std::nullopt;
+  // (off + slope s)^2 = half^2 + s^2, s from the middle along the normal; solved without cancellation.
+  const Real b = off * slope, c = off * off - half * half;
+  const Real sum = -(b + std::copysign(std::sqrt(std::max(Real(0), b * b + sine * sine * c)), b));
+  const Real near = c / sum, far = -sum / (sine * sine);
+  const Real guessed = (guess.x - middle.x) * normal.x + (guess.y - middle.y) * normal.y;
+  const bool trusts = std::abs(guessed) < kAstray * (half + std::abs(off));
+  const Real s = trusts && std::abs(guessed - far) < std::abs(guessed - near) ? far : near;
+  return Vector{middle.x + s * normal.x, middle.y + s * normal.y};
+}
+
 VoronoiPoint refined(const Conditions& c, Vector v) {
   for (int round = 0; round < 8; ++round) {
     const Vector move = newton(c, v).move;
@@ -208,7 +232,8 @@ VoronoiPoint voronoi_point(const std::array<Segment, 3>& sites, Point guess) {
     return {end->a, 0, straight ? kUnknown : 0};
   }
   const Conditions c = conditions(sites);
-  return refined(c, c.ray && c.ray->straight ? point_on_ray(c) : Vector{guess.x, guess.y});
+  if (c.ray && c.ray->straight) return refined(c, point_on_ray(c));
+  return refined(c, centre_over_level_points(sites, guess).value_or(Vector{guess.x, guess.y}));
 }
 
 Point foot_on(const Segment& s, Point p) {

@@ -175,6 +175,30 @@ RC_GTEST_PROP(Voronoi, HoldsInMessyRightAngledWorlds, ()) {
   RC_ASSERT(fault(VoronoiRoadmap(world.space())) == "");
 }
 
+/// The leg from p to where it comes to the diagram: how much clearance grows on it, less its length.
+double growth_beyond_way(const FreeSpace& space, Point p) {
+  const std::vector<VoronoiJunction> junctions = VoronoiRoadmap(space).join(p);
+  if (junctions.size() != 1) return HUGE_VAL;
+  const Point at = junctions.front().at;
+  return space.clearance(at).distance - space.clearance(p).distance - std::hypot(at.x - p.x, at.y - p.y);
+}
+
+TEST(Voronoi, JoinsAPointStraightOffAJointAtTheFarEndOfTheEdgeThere) {
+  const SmallWorld world{{{{0, 6}, {6, 0}}, {{5, 5}, {4, 1}}}, {{{0, 0}, {5, 1}, {0, 1}}}, box_ring(0, 0, 6, 6), 0};
+  EXPECT_NEAR(growth_beyond_way(world.space(), {5.375, 1.375}), 0, 1e-12);
+}
+
+TEST(Voronoi, FindsTheVertexOfTwoPointsAndAPieceThatIsParallelUpToRounding) {
+  const SmallWorld world{{{{1, 2}, {0, 1}}, {{3, 2}, {1, 3}}, {{3, 5}, {0, 1}}},
+                         {{{0, 2}, {1, 2}, {1, 3}, {0, 3}}, {{3, 0}, {4, 0}, {3, 1}}},
+                         box_ring(0, 0, 6, 6),
+                         0};
+  const FreeSpace space = world.space();
+  const VoronoiRoadmap map(space);
+  for (const VoronoiVertex& v : map.vertices()) EXPECT_LT(std::hypot(v.at.x, v.at.y), 9);
+  EXPECT_NEAR(growth_beyond_way(space, {1.75, 1.375}), 0, 1e-12);
+}
+
 /// On the way from any free point straight to its junction, clearance grows as fast as the way does.
 RC_GTEST_PROP(Voronoi, JoinsEveryPointByAWayOfGrowingClearance, ()) {
   const SmallWorld world = test::any_world();
