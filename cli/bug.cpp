@@ -41,9 +41,7 @@ struct BugOptions {
 
 void require_sense(const CLI::App& app, BugOptions& options) {
   if (options.world.file.empty()) throw CLI::RequiredError("FILE");
-  settle_animation(app, options.animation, options.output.svg);
-  if ((options.output.svg == "-") + (options.output.json == "-") + (options.animation == "-") > 1)
-    throw CLI::ValidationError("only one of --svg, --animate and --json can have standard output");
+  settle_animation(app, options.animation, options.output.svg, options.output.json);
   if (app.count("--range") > 0 && options.bug.algorithm != Algorithm::tangent)
     throw CLI::ValidationError("--range is for --algorithm tangent: " + name_of(options.bug.algorithm) +
                                " only touches");

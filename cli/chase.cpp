@@ -50,11 +50,6 @@ struct ChaseOptions {
   CommonOptions common;
 };
 
-void require_one_stdout(const ChaseOptions& options) {
-  if ((options.output.svg == "-") + (options.output.json == "-") + (options.animation == "-") > 1)
-    throw CLI::ValidationError("only one of --svg, --animate and --json can have standard output");
-}
-
 void add_options(CLI::App& app, ChaseOptions& options) {
   app.add_option("MAP", options.file, "The cost map to read, sections N C R T M; - is standard input");
   app.add_option_function<std::string>(
@@ -84,8 +79,7 @@ void add_options(CLI::App& app, ChaseOptions& options) {
     if (options.horizon && !options.online) throw CLI::ValidationError("--horizon needs --online");
     if (options.online && options.names_planner)
       throw CLI::ValidationError("--online plans by itself, without --planner");
-    settle_animation(app, options.animation, options.output.svg);
-    require_one_stdout(options);
+    settle_animation(app, options.animation, options.output.svg, options.output.json);
   });
 }
 

@@ -96,8 +96,6 @@ void require_consistent(const CLI::App& app, const DriveOptions& options) {
     throw CLI::ValidationError("only one of --sample, --all and --open");
   if (options.bits.find_first_not_of("01") != std::string::npos)
     throw CLI::ValidationError("--open: '" + options.bits + "' is not of 0 and 1, one a roadblock");
-  if (options.output.on_stdout() > 1)
-    throw CLI::ValidationError("only one of --svg, --animate and --json can have standard output");
   if (app.count("--policy") > 0 && planner_name(options) != "ours")
     throw CLI::ValidationError("--policy is for --planner ours");
   if (options.controls && options.output.json.empty()) throw CLI::ValidationError("--controls needs --json");
@@ -138,7 +136,7 @@ void add_options(CLI::App& app, DriveOptions& options) {
   app.add_flag("-q,--quiet", options.output.quiet, "Print no table")->group("Output");
   app.callback([&app, &options] {
     options.file = options.world.world.file;
-    settle_animation(app, options.output.animation, options.output.svg);
+    settle_animation(app, options.output.animation, options.output.svg, options.output.json);
     require_consistent(app, options);
   });
 }
@@ -233,7 +231,7 @@ void write_results(const DriveOptions& options, const car::Course& course, const
   write_file(options.output.animation, film);
   const DriveReportOptions report{planner_name(options), options.common.seed, options.controls, options.all};
   write_file(options.output.json, drive_json(results, course, report));
-  if (!options.output.quiet && options.output.on_stdout() == 0) print(drive_table(results, course, report));
+  if (!options.output.quiet && !options.output.stdout_taken()) print(drive_table(results, course, report));
 }
 
 int run(const DriveOptions& options) {

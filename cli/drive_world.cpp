@@ -95,7 +95,7 @@ class Driver {
     write_file(output_.svg, still);
     write_file(output_.animation, film);
     write_file(output_.json, json);
-    if (!output_.quiet && output_.on_stdout() == 0) print(name_ + ": " + line() + "\n");
+    if (!output_.quiet && !output_.stdout_taken()) print(name_ + ": " + line() + "\n");
     return drive_.status == SearchStatus::found ? kFound : drive_.status == SearchStatus::none ? kNone : kStopped;
   }
 

@@ -35,8 +35,8 @@ struct DriveOutput {
   bool quiet = false;
 
   bool draws() const { return !svg.empty() || !animation.empty(); }
-  /// How many files are standard output.
-  int on_stdout() const { return (svg == "-") + (animation == "-") + (json == "-"); }
+  /// Something else goes to stdout, so the table or line must not.
+  bool stdout_taken() const { return svg == "-" || animation == "-" || json == "-"; }
 };
 
 /// Throws InputError, with what helps, when these bytes are no roadblock map but a world that a general car could drive

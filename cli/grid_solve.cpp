@@ -83,9 +83,7 @@ void add_options(CLI::App& app, GridSolveOptions& options) {
       ->group("Output");
   app.add_flag("--path", options.path, "Print the cells of the path, one `row,column` a line")->group("Output");
   app.callback([&app, &options] {
-    settle_animation(app, options.animation, options.svg);
-    if ((options.svg == "-") + (options.animation == "-") + (options.json == "-") > 1)
-      throw CLI::ValidationError("only one of --svg, --animate and --json can have standard output");
+    settle_animation(app, options.animation, options.svg, options.json);
     if (options.search.algorithm == GridAlgorithm::jps && options.grid.moves == GridMoves::four)
       throw CLI::ValidationError("jps jumps along diagonals: not with --moves 4");
   });

@@ -64,7 +64,7 @@ void add_options(CLI::App& app, RunOptions& options) {
   app.add_flag("--quick", options.quick, "Leave out the floor with proof and benchmark 2")->group("Output");
   app.add_flag("--quiet,-q", options.quiet, "No table on standard output")->group("Output");
   app.callback([&app, &options] {
-    settle_animation(app, options.animation, options.svg);
+    settle_animation(app, options.animation, options.svg, options.json);
     int taken = 0;
     for (const std::string* file : options.files()) taken += *file == "-" ? 1 : 0;
     if (taken > 1) throw CLI::ValidationError("only one output can have standard output");

@@ -173,10 +173,13 @@ void add_animate_option(CLI::App& app, std::string& animation, const std::string
       ->group("Output");
 }
 
-void settle_animation(const CLI::App& app, std::string& animation, std::string& svg) {
-  if (app.count("--animate") == 0 || !animation.empty()) return;
-  if (svg.empty()) throw CLI::ValidationError("--animate needs a FILE, or --svg");
-  std::swap(animation, svg);
+void settle_animation(const CLI::App& app, std::string& animation, std::string& svg, const std::string& json) {
+  if (app.count("--animate") > 0 && animation.empty()) {
+    if (svg.empty()) throw CLI::ValidationError("--animate needs a FILE, or --svg");
+    std::swap(animation, svg);
+  }
+  if ((svg == "-") + (animation == "-") + (json == "-") > 1)
+    throw CLI::ValidationError("only one of --svg, --animate and --json can have standard output");
 }
 
 void add_common_options(CLI::App& app, CommonOptions& options) {

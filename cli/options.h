@@ -55,8 +55,8 @@ void add_common_options(CLI::App& app, CommonOptions& options);
 /// `--animate [FILE]`: a picture that moves, into FILE or, where none is named, in the place of --svg's.
 void add_animate_option(CLI::App& app, std::string& animation, const std::string& description);
 /// To be called when all is parsed: gives a nameless --animate the file of --svg, which then is not written otherwise.
-/// Throws CLI::ValidationError when there is none.
-void settle_animation(const CLI::App& app, std::string& animation, std::string& svg);
+/// Throws CLI::ValidationError when there is none, or when more than one of the three files is standard output.
+void settle_animation(const CLI::App& app, std::string& animation, std::string& svg, const std::string& json);
 
 // Values of options. Throw CLI::ValidationError.
 Point point_of(const std::string& text);  ///< `1.5,-2`
