@@ -6,17 +6,9 @@
 
 #include <taut/geometry/grid_maze.h>
 #include <taut/geometry/point.h>
+#include <taut/robots/car/pose.h>
 
 namespace taut::car {
-
-/// Where the car is: its centre, and its heading in radians, positive from +x to +y (clockwise in a picture whose rows
-/// go down). Not reduced.
-struct Pose {
-  double x = 0;
-  double y = 0;
-  double heading = 0;
-  friend bool operator==(const Pose&, const Pose&) = default;
-};
 
 inline constexpr double kHalfLength = 1.5;
 inline constexpr double kHalfWidth = 1.0;

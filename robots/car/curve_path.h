@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <taut/robots/car/car.h>
+#include <taut/robots/car/pose.h>
 
 namespace taut::car {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include <taut/geometry/point.h>
-#include <taut/robots/car/car.h>
+#include <taut/robots/car/pose.h>
 #include <taut/robots/car/heading.h>
 
 namespace taut::car {

@@ -1,7 +1,7 @@
 // Lower bounds for the search. Private.
 #pragma once
 
-#include <taut/robots/car/car.h>
+#include <taut/robots/car/pose.h>
 
 namespace taut::car::detail {
 
