@@ -10,7 +10,7 @@
 
 #include <taut/geometry/errors.h>
 #include <taut/geometry/maze_generator.h>
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/read_world.h>
 #include <taut/robots/micromouse/contest_maze.h>
 #include <taut/robots/micromouse/explorers.h>
 #include <taut/robots/micromouse/steps.h>

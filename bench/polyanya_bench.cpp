@@ -12,8 +12,8 @@
 #include <random>
 #include <string>
 
-#include <taut/io/query_lines.h>
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/query_lines.h>
+#include <taut/io/worlds/read_world.h>
 #include <taut/roadmaps/cell_graph.h>
 #include <taut/search/cell_search.h>
 #include <taut/search/polyanya.h>

@@ -4,10 +4,10 @@
 
 #include <string>
 
+#include <taut/io/worlds/read_chase_map.h>
 #include <taut/robots/pursuit/chase.h>
 #include <taut/robots/pursuit/chase_generator.h>
 #include <taut/robots/pursuit/exact_planner.h>
-#include <taut/robots/pursuit/read_chase_map.h>
 
 #include "../tests/robots/pursuit/full_programme.h"
 

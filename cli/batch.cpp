@@ -20,8 +20,8 @@
 #include <taut/cli/report.h>
 #include <taut/cli/timing.h>
 #include <taut/geometry/errors.h>
-#include <taut/io/gzip.h>
-#include <taut/io/query_lines.h>
+#include <taut/io/worlds/gzip.h>
+#include <taut/io/worlds/query_lines.h>
 #include <taut/search/polyanya.h>
 
 namespace taut::cli {

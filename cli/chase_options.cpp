@@ -4,8 +4,8 @@
 #include <CLI/Option.hpp>
 
 #include <taut/cli/options.h>
-#include <taut/io/read_world.h>
-#include <taut/robots/pursuit/read_chase_map.h>
+#include <taut/io/worlds/read_chase_map.h>
+#include <taut/io/worlds/read_world.h>
 
 namespace taut::cli {
 

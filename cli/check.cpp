@@ -7,7 +7,7 @@
 #include <taut/cli/input.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
-#include <taut/io/read_path.h>
+#include <taut/io/worlds/read_path.h>
 #include <taut/search/query_ends.h>
 #include <taut/search/verify.h>
 

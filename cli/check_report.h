@@ -8,7 +8,7 @@
 
 #include <taut/cli/input.h>
 #include <taut/geometry/free_space.h>
-#include <taut/io/read_path.h>
+#include <taut/io/worlds/read_path.h>
 #include <taut/search/verify.h>
 
 namespace taut::cli {

@@ -5,7 +5,7 @@
 #include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
 #include <taut/cli/output.h>
-#include <taut/io/write_world.h>
+#include <taut/io/worlds/write_world.h>
 
 namespace taut::cli {
 

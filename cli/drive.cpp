@@ -19,7 +19,7 @@
 #include <taut/cli/report.h>
 #include <taut/cli/timing.h>
 #include <taut/geometry/errors.h>
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/read_world.h>
 #include <taut/robots/car/drivers.h>
 #include <taut/robots/car/peers.h>
 #include <taut/robots/car/value_planner.h>

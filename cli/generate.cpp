@@ -16,7 +16,7 @@
 #include <taut/cli/report.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/maze_generator.h>
-#include <taut/io/write_world.h>
+#include <taut/io/worlds/write_world.h>
 #include <taut/robots/car/road_map_generator.h>
 
 namespace taut::cli {

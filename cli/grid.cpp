@@ -10,7 +10,7 @@
 
 #include <taut/cli/command.h>
 #include <taut/geometry/errors.h>
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/read_world.h>
 
 namespace taut::cli {
 

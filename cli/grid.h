@@ -3,7 +3,7 @@
 
 #include <CLI/App.hpp>
 
-#include <taut/io/grid_csv.h>
+#include <taut/io/worlds/grid_csv.h>
 #include <taut/search/grid_search.h>
 #include <optional>
 #include <string>

@@ -12,7 +12,7 @@
 #include <taut/cli/report.h>
 #include <taut/cli/stop.h>
 #include <taut/geometry/grid_generator.h>
-#include <taut/io/movingai.h>
+#include <taut/io/worlds/movingai.h>
 #include <taut/search/grid_search.h>
 
 namespace taut::cli {

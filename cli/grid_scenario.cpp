@@ -14,8 +14,8 @@
 #include <taut/cli/timing.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/detail/result_values.h>
-#include <taut/io/movingai.h>
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/movingai.h>
+#include <taut/io/worlds/read_world.h>
 
 namespace taut::cli {
 

@@ -5,7 +5,7 @@
 
 #include <taut/cli/options.h>
 #include <taut/geometry/world.h>
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/read_world.h>
 
 namespace taut::cli {
 

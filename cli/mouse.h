@@ -8,7 +8,7 @@
 
 #include <taut/cli/command.h>
 #include <taut/geometry/grid_maze.h>
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/read_world.h>
 #include <taut/robots/micromouse/explorers.h>
 #include <taut/robots/micromouse/rules.h>
 

@@ -10,7 +10,7 @@
 #include <taut/cli/stop.h>
 #include <taut/geometry/footprint.h>
 #include <taut/geometry/point.h>
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/read_world.h>
 
 namespace taut::cli {
 

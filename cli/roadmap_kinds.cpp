@@ -6,8 +6,8 @@
 
 #include <utility>
 
-#include <taut/io/read_world.h>
 #include <taut/io/roadmap_file.h>
+#include <taut/io/worlds/read_world.h>
 #include <taut/roadmaps/cell_graph.h>
 #include <taut/roadmaps/visibility_graph.h>
 #include <taut/roadmaps/voronoi_legs.h>

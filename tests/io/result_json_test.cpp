@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <taut/io/read_path.h>
+#include <taut/io/worlds/read_path.h>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>

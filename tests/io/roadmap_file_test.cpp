@@ -6,9 +6,9 @@
 #include <string>
 
 #include <taut/geometry/errors.h>
-#include <taut/io/read_world.h>
 #include <taut/io/roadmap_export.h>
 #include <taut/io/roadmap_file.h>
+#include <taut/io/worlds/read_world.h>
 #include <taut/roadmaps/visibility_graph.h>
 #include <taut/search/shortest_path.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include <taut/geometry/maze_generator.h>
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/read_world.h>
 #include <taut/roadmaps/cell_graph.h>
 #include <taut/search/cell_search.h>
 #include <taut/search/shortest_path.h>

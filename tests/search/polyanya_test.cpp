@@ -8,8 +8,8 @@
 
 #include <taut/geometry/maze_generator.h>
 #include <taut/geometry/predicates.h>
-#include <taut/io/query_lines.h>
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/query_lines.h>
+#include <taut/io/worlds/read_world.h>
 #include <taut/search/polyanya.h>
 #include <taut/search/shortest_path.h>
 #include <taut/search/verify.h>

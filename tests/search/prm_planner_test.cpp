@@ -6,7 +6,7 @@
 
 #include <taut/geometry/errors.h>
 #include <taut/geometry/maze_generator.h>
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/read_world.h>
 #include <taut/search/funnel.h>
 #include <taut/search/shortest_path.h>
 #include <taut/search/verify.h>

@@ -8,7 +8,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/read_world.h>
 #include <taut/search/verify.h>
 
 #include "support/messy_world.h"

@@ -9,7 +9,7 @@
 
 #include <taut/geometry/errors.h>
 #include <taut/geometry/maze_generator.h>
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/read_world.h>
 #include <taut/robots/car/car_planner.h>
 #include <taut/robots/car/detail/leg_lattice.h>
 #include <taut/robots/car/drive_check.h>

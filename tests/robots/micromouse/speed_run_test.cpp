@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <taut/geometry/maze_generator.h>
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/read_world.h>
 #include <taut/robots/micromouse/rules.h>
 #include <taut/robots/micromouse/speed_run.h>
 #include <cmath>

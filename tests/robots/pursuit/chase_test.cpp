@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/read_chase_map.h>
+#include <taut/io/worlds/read_world.h>
 #include <taut/robots/pursuit/chase_generator.h>
 #include <taut/robots/pursuit/entry_planner.h>
 #include <taut/robots/pursuit/exact_planner.h>
-#include <taut/robots/pursuit/read_chase_map.h>
 
 #include "robots/pursuit/full_programme.h"
 #include "support/paths.h"

@@ -9,10 +9,10 @@
 #include <string>
 
 #include <taut/geometry/detail/draws.h>
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/read_chase_map.h>
+#include <taut/io/worlds/read_world.h>
 #include <taut/robots/pursuit/chase_generator.h>
 #include <taut/robots/pursuit/detail/reduced.h>
-#include <taut/robots/pursuit/read_chase_map.h>
 
 #include "robots/pursuit/full_programme.h"
 #include "support/paths.h"

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <taut/io/worlds/read_chase_map.h>
 #include <taut/robots/pursuit/chase.h>
 #include <taut/robots/pursuit/chase_generator.h>
 #include <taut/robots/pursuit/exact_planner.h>
-#include <taut/robots/pursuit/read_chase_map.h>
 
 namespace taut::pursuit {
 namespace {

@@ -1,0 +1,51 @@
+// What wkt and geojson have in common: polygons, lines and points that become a World.
+#pragma once
+
+#include <string>
+
+#include <taut/geometry/world.h>
+#include <taut/io/worlds/detail/text_input.h>
+#include <taut/io/worlds/read_world.h>
+
+namespace taut::detail {
+
+/// Collects shapes. Each function throws InputError at the place of a shape that cannot be used.
+class Shapes {
+ public:
+  explicit Shapes(const ReadOptions& options) : source_(options.source), as_(options.polygons) {
+    parts_.source = source_;
+  }
+
+  /// A polygon without a role: ReadOptions decides.
+  void add_polygon(Polygon polygon, int line);
+  void add_free(Polygon polygon, int line);
+  void add_solid(Polygon polygon, int line);
+
+  /// Each leg a wall; at least two points.
+  void add_walls(const Ring& chain, double thickness, int line);
+
+  /// The first point is the start, the second the goal; fails on a third.
+  void add_point(Point p, int line);
+  void set_start(Point p, int line);
+  void set_goal(Point p, int line);
+  void add_goal_box(const Polygon& polygon, int line);
+
+  /// Floor plans (the default) or limits.
+  void set_boundary(Boundary boundary) { boundary_ = boundary; }
+
+  WorldParts take();
+
+ private:
+  Place at(int line) const { return {source_, line}; }
+
+  std::string source_;
+  ReadOptions::Polygons as_;
+  Boundary boundary_ = Boundary::walled;
+  WorldParts parts_;
+};
+
+/// Checks that a ring as these formats write it is closed and has at least four positions; cuts off the last, repeated
+/// one.
+void open_up(Ring& ring, const Place& place);
+
+}  // namespace taut::detail

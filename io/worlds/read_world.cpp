@@ -1,0 +1,192 @@
+#include <taut/io/worlds/read_world.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <utility>
+
+#include <taut/geometry/occupancy_world.h>
+#include <taut/io/worlds/detail/formats.h>
+#include <taut/io/worlds/detail/text_input.h>
+#include <taut/io/worlds/gzip.h>
+#include <taut/io/worlds/movingai.h>
+
+namespace taut {
+
+namespace {
+
+constexpr std::array<std::pair<Format, std::string_view>, 8> kNames{{
+    {Format::segments, "segments"},
+    {Format::cell_values, "cells"},
+    {Format::drawing, "drawing"},
+    {Format::maz, "maz"},
+    {Format::num, "num"},
+    {Format::wkt, "wkt"},
+    {Format::geojson, "geojson"},
+    {Format::movingai, "movingai"},
+}};
+
+bool is_text(std::string_view bytes) {
+  return std::none_of(bytes.begin(), bytes.end(), [](char c) {
+    return (static_cast<unsigned char>(c) < ' ' && !(c >= '\t' && c <= '\r')) || c == 0x7f;
+  });
+}
+
+bool is_empty(std::string_view bytes) {
+  return std::all_of(bytes.begin(), bytes.end(), [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); });
+}
+
+std::string first_word(std::string_view line) {
+  std::string word;
+  for (char c : line) {
+    if (!std::isalpha(static_cast<unsigned char>(c))) break;
+    word += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return word;
+}
+
+bool begins_wkt(const std::string& word) {
+  static constexpr std::array<std::string_view, 8> kinds{
+      "POINT", "LINESTRING", "POLYGON", "MULTIPOINT", "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION", "SRID"};
+  return std::any_of(kinds.begin(), kinds.end(), [&](std::string_view kind) {
+    if (!word.starts_with(kind)) return false;
+    const std::string_view rest = std::string_view(word).substr(kind.size());
+    return rest.empty() || rest == "Z" || rest == "M" || rest == "ZM";
+  });
+}
+
+std::size_t count_fields(std::string_view line) {
+  std::size_t n = 0;
+  bool inside = false;
+  for (char c : line) {
+    const bool separator = c == ',' || c == ' ' || c == '\t';
+    n += !separator && !inside;
+    inside = !separator;
+  }
+  return n;
+}
+
+// Of a line that says something.
+std::optional<Format> format_of_line(std::string_view line) {
+  if (line[0] == '{' || line[0] == '[') return Format::geojson;
+  if (detail::is_row_of_posts(line)) return Format::drawing;
+  const std::string word = first_word(line);
+  if (begins_wkt(word)) return Format::wkt;
+  if (word == "TYPE" || word == "HEIGHT" || word == "WIDTH") return Format::movingai;
+  if (word == "START" || word == "GOAL" || word == "BOUNDARY") return Format::segments;
+  const bool number =
+      std::isdigit(static_cast<unsigned char>(line[0])) || line[0] == '-' || line[0] == '+' || line[0] == '.';
+  if (!number && word != "NAN" && word != "INF") return std::nullopt;
+  switch (count_fields(line.substr(0, line.find('#')))) {
+    case 1: return Format::cell_values;
+    case 6: return Format::num;
+    default: return Format::segments;
+  }
+}
+
+// Comments of the formats that have any; a drawing's are met by its reader.
+bool is_comment(std::string_view line) { return line[0] == '#' || line[0] == '/' || line[0] == '*' || line[0] == ';'; }
+
+void check_not_utf16(std::string_view bytes, const std::string& source) {
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
+    throw InputError(source, 0, "text in UTF-16; save it as UTF-8");
+}
+
+World read_grid(GridMaze maze, const ReadOptions& options) {
+  return world_of(std::make_shared<const GridMaze>(std::move(maze)), options.cell_size, options.source);
+}
+
+std::string drain(std::istream& in) {
+  std::string bytes;
+  std::array<char, 1 << 16> block;
+  while (in.read(block.data(), block.size()) || in.gcount() > 0)
+    bytes.append(block.data(), static_cast<std::size_t>(in.gcount()));
+  return bytes;
+}
+
+std::string unpacked(std::string bytes, const std::string& source) {
+  return is_gzip(bytes) ? gunzip(bytes, source) : std::move(bytes);
+}
+
+}  // namespace
+
+std::string_view name(Format format) {
+  return std::find_if(kNames.begin(), kNames.end(), [&](const auto& entry) { return entry.first == format; })->second;
+}
+
+std::optional<Format> format_named(std::string_view word) {
+  for (const auto& [format, its_name] : kNames)
+    if (its_name == word) return format;
+  return std::nullopt;
+}
+
+Format detect_format(std::string_view bytes, const std::string& source) {
+  if (is_empty(detail::stripped(bytes))) throw InputError(source, 0, "file is empty");
+  check_not_utf16(bytes, source);
+  if (!is_text(detail::stripped(bytes))) {
+    if (detail::is_maz_size(bytes.size())) return Format::maz;
+    throw InputError(
+        source, 0,
+        "binary data of " + std::to_string(bytes.size()) + " bytes; the only binary format, .maz, has 256 or 1024");
+  }
+  bool comment = false;
+  for (detail::Lines lines(bytes); lines.next();) {
+    const std::string_view line = detail::trimmed(lines.line());
+    if (line.empty()) continue;
+    if (is_comment(line)) {
+      comment = true;
+      continue;
+    }
+    if (const std::optional<Format> format = format_of_line(line)) return *format;
+    detail::Place{source, lines.number()}.fail("no known format begins with " + detail::quoted(line));
+  }
+  throw InputError(source, 0, comment ? "file holds nothing but comments" : "file is empty");
+}
+
+World read_world(std::string_view bytes, const ReadOptions& options, ReadNotes* notes) {
+  if (is_empty(detail::stripped(bytes))) throw InputError(options.source, 0, "file is empty");
+  ReadNotes local;
+  ReadNotes& seen = notes ? *notes : local;
+  seen = {options.format ? *options.format : detect_format(bytes, options.source), 0};
+  switch (seen.format) {
+    case Format::segments: return World(detail::read_segments(bytes, options.source));
+    case Format::cell_values: return read_grid(detail::read_cell_values(bytes, options.source), options);
+    case Format::drawing: return read_grid(detail::read_drawing(bytes, options.source, seen.unknown_walls), options);
+    case Format::maz: return read_grid(detail::read_maz(bytes, options.source), options);
+    case Format::num: return read_grid(detail::read_num(bytes, options.source), options);
+    case Format::wkt: return World(detail::read_wkt(bytes, options));
+    case Format::geojson: return World(detail::read_geojson(bytes, options));
+    case Format::movingai: return world_of(read_movingai_map(bytes, options.source), options.source);
+  }
+  throw InputError(options.source, 0, "unknown format");
+}
+
+World read_world(std::istream& in, const ReadOptions& options, ReadNotes* notes) {
+  return read_world(unpacked(drain(in), options.source), options, notes);
+}
+
+World read_world_file(const std::string& path, ReadOptions options, ReadNotes* notes) {
+  options.source = path == "-" ? "<stdin>" : detail::printable_name(path);
+  return read_world(read_bytes(path), options, notes);
+}
+
+std::string read_bytes(const std::string& path) {
+  if (path == "-") return unpacked(drain(std::cin), "<stdin>");
+  const std::string shown = path.empty() ? "''" : detail::printable_name(path);
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) throw InputError(shown, 0, "is a directory, not a file");
+  if (!std::filesystem::exists(path, error)) throw InputError(shown, 0, "no such file");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) throw InputError(shown, 0, std::string("cannot be opened: ") + std::strerror(errno));
+  std::string bytes = drain(in);
+  if (in.bad()) throw InputError(shown, 0, "cannot be read");
+  return unpacked(std::move(bytes), shown);
+}
+
+}  // namespace taut

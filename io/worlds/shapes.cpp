@@ -1,0 +1,71 @@
+#include <taut/io/worlds/detail/shapes.h>
+
+#include <algorithm>
+#include <utility>
+
+#include <taut/geometry/detail/text.h>
+
+namespace taut::detail {
+
+void Shapes::add_polygon(Polygon polygon, int line) {
+  if (as_ == ReadOptions::Polygons::free) {
+    add_free(std::move(polygon), line);
+  } else {
+    add_solid(std::move(polygon), line);
+  }
+}
+
+void Shapes::add_free(Polygon polygon, int line) { parts_.areas.push_back({std::move(polygon), line}); }
+
+void Shapes::add_solid(Polygon polygon, int line) { parts_.solids.push_back({std::move(polygon), line}); }
+
+void Shapes::add_walls(const Ring& chain, double thickness, int line) {
+  if (chain.size() < 2) at(line).fail("a line needs at least two points");
+  for (std::size_t i = 1; i < chain.size(); ++i) parts_.walls.push_back({chain[i - 1], chain[i], thickness, line});
+}
+
+void Shapes::add_point(Point p, int line) {
+  if (!parts_.start) return set_start(p, line);
+  if (parts_.goal.point || !parts_.goal.room.empty())
+    at(line).fail("a third point, " + text(p) + "; the first two are start and goal");
+  set_goal(p, line);
+}
+
+void Shapes::set_start(Point p, int line) {
+  if (parts_.start) at(line).fail("a second start, " + text(p) + "; the first is " + text(*parts_.start));
+  parts_.start = p;
+}
+
+void Shapes::set_goal(Point p, int line) {
+  if (parts_.goal.point || !parts_.goal.room.empty()) at(line).fail("a second goal, " + text(p));
+  parts_.goal.point = p;
+}
+
+void Shapes::add_goal_box(const Polygon& polygon, int line) {
+  const Ring& r = polygon.outer;
+  const bool upright = r.size() == 4 && (r[0].x == r[1].x ? r[1].y == r[2].y && r[2].x == r[3].x && r[3].y == r[0].y
+                                                          : r[0].y == r[1].y && r[1].x == r[2].x && r[2].y == r[3].y &&
+                                                                r[3].x == r[0].x);
+  if (!polygon.holes.empty() || !upright) at(line).fail("a goal polygon must be an axis-parallel rectangle");
+  if (parts_.goal.point) at(line).fail("a second goal");
+  const auto [x0, x1] = std::minmax({r[0].x, r[2].x});
+  const auto [y0, y1] = std::minmax({r[0].y, r[2].y});
+  parts_.goal.room.push_back({{x0, y0}, {x1, y1}});
+}
+
+WorldParts Shapes::take() {
+  parts_.boundary = boundary_;
+  return std::move(parts_);
+}
+
+void open_up(Ring& ring, const Place& place) {
+  if (ring.empty()) place.fail("ring without points");
+  if (ring.front() != ring.back())
+    place.fail("ring is not closed: first " + text(ring.front()) + ", last " + text(ring.back()));
+  if (ring.size() < 4)
+    place.fail("ring near " + text(ring.front()) + " has only " + std::to_string(ring.size()) +
+               " positions; a closed ring has at least 4");
+  ring.pop_back();
+}
+
+}  // namespace taut::detail

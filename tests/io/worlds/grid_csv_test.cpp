@@ -1,0 +1,110 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <taut/io/worlds/grid_csv.h>
+#include <taut/search/grid_search.h>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "support/refusal.h"
+
+namespace taut::test {
+namespace {
+
+std::string complaint(const std::string& text) {
+  return refusal_of([&] { read_grid(text, "a.csv"); });
+}
+
+TEST(GridCsv, ReadsPaddedLinesWithAnyLineEnds) {
+  const GridTask task = read_grid("start,0,1,\r\n\r\ngoal,1,2,,\r\n0,0,1,\r\n 1 ,0, 0\r\n", "a.csv");
+  EXPECT_EQ(task.grid.width, 3U);
+  EXPECT_EQ(task.grid.height, 2U);
+  EXPECT_EQ(task.grid.blocked, (std::vector<std::uint8_t>{0, 0, 1, 1, 0, 0}));
+  EXPECT_EQ(task.start, (GridPlace{0, 1}));
+  EXPECT_EQ(task.goal, (GridPlace{1, 2}));
+  EXPECT_EQ(read_grid_csv(grid_csv_text(task), "").grid.blocked, task.grid.blocked);
+}
+
+TEST(GridCsv, NamesLineAndCulprit) {
+  EXPECT_EQ(complaint("start,0,0\ngoal,0,1\n0,2\n"), "a.csv:3: cell (row 0, column 1) is '2', not 0 or 1");
+  EXPECT_EQ(complaint("start,0,0\ngoal,0,1\n0,0\n0\n"), "a.csv:4: row 1 has 1 cells, those before it 2");
+  EXPECT_EQ(complaint("start,0,0\ngoal,0,1\n0,1\n"), "a.csv:2: goal (row 0, column 1) is blocked");
+  EXPECT_EQ(complaint("start,5,0\ngoal,0,1\n0,0\n"),
+            "a.csv:1: start (row 5, column 0) is outside the grid of 1 rows and 2 columns");
+  EXPECT_EQ(complaint("start,0\ngoal,0,1\n0,0\n"), "a.csv:1: 'start' wants a row and a column, not 1 values");
+  EXPECT_EQ(complaint("start,0,0\n0,0\n"), "a.csv:2: '0' where 'goal' should be");
+  EXPECT_EQ(complaint("start,0,0\ngoal,0,1\n"), "a.csv: has no rows of cells");
+}
+
+TEST(GridDrawing, ReadsCellsAndEnds) {
+  const GridTask task = read_grid("S.#\n.@G\n", "a.txt");
+  EXPECT_EQ(task.grid.blocked, (std::vector<std::uint8_t>{0, 0, 1, 0, 1, 0}));
+  EXPECT_EQ(task.start, (GridPlace{0, 0}));
+  EXPECT_EQ(task.goal, (GridPlace{1, 2}));
+  EXPECT_THAT(complaint("S?\n"), testing::HasSubstr("a.csv:1: '?' in column 1 is no cell"));
+  EXPECT_THAT(complaint("SS\n"), testing::HasSubstr("a second 'S'"));
+}
+
+struct Figures {
+  const char* file;
+  std::size_t bfs, dfs, dijkstra, astar, path, dfs_path;
+};
+
+/// The course's grids (systems/grid-search.md).
+class GridFigures : public testing::TestWithParam<Figures> {
+ protected:
+  void SetUp() override {
+    const std::filesystem::path path = std::filesystem::path(TAUT_SHARED_DATA_DIR) / "grid" / GetParam().file;
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << "no " << path;
+    std::stringstream text;
+    text << std::ifstream(path).rdbuf();
+    task = read_grid(text.str(), GetParam().file);
+  }
+  GridResult run(GridQuery query) {
+    return GridSearch(task.grid, GridMoves::four).find(*task.start, *task.goal, query);
+  }
+  static GridHeuristic h(std::string_view names) { return *grid_heuristic_named(names); }
+  GridTask task;
+};
+
+TEST_P(GridFigures, AreThoseOfTheSource) {
+  const Figures& f = GetParam();
+  const GridResult bfs = run({GridAlgorithm::bfs, {}}), dfs = run({GridAlgorithm::dfs, {}}),
+                   dijkstra = run({GridAlgorithm::dijkstra, {}}), astar = run({GridAlgorithm::astar, h("manhattan")});
+  EXPECT_EQ(bfs.steps, f.bfs);
+  EXPECT_EQ(dfs.steps, f.dfs);
+  EXPECT_EQ(dijkstra.steps, f.dijkstra);
+  EXPECT_EQ(astar.steps, f.astar);
+  EXPECT_EQ(bfs.path.size(), f.path);
+  EXPECT_EQ(dijkstra.path.size(), f.path);
+  EXPECT_EQ(astar.path.size(), f.path);
+  EXPECT_EQ(dfs.path.size(), f.dfs_path);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, GridFigures,
+                         testing::Values(Figures{"test_map.csv", 10, 9, 10, 7, 5, 9},
+                                         Figures{"map.csv", 64, 33, 64, 51, 20, 32},
+                                         Figures{"test_better.csv", 36, 35, 36, 19, 11, 27}));
+
+class GridReport : public GridFigures {};
+
+TEST_P(GridReport, FiguresOfMapCsvHaveTheirTrueNames) {
+  EXPECT_EQ(run({GridAlgorithm::astar, h("biased-row,biased-column")}).steps, 60U);  // the published A*
+  const GridResult greedy = run({GridAlgorithm::greedy, h("euclidean")});            // the report's "A*"
+  EXPECT_EQ(greedy.steps, 40U);
+  EXPECT_EQ(greedy.path.size(), 28U);
+  EXPECT_FALSE(greedy.optimal);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, GridReport, testing::Values(Figures{"map.csv", 0, 0, 0, 0, 0, 0}));
+
+class GridLifo : public GridFigures {};
+
+TEST_P(GridLifo, TakesFewerSteps) { EXPECT_EQ(run({GridAlgorithm::astar, h("manhattan"), Ties::lifo}).steps, 14U); }
+
+INSTANTIATE_TEST_SUITE_P(Shared, GridLifo, testing::Values(Figures{"test_better.csv", 0, 0, 0, 0, 0, 0}));
+
+}  // namespace
+}  // namespace taut::test

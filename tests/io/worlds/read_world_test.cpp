@@ -1,0 +1,203 @@
+#include <taut/io/worlds/read_world.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "support/refusal.h"
+
+namespace taut {
+namespace {
+
+using std::string;
+
+string message_of(const string& bytes, Format format) {
+  return test::refusal_of([&] {
+    ReadOptions options;
+    options.format = format;
+    read_world(bytes, options);
+  });
+}
+
+string file_message(const string& path) {
+  return test::refusal_of([&] { read_world_file(path); });
+}
+
+TEST(DetectFormat, LooksAtTheFirstLineThatSaysSomething) {
+  EXPECT_EQ(detect_format("# walls\n\n0.5 0.5 7 .5\n"), Format::segments);
+  EXPECT_EQ(detect_format("1,2,3,4"), Format::segments);
+  EXPECT_EQ(detect_format("0 0 1 1 # one two\n"), Format::segments);
+  EXPECT_EQ(detect_format("start 1 1\n0 0 1 1\n"), Format::segments);
+  EXPECT_EQ(detect_format("\xEF\xBB\xBF"
+                          "12\r\n1,5,"),
+            Format::cell_values);
+  EXPECT_EQ(detect_format("o---o---o\n"), Format::drawing);
+  EXPECT_EQ(detect_format("/* minos */\n+   + . +\n"), Format::drawing);
+  EXPECT_EQ(detect_format("0 0 1 0 1 1\n"), Format::num);
+  EXPECT_EQ(detect_format("polygon z ((0 0"), Format::wkt);
+  EXPECT_EQ(detect_format("SRID=4326;POINTZM(1 2 3 4)"), Format::wkt);
+  EXPECT_EQ(detect_format(" {\"type\""), Format::geojson);
+  EXPECT_EQ(detect_format(string(256, '\0')), Format::maz);
+}
+
+TEST(DetectFormat, TakesTextOfAMazSizeForText) {
+  string text = "0 0 1 1 #";
+  text.resize(256, 'x');
+  EXPECT_EQ(detect_format(text), Format::segments);
+}
+
+TEST(Format, HasAWord) {
+  for (Format f :
+       {Format::segments, Format::cell_values, Format::drawing, Format::maz, Format::num, Format::wkt, Format::geojson})
+    EXPECT_EQ(format_named(name(f)), f);
+  EXPECT_FALSE(format_named("dwg"));
+}
+
+TEST(ReadWorld, PrefersTheFormatItIsTold) {
+  EXPECT_EQ(message_of("1 2 3 4\n", Format::wkt), "line 1: a geometry is expected, not '1'");
+  EXPECT_EQ(message_of("1 2 3 4\n", Format::maz), "a .maz file has 256 or 1024 bytes, not 8");
+  EXPECT_EQ(message_of("", Format::geojson), "file is empty");
+}
+
+TEST(ReadWorld, ReadsStreams) {
+  std::istringstream in("0 0 4 0\n0 0 0 4\n");
+  EXPECT_EQ(read_world(in).walls().size(), 2U);
+}
+
+TEST(ReadWorld, TellsWhatItMet) {
+  ReadNotes notes;
+  read_world("o---o\n. S |\no---o\n", {}, &notes);
+  EXPECT_EQ(notes.format, Format::drawing);
+  EXPECT_EQ(notes.unknown_walls, 1U);
+}
+
+TEST(ReadWorldFile, NamesDirectoriesAndMissingFiles) {
+  EXPECT_EQ(file_message("/"), "/: is a directory, not a file");
+  EXPECT_EQ(file_message("no/such\x1b[2Jfile"), "no/such?[2Jfile: no such file");
+}
+
+// Every file of tests/corpus/bad with the one line it must give.
+const std::vector<std::pair<const char*, const char*>> kBad{
+    {"bad_wall.txt", ":2: column 5: '!' is no wall ('|', ' ' or '.')"},
+    {"bent_drawing.txt", ":3: the row is longer than the 2 cells of the first row"},
+    {"blank.txt", ": file is empty"},
+    {"broken.geojson", ":2: not valid JSON: syntax error while parsing value - invalid literal; last read: '0], [na'"},
+    {"comments.txt", ": file holds nothing but comments"},
+    {"crossing_boundary.txt", ":1: ring crosses itself: side (0, 0)-(4, 4) and side (4, 0)-(0, 4)"},
+    {"curve.wkt", ":1: no known format begins with 'CIRCULARSTRING (0 0, 1 1, 2 0)'"},
+    {"cut_off.wkt", ":2: a number is expected, not the end of the file"},
+    {"deep.geojson", ":1: JSON is nested more than 64 deep"},
+    {"deep.wkt", ":1: geometry collections are nested more than 32 deep"},
+    {"disagree.num", ":2: cell (0,0) says open to the right, cell (1,0) says wall"},
+    {"disagree_right.csv", ":6: cell (3,6) says open to the right, cell (4,6) says wall"},
+    {"disagree_up.csv", ":4: cell (2,3) says wall upwards, cell (2,4) says open"},
+    {"empty.txt", ": file is empty"},
+    {"escape.txt", ":2: 'x????2Jx' is not a number"},
+    {"extra_column.csv", ":6: more than 4 columns"},
+    {"five.num", ":2: only 5 of the six numbers X Y N E S W"},
+    {"flat_boundary.txt", ":1: boundary box from (0, 0) to (4, 0) has no area: the lower left corner comes first"},
+    {"flat_ring.wkt", ":1: ring near (0, 0) has fewer than 3 distinct points"},
+    {"hole_along.wkt", ":1: hole 1 runs along the outer ring: side (0, 1)-(0, 2) and side (0, 4)-(0, 0)"},
+    {"hole_crossing.wkt", ":1: hole 1 crosses the outer ring: side (3, 2)-(6, 2) and side (4, 0)-(4, 4)"},
+    {"hole_in_hole.wkt", ":1: hole 2 at (3, 3) does not lie apart from hole 1"},
+    {"hole_outside.wkt", ":1: hole 1 at (5, 5) does not lie inside its outer ring"},
+    {"huge.geojson", ":3: 1e+308 is beyond the largest coordinate, 1e+75"},
+    {"huge.txt", ":2: '1e308' is beyond the largest coordinate, 1e+75"},
+    {"inf.txt", ":2: '-inf' is not a finite number"},
+    {"large_size.csv", ":1: maze size '258' is not a whole number between 2 and 256"},
+    {"long_column.csv", ":4: column 2 has more than 4 values"},
+    {"lost_comma.txt", ":2: there is nothing before a comma"},
+    {"lost_post.txt", ":3: column 5: 'x' is no post ('o' or '+')"},
+    {"lost_row.txt", ":5: a row of posts is expected, not 'x---o---o'"},
+    {"mark.txt", ":2: column 7: 'E' in cell (1,0) is neither S nor G"},
+    {"missing.num", ": cell (1,0) is missing"},
+    {"missing_column.csv", ":4: file ends after 3 of 4 columns"},
+    {"nan.txt", ":2: 'nan' is not a finite number"},
+    {"no_type.geojson", ":1: a GeoJSON object is expected"},
+    {"noise.bin", ": binary data of 777 bytes; the only binary format, .maz, has 256 or 1024"},
+    {"noise256.maz", ": cell (0,0) says open upwards, cell (0,1) says wall"},
+    {"odd_size.csv", ":1: maze size 5 is odd"},
+    {"only_points.txt", ": all walls have length zero, and there are no areas"},
+    {"open_border.csv", ":2: cell (0,2) is open to the left, but the border is closed"},
+    {"overflow.geojson", ":2: not valid JSON: number overflow parsing '1e999'"},
+    {"overflow.txt", ":1: '1e999' is out of the range of numbers"},
+    {"position.geojson", ":1: a number is expected"},
+    {"prose.txt", ":1: no known format begins with 'Once upon a time'"},
+    {"role.geojson", ":1: role 'wal' is not free, obstacle, wall, start or goal"},
+    {"self_crossing.geojson", ":2: ring crosses itself: side (0, 0)-(4, 4) and side (4, 0)-(0, 4)"},
+    {"self_crossing.wkt", ":2: ring crosses itself: side (0, 0)-(4, 4) and side (4, 0)-(0, 4)"},
+    {"self_touching.wkt", ":1: ring touches itself at (2, 2): side (4, 0)-(2, 2) and side (0, 4)-(2, 2)"},
+    {"short_column.csv", ":4: column 2 has 3 values instead of 4"},
+    {"six_numbers.txt", ":2: more than five numbers; a wall is x1 y1 x2 y2 [thickness]"},
+    {"spike.wkt", ":1: ring has a spike at (8, 4): side (8, 4)-(4, 4) folds back over side (4, 4)-(8, 4)"},
+    {"thin.txt", ":1: wall thickness -0.5 is negative"},
+    {"third_point.wkt", ":3: a third point, (2, 2); the first two are start and goal"},
+    {"three_numbers.txt", ":2: only 3 numbers; a wall is x1 y1 x2 y2 [thickness]"},
+    {"torn_drawing.txt", ":4: this row does not belong to the drawing above"},
+    {"twice.num", ":2: cell (0,0) was already given in line 1"},
+    {"two.num", ":1: W '2' is not a whole number between 0 and 1"},
+    {"two_starts.txt", ":3: a second start; the first is in line 1"},
+    {"two_starts_drawing.txt", ":2: a second start, in cell (1,0); the first is in cell (0,0)"},
+    {"type.geojson", ":1: GeoJSON type 'Topology' is not supported"},
+    {"unclosed_ring.geojson", ":3: ring is not closed: first (0, 0), last (0, 1)"},
+    {"unclosed_ring.wkt", ":1: ring is not closed: first (0, 0), last (0, 1)"},
+    {"unknown_word.txt", ":2: 'finish' is neither a number nor start, goal or boundary"},
+    {"utf16.txt", ": text in UTF-16; save it as UTF-8"},
+    {"value_16.csv", ":3: value of cell (1,2) '16' is not a whole number between 0 and 15"},
+    {"word.csv", ":3: value of cell (1,1) 'x' is not a whole number between 0 and 15"},
+};
+
+TEST(BadCorpus, GivesOneClearLineAFile) {
+  const string folder = string(TAUT_CORPUS_DIR) + "/bad/";
+  for (const auto& [file, message] : kBad) EXPECT_EQ(file_message(folder + file), folder + file + message);
+}
+
+TEST(BadCorpus, IsListedCompletely) {
+  std::set<string> listed;
+  for (const auto& [file, message] : kBad) listed.insert(file);
+  for (const auto& entry : std::filesystem::directory_iterator(string(TAUT_CORPUS_DIR) + "/bad"))
+    EXPECT_TRUE(listed.contains(entry.path().filename().string())) << entry.path();
+}
+
+// No input, however torn, does anything but read or throw an InputError.
+TEST(BadCorpus, StaysCalmWhenFilesAreCutOrDamaged) {
+  for (const auto& entry : std::filesystem::directory_iterator(string(TAUT_CORPUS_DIR) + "/bad")) {
+    const string bytes = read_bytes(entry.path().string());
+    for (std::size_t i = 0; i < bytes.size(); i += 1 + bytes.size() / 50) {
+      string damaged = bytes;
+      damaged[i] = static_cast<char>(damaged[i] ^ 0x15);
+      for (const string& input : {bytes.substr(0, i), damaged}) {
+        try {
+          read_world(input);
+        } catch (const InputError& error) {
+          EXPECT_EQ(string(error.what()).find('\n'), string::npos);
+        }
+      }
+    }
+  }
+}
+
+TEST(SharedFiles, AllRead) {
+  const std::filesystem::path folder = TAUT_SHARED_DATA_DIR;
+  if (!std::filesystem::exists(folder / "micromouse")) GTEST_SKIP() << "no shared data in " << folder;
+  std::size_t mazes = 0;
+  for (const char* part : {"micromouse", "prm"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / part)) {
+      if (!entry.is_regular_file()) continue;
+      SCOPED_TRACE(entry.path());
+      const World world = read_world_file(entry.path().string());
+      EXPECT_TRUE(world.start());
+      EXPECT_TRUE(world.goal().point || !world.goal().room.empty());
+      EXPECT_EQ(world.openings().size(), world.grid() ? 0U : 2U);
+      ++mazes;
+    }
+  EXPECT_GE(mazes, 74U);
+}
+
+}  // namespace
+}  // namespace taut
