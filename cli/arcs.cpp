@@ -11,7 +11,7 @@
 #include <taut/cli/report.h>
 #include <taut/cli/timing.h>
 #include <taut/io/arc_json.h>
-#include <taut/io/svg.h>
+#include <taut/io/pictures/svg.h>
 #include <taut/search/disc_passage.h>
 #include <taut/search/verify_arcs.h>
 

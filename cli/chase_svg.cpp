@@ -8,7 +8,7 @@
 
 #include <taut/cli/png.h>
 #include <taut/cli/report.h>
-#include <taut/io/detail/svg_frame.h>
+#include <taut/io/pictures/detail/svg_frame.h>
 
 namespace taut::cli {
 

@@ -16,7 +16,7 @@
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
 #include <taut/cli/timing.h>
-#include <taut/io/svg.h>
+#include <taut/io/pictures/svg.h>
 #include <taut/search/query_ends.h>
 #include <taut/search/verify.h>
 #include <taut/search/voronoi_search.h>

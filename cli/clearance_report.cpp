@@ -6,8 +6,8 @@
 #include <array>
 
 #include <taut/cli/report.h>
-#include <taut/io/svg.h>
-#include <taut/io/svg_front.h>
+#include <taut/io/pictures/svg.h>
+#include <taut/io/pictures/svg_front.h>
 
 namespace taut::cli {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <taut/io/detail/svg_frame.h>
+#include <taut/io/pictures/detail/svg_frame.h>
 #include <taut/robots/car/value_iteration.h>
 
 namespace taut::cli {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include <taut/io/detail/svg_frame.h>
+#include <taut/io/pictures/detail/svg_frame.h>
 
 namespace taut::cli {
 

@@ -14,7 +14,7 @@
 #include <taut/cli/report.h>
 #include <taut/cli/timing.h>
 #include <taut/io/detail/result_values.h>
-#include <taut/io/grid_svg.h>
+#include <taut/io/pictures/grid_svg.h>
 
 namespace taut::cli {
 

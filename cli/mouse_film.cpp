@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include <taut/io/detail/svg_path.h>
+#include <taut/io/pictures/detail/svg_path.h>
 
 namespace taut::cli {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include <taut/io/detail/svg_path.h>
+#include <taut/io/pictures/detail/svg_path.h>
 
 namespace taut::cli {
 

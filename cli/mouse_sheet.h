@@ -6,7 +6,7 @@
 
 #include <taut/geometry/grid_maze.h>
 #include <taut/geometry/point.h>
-#include <taut/io/detail/svg_frame.h>
+#include <taut/io/pictures/detail/svg_frame.h>
 #include <taut/robots/micromouse/rules.h>
 
 namespace taut::cli {

@@ -1,5 +1,5 @@
 #include <taut/cli/mouse_svg.h>
-#include <taut/io/colour_scale.h>
+#include <taut/io/pictures/colour_scale.h>
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <taut/cli/mouse_film.h>
 #include <taut/cli/mouse_report.h>
 #include <taut/cli/mouse_sheet.h>
-#include <taut/io/detail/svg_path.h>
+#include <taut/io/pictures/detail/svg_path.h>
 #include <taut/robots/micromouse/steps.h>
 
 namespace taut::cli {

@@ -15,9 +15,9 @@
 #include <taut/cli/roadmap_kinds.h>
 #include <taut/cli/timing.h>
 #include <taut/geometry/corridor_width.h>
+#include <taut/io/pictures/svg.h>
 #include <taut/io/roadmap_export.h>
 #include <taut/io/roadmap_json.h>
-#include <taut/io/svg.h>
 #include <taut/io/voronoi_export.h>
 
 namespace taut::cli {

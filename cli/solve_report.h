@@ -8,8 +8,8 @@
 #include <taut/cli/roadmap_kinds.h>
 #include <taut/cli/solve_options.h>
 #include <taut/geometry/free_space.h>
+#include <taut/io/pictures/svg.h>
 #include <taut/io/result_json.h>
-#include <taut/io/svg.h>
 
 namespace taut::cli {
 

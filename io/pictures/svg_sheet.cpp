@@ -1,4 +1,4 @@
-#include <taut/io/svg_sheet.h>
+#include <taut/io/pictures/svg_sheet.h>
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include <taut/io/detail/svg_path.h>
+#include <taut/io/pictures/detail/svg_path.h>
 
 namespace taut {
 

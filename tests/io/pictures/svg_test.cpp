@@ -1,4 +1,4 @@
-#include <taut/io/svg.h>
+#include <taut/io/pictures/svg.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <string>
 
 #include <taut/geometry/maze_generator.h>
-#include <taut/io/detail/svg_path.h>
+#include <taut/io/pictures/detail/svg_path.h>
 #include <taut/roadmaps/visibility_graph.h>
 #include <taut/search/shortest_path.h>
 

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <taut/io/grid_svg.h>
+#include <taut/io/pictures/grid_svg.h>
 #include <taut/search/grid_search.h>
 #include <string>
 #include "support/grid_drawing.h"

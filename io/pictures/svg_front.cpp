@@ -1,5 +1,5 @@
-#include <taut/io/colour_scale.h>
-#include <taut/io/svg_front.h>
+#include <taut/io/pictures/colour_scale.h>
+#include <taut/io/pictures/svg_front.h>
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <array>
 #include <cmath>
 
-#include <taut/io/detail/svg_path.h>
-#include <taut/io/svg_sheet.h>
+#include <taut/io/pictures/detail/svg_path.h>
+#include <taut/io/pictures/svg_sheet.h>
 
 namespace taut {
 

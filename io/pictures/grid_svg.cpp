@@ -1,12 +1,12 @@
-#include <taut/io/grid_svg.h>
+#include <taut/io/pictures/grid_svg.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include <taut/io/colour_scale.h>
-#include <taut/io/detail/svg_frame.h>
+#include <taut/io/pictures/colour_scale.h>
+#include <taut/io/pictures/detail/svg_frame.h>
 
 namespace taut {
 

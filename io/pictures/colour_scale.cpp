@@ -1,8 +1,8 @@
-#include <taut/io/colour_scale.h>
+#include <taut/io/pictures/colour_scale.h>
 
 #include <array>
 
-#include <taut/io/detail/svg_frame.h>
+#include <taut/io/pictures/detail/svg_frame.h>
 
 namespace taut {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include <taut/io/svg.h>
+#include <taut/io/pictures/svg.h>
 
 namespace taut {
 

@@ -1,4 +1,4 @@
-#include <taut/io/svg.h>
+#include <taut/io/pictures/svg.h>
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <map>
 
 #include <taut/geometry/corridor_width.h>
-#include <taut/io/colour_scale.h>
-#include <taut/io/detail/svg_motion.h>
-#include <taut/io/detail/svg_path.h>
-#include <taut/io/detail/svg_style.h>
+#include <taut/io/pictures/colour_scale.h>
+#include <taut/io/pictures/detail/svg_motion.h>
+#include <taut/io/pictures/detail/svg_path.h>
+#include <taut/io/pictures/detail/svg_style.h>
 
 namespace taut {
 

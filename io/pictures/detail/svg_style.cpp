@@ -1,11 +1,11 @@
-#include <taut/io/detail/svg_style.h>
+#include <taut/io/pictures/detail/svg_style.h>
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string_view>
 
-#include <taut/io/detail/svg_path.h>
+#include <taut/io/pictures/detail/svg_path.h>
 
 namespace taut::detail {
 

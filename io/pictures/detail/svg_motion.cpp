@@ -1,4 +1,4 @@
-#include <taut/io/detail/svg_motion.h>
+#include <taut/io/pictures/detail/svg_motion.h>
 
 #include <fmt/format.h>
 

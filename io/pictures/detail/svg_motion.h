@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <taut/io/detail/svg_path.h>
+#include <taut/io/pictures/detail/svg_path.h>
 
 namespace taut::detail {
 

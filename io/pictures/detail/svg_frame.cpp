@@ -1,4 +1,4 @@
-#include <taut/io/detail/svg_frame.h>
+#include <taut/io/pictures/detail/svg_frame.h>
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include <taut/io/detail/svg_path.h>
+#include <taut/io/pictures/detail/svg_path.h>
 
 namespace taut::detail {
 

@@ -1,4 +1,4 @@
-#include <taut/io/detail/svg_path.h>
+#include <taut/io/pictures/detail/svg_path.h>
 
 #include <algorithm>
 #include <array>
