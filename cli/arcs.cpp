@@ -10,8 +10,8 @@
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
 #include <taut/cli/timing.h>
-#include <taut/io/arc_json.h>
 #include <taut/io/pictures/svg.h>
+#include <taut/io/results/arc_json.h>
 #include <taut/search/disc_passage.h>
 #include <taut/search/verify_arcs.h>
 

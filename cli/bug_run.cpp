@@ -13,8 +13,8 @@
 #include <taut/cli/report.h>
 #include <taut/cli/timing.h>
 #include <taut/geometry/errors.h>
-#include <taut/io/detail/result_values.h>
 #include <taut/io/pictures/svg.h>
+#include <taut/io/results/detail/result_values.h>
 #include <taut/search/polyanya.h>
 #include <taut/search/verify.h>
 #include <taut/search/voronoi_search.h>

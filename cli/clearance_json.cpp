@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include <taut/cli/clearance_report.h>
-#include <taut/io/detail/result_values.h>
+#include <taut/io/results/detail/result_values.h>
 
 namespace taut::cli {
 

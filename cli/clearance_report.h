@@ -9,7 +9,7 @@
 
 #include <taut/cli/barrier.h>
 #include <taut/cli/clearance.h>
-#include <taut/io/result_json.h>
+#include <taut/io/results/result_json.h>
 
 namespace taut::cli {
 

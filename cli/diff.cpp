@@ -11,7 +11,7 @@
 #include <taut/cli/report.h>
 #include <taut/cli/stop.h>
 #include <taut/geometry/errors.h>
-#include <taut/io/detail/result_values.h>
+#include <taut/io/results/detail/result_values.h>
 
 namespace taut::cli {
 

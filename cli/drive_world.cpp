@@ -18,8 +18,8 @@
 #include <taut/cli/report.h>
 #include <taut/cli/timing.h>
 #include <taut/geometry/errors.h>
-#include <taut/io/detail/result_values.h>
-#include <taut/io/result_json.h>
+#include <taut/io/results/detail/result_values.h>
+#include <taut/io/results/result_json.h>
 #include <taut/robots/car/drive_check.h>
 #include <taut/search/voronoi_search.h>
 

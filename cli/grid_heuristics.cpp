@@ -8,7 +8,7 @@
 #include <taut/cli/grid.h>
 #include <taut/cli/output.h>
 #include <taut/cli/timing.h>
-#include <taut/io/detail/result_values.h>
+#include <taut/io/results/detail/result_values.h>
 
 namespace taut::cli {
 

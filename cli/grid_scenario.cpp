@@ -13,7 +13,7 @@
 #include <taut/cli/report.h>
 #include <taut/cli/timing.h>
 #include <taut/geometry/errors.h>
-#include <taut/io/detail/result_values.h>
+#include <taut/io/results/detail/result_values.h>
 #include <taut/io/worlds/movingai.h>
 #include <taut/io/worlds/read_world.h>
 

@@ -13,8 +13,8 @@
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
 #include <taut/cli/timing.h>
-#include <taut/io/detail/result_values.h>
 #include <taut/io/pictures/grid_svg.h>
+#include <taut/io/results/detail/result_values.h>
 
 namespace taut::cli {
 

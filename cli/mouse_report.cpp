@@ -9,7 +9,7 @@
 
 #include <taut/cli/mouse.h>
 #include <taut/cli/report.h>
-#include <taut/io/detail/result_values.h>
+#include <taut/io/results/detail/result_values.h>
 #include <taut/robots/micromouse/steps.h>
 
 namespace taut::cli {

@@ -13,7 +13,7 @@
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
 #include <taut/cli/stop.h>
-#include <taut/io/detail/result_values.h>
+#include <taut/io/results/detail/result_values.h>
 #include <taut/robots/micromouse/speed_run.h>
 
 namespace taut::cli {

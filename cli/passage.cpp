@@ -16,8 +16,8 @@
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
 #include <taut/cli/timing.h>
-#include <taut/io/detail/result_values.h>
 #include <taut/io/pictures/svg.h>
+#include <taut/io/results/detail/result_values.h>
 #include <taut/search/query_ends.h>
 #include <taut/search/voronoi_search.h>
 

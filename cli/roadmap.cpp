@@ -16,9 +16,9 @@
 #include <taut/cli/timing.h>
 #include <taut/geometry/corridor_width.h>
 #include <taut/io/pictures/svg.h>
-#include <taut/io/roadmap_export.h>
-#include <taut/io/roadmap_json.h>
-#include <taut/io/voronoi_export.h>
+#include <taut/io/results/roadmap_export.h>
+#include <taut/io/results/roadmap_json.h>
+#include <taut/io/results/voronoi_export.h>
 
 namespace taut::cli {
 

@@ -18,7 +18,7 @@
 #include <taut/cli/solve_report.h>
 #include <taut/cli/timing.h>
 #include <taut/io/pictures/svg.h>
-#include <taut/io/result_json.h>
+#include <taut/io/results/result_json.h>
 #include <taut/search/funnel.h>
 #include <taut/search/query_ends.h>
 #include <taut/search/verify.h>

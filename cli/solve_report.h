@@ -9,7 +9,7 @@
 #include <taut/cli/solve_options.h>
 #include <taut/geometry/free_space.h>
 #include <taut/io/pictures/svg.h>
-#include <taut/io/result_json.h>
+#include <taut/io/results/result_json.h>
 
 namespace taut::cli {
 

@@ -1,11 +1,11 @@
-#include <taut/io/roadmap_json.h>
+#include <taut/io/results/roadmap_json.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <iterator>
 
-#include <taut/io/detail/result_values.h>
+#include <taut/io/results/detail/result_values.h>
 
 namespace taut {
 

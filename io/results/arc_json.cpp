@@ -1,8 +1,8 @@
-#include <taut/io/arc_json.h>
+#include <taut/io/results/arc_json.h>
 
 #include <nlohmann/json.hpp>
 
-#include <taut/io/detail/result_values.h>
+#include <taut/io/results/detail/result_values.h>
 
 namespace taut {
 

@@ -1,4 +1,4 @@
-#include <taut/io/detail/result_values.h>
+#include <taut/io/results/detail/result_values.h>
 
 namespace taut::detail {
 

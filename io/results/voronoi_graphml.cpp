@@ -7,8 +7,8 @@
 #include <sstream>
 #include <string>
 
-#include <taut/io/detail/graphml_number.h>
-#include <taut/io/voronoi_export.h>
+#include <taut/io/results/detail/graphml_number.h>
+#include <taut/io/results/voronoi_export.h>
 
 namespace taut {
 

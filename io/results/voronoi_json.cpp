@@ -5,7 +5,7 @@
 #include <iterator>
 #include <utility>
 
-#include <taut/io/voronoi_export.h>
+#include <taut/io/results/voronoi_export.h>
 
 namespace taut {
 

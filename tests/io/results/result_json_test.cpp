@@ -1,4 +1,4 @@
-#include <taut/io/result_json.h>
+#include <taut/io/results/result_json.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
-#include <taut/io/result_json.h>
+#include <taut/io/results/result_json.h>
 
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 
-#include <taut/io/detail/result_values.h>
+#include <taut/io/results/detail/result_values.h>
 
 namespace taut {
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include <taut/geometry/length.h>
-#include <taut/io/detail/graphml_number.h>
-#include <taut/io/roadmap_export.h>
+#include <taut/io/results/detail/graphml_number.h>
+#include <taut/io/results/roadmap_export.h>
 
 namespace taut {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include <taut/geometry/length.h>
-#include <taut/io/roadmap_export.h>
+#include <taut/io/results/roadmap_export.h>
 
 namespace taut {
 
