@@ -6,7 +6,7 @@
 
 #include <utility>
 
-#include <taut/io/roadmap_file.h>
+#include <taut/io/saved/roadmap_file.h>
 #include <taut/io/worlds/read_world.h>
 #include <taut/roadmaps/cell_graph.h>
 #include <taut/roadmaps/visibility_graph.h>

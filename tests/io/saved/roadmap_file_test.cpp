@@ -7,7 +7,7 @@
 
 #include <taut/geometry/errors.h>
 #include <taut/io/results/roadmap_export.h>
-#include <taut/io/roadmap_file.h>
+#include <taut/io/saved/roadmap_file.h>
 #include <taut/io/worlds/read_world.h>
 #include <taut/roadmaps/visibility_graph.h>
 #include <taut/search/shortest_path.h>

@@ -1,4 +1,4 @@
-#include <taut/io/roadmap_file.h>
+#include <taut/io/saved/roadmap_file.h>
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include <taut/io/detail/fnv.h>
+#include <taut/io/saved/detail/fnv.h>
 
 namespace taut {
 

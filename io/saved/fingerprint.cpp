@@ -2,8 +2,8 @@
 #include <utility>
 #include <vector>
 
-#include <taut/io/detail/fnv.h>
-#include <taut/io/roadmap_file.h>
+#include <taut/io/saved/detail/fnv.h>
+#include <taut/io/saved/roadmap_file.h>
 
 namespace taut {
 
