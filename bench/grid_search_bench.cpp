@@ -13,8 +13,8 @@
 #include <utility>
 #include <vector>
 
-#include <taut/geometry/grid_generator.h>
-#include <taut/search/grid_search.h>
+#include <taut/search/grid/grid_generator.h>
+#include <taut/search/grid/grid_search.h>
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <CLI/App.hpp>
 
 #include <taut/io/worlds/grid_csv.h>
-#include <taut/search/grid_search.h>
+#include <taut/search/grid/grid_search.h>
 #include <optional>
 #include <string>
 

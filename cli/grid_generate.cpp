@@ -11,9 +11,9 @@
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
 #include <taut/cli/stop.h>
-#include <taut/geometry/grid_generator.h>
 #include <taut/io/worlds/movingai.h>
-#include <taut/search/grid_search.h>
+#include <taut/search/grid/grid_generator.h>
+#include <taut/search/grid/grid_search.h>
 
 namespace taut::cli {
 

@@ -7,7 +7,7 @@
 
 #include <taut/geometry/detail/draws.h>
 #include <taut/geometry/occupancy_grid.h>
-#include <taut/search/grid_moves.h>
+#include <taut/search/grid/grid_moves.h>
 
 namespace taut::test {
 

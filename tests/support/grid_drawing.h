@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <taut/geometry/occupancy_grid.h>
-#include <taut/search/grid_moves.h>
+#include <taut/search/grid/grid_moves.h>
 
 namespace taut::test {
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <taut/io/pictures/grid_svg.h>
-#include <taut/search/grid_search.h>
+#include <taut/search/grid/grid_search.h>
 #include <string>
 #include "support/grid_drawing.h"
 #include "support/text.h"

@@ -13,7 +13,7 @@
 #include <taut/io/worlds/grid_csv.h>
 #include <taut/io/worlds/movingai.h>
 #include <taut/io/worlds/read_world.h>
-#include <taut/search/grid_search.h>
+#include <taut/search/grid/grid_search.h>
 #include <taut/search/shortest_path.h>
 #include <taut/search/verify.h>
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <taut/io/worlds/grid_csv.h>
-#include <taut/search/grid_search.h>
+#include <taut/search/grid/grid_search.h>
 #include <filesystem>
 #include <fstream>
 #include <sstream>

@@ -1,6 +1,6 @@
 // Dijkstra, greedy, A* and weighted A*: one loop, ordered by g, h, g + h or g + w h.
-#include <taut/search/detail/grid_estimator.h>
-#include <taut/search/detail/grid_scratch.h>
+#include <taut/search/grid/detail/grid_estimator.h>
+#include <taut/search/grid/detail/grid_scratch.h>
 
 namespace taut::detail {
 

@@ -1,5 +1,5 @@
 // Breadth first and depth first.
-#include <taut/search/detail/grid_scratch.h>
+#include <taut/search/grid/detail/grid_scratch.h>
 
 namespace taut::detail {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <taut/geometry/errors.h>
-#include <taut/search/grid_search.h>
+#include <taut/search/grid/grid_search.h>
 #include "support/grid_drawing.h"
 
 namespace taut::test {

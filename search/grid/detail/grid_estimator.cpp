@@ -1,4 +1,4 @@
-#include <taut/search/detail/grid_estimator.h>
+#include <taut/search/grid/detail/grid_estimator.h>
 
 #include <cmath>
 #include <queue>

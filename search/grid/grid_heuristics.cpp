@@ -1,11 +1,11 @@
-#include <taut/search/grid_heuristics.h>
+#include <taut/search/grid/grid_heuristics.h>
 
 #include <algorithm>
 #include <array>
 
 #include <taut/geometry/errors.h>
-#include <taut/search/detail/grid_estimator.h>
-#include <taut/search/detail/grid_place.h>
+#include <taut/search/grid/detail/grid_estimator.h>
+#include <taut/search/grid/detail/grid_place.h>
 
 namespace taut {
 

@@ -1,4 +1,4 @@
-#include <taut/search/detail/grid_scratch.h>
+#include <taut/search/grid/detail/grid_scratch.h>
 
 #include <algorithm>
 

@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include <taut/search/detail/grid_board.h>
-#include <taut/search/grid_heuristics.h>
+#include <taut/search/grid/detail/grid_board.h>
+#include <taut/search/grid/grid_heuristics.h>
 
 namespace taut::detail {
 

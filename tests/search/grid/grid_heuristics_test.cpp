@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <taut/geometry/errors.h>
-#include <taut/search/grid_heuristics.h>
+#include <taut/search/grid/grid_heuristics.h>
 #include "support/grid_brute_force.h"
 #include "support/grid_drawing.h"
 

@@ -2,8 +2,8 @@
 // where one came; chains of cells with a single such neighbour are jumped over.
 #include <cstdlib>
 
-#include <taut/search/detail/grid_estimator.h>
-#include <taut/search/detail/grid_scratch.h>
+#include <taut/search/grid/detail/grid_estimator.h>
+#include <taut/search/grid/detail/grid_scratch.h>
 
 namespace taut::detail {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <taut/geometry/detail/draws.h>
-#include <taut/search/grid_search.h>
+#include <taut/search/grid/grid_search.h>
 #include "support/grid_brute_force.h"
 
 namespace taut::test {

@@ -1,4 +1,4 @@
-#include <taut/search/grid_search.h>
+#include <taut/search/grid/grid_search.h>
 
 #include <algorithm>
 #include <array>
@@ -6,10 +6,10 @@
 
 #include <taut/geometry/detail/expects.h>
 #include <taut/geometry/errors.h>
-#include <taut/search/detail/grid_board.h>
-#include <taut/search/detail/grid_estimator.h>
-#include <taut/search/detail/grid_place.h>
-#include <taut/search/detail/grid_scratch.h>
+#include <taut/search/grid/detail/grid_board.h>
+#include <taut/search/grid/detail/grid_estimator.h>
+#include <taut/search/grid/detail/grid_place.h>
+#include <taut/search/grid/detail/grid_scratch.h>
 
 namespace taut {
 

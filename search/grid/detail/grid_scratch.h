@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <taut/search/detail/grid_board.h>
-#include <taut/search/grid_search.h>
+#include <taut/search/grid/detail/grid_board.h>
+#include <taut/search/grid/grid_search.h>
 
 namespace taut::detail {
 

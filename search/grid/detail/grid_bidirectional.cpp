@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include <taut/search/detail/grid_estimator.h>
-#include <taut/search/detail/grid_scratch.h>
+#include <taut/search/grid/detail/grid_estimator.h>
+#include <taut/search/grid/detail/grid_scratch.h>
 
 namespace taut::detail {
 

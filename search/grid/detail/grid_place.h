@@ -4,7 +4,7 @@
 #include <string>
 
 #include <taut/geometry/errors.h>
-#include <taut/search/detail/grid_board.h>
+#include <taut/search/grid/detail/grid_board.h>
 
 namespace taut::detail {
 

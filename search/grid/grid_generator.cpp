@@ -1,4 +1,4 @@
-#include <taut/geometry/grid_generator.h>
+#include <taut/search/grid/grid_generator.h>
 
 #include <algorithm>
 #include <array>

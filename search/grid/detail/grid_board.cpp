@@ -1,4 +1,4 @@
-#include <taut/search/detail/grid_board.h>
+#include <taut/search/grid/detail/grid_board.h>
 
 #include <string>
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <taut/geometry/occupancy_grid.h>
-#include <taut/search/grid_cost.h>
-#include <taut/search/grid_moves.h>
+#include <taut/search/grid/grid_cost.h>
+#include <taut/search/grid/grid_moves.h>
 
 namespace taut::detail {
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include <taut/geometry/occupancy_grid.h>
-#include <taut/search/grid_cost.h>
-#include <taut/search/grid_heuristics.h>
-#include <taut/search/grid_moves.h>
+#include <taut/search/grid/grid_cost.h>
+#include <taut/search/grid/grid_heuristics.h>
+#include <taut/search/grid/grid_moves.h>
 
 namespace taut {
 
