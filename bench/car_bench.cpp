@@ -15,9 +15,9 @@
 #include <utility>
 #include <vector>
 
-#include <taut/robots/car/drivers.h>
-#include <taut/robots/car/peers.h>
-#include <taut/robots/car/value_iteration.h>
+#include <taut/robots/roadblocks/drivers.h>
+#include <taut/robots/roadblocks/peers.h>
+#include <taut/robots/roadblocks/value_iteration.h>
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <fstream>
 #include <sstream>
 
-#include <taut/robots/car/detail/pose_distance.h>
-#include <taut/robots/car/drivers.h>
-#include <taut/robots/car/road_map_generator.h>
+#include <taut/robots/roadblocks/detail/pose_distance.h>
+#include <taut/robots/roadblocks/drivers.h>
+#include <taut/robots/roadblocks/road_map_generator.h>
 
 namespace taut::car {
 namespace {

@@ -20,9 +20,9 @@
 #include <taut/cli/timing.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/worlds/read_world.h>
-#include <taut/robots/car/drivers.h>
-#include <taut/robots/car/peers.h>
-#include <taut/robots/car/value_planner.h>
+#include <taut/robots/roadblocks/drivers.h>
+#include <taut/robots/roadblocks/peers.h>
+#include <taut/robots/roadblocks/value_planner.h>
 
 namespace taut::cli {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <taut/robots/car/drive.h>
+#include <taut/robots/roadblocks/drive.h>
 
 namespace taut::cli {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <taut/cli/drive_values.h>
-#include <taut/robots/car/drive.h>
+#include <taut/robots/roadblocks/drive.h>
 
 namespace taut::cli {
 

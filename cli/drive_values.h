@@ -4,7 +4,7 @@
 #include <string>
 
 #include <taut/io/pictures/detail/svg_frame.h>
-#include <taut/robots/car/value_iteration.h>
+#include <taut/robots/roadblocks/value_iteration.h>
 
 namespace taut::cli {
 

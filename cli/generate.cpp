@@ -17,7 +17,7 @@
 #include <taut/geometry/errors.h>
 #include <taut/geometry/maze_generator.h>
 #include <taut/io/worlds/write_world.h>
-#include <taut/robots/car/road_map_generator.h>
+#include <taut/robots/roadblocks/road_map_generator.h>
 
 namespace taut::cli {
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include <taut/robots/car/curve_bound.h>
 #include <taut/robots/car/curve_path.h>
-#include <taut/robots/car/detail/curve_bound.h>
 
 namespace taut::car {
 

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <optional>
 
+#include <taut/robots/car/curve_bound.h>
 #include <taut/robots/car/curve_path.h>
-#include <taut/robots/car/detail/curve_bound.h>
 
 namespace taut::car {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <taut/robots/car/road_map.h>
+#include <taut/robots/roadblocks/road_map.h>
 
 namespace taut::test {
 

@@ -8,7 +8,7 @@
 #include <complex>
 #include <vector>
 
-#include <taut/robots/car/drive.h>
+#include <taut/robots/roadblocks/drive.h>
 
 namespace taut::test {
 

@@ -8,8 +8,8 @@
 #include <tuple>
 #include <utility>
 
+#include <taut/robots/car/curve_bound.h>
 #include <taut/robots/car/detail/car_space_impl.h>
-#include <taut/robots/car/detail/curve_bound.h>
 
 namespace taut::car::detail {
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include <taut/robots/car/curve_bound.h>
 #include <taut/robots/car/curve_path.h>
-#include <taut/robots/car/detail/curve_bound.h>
 
 namespace taut::car {
 namespace {

@@ -1,0 +1,19 @@
+#include <taut/robots/roadblocks/detail/replay.h>
+
+namespace taut::car::detail {
+
+std::optional<Plan> replayed(const Pose& from, const std::vector<double>& controls, const Obstacles& obstacles,
+                             double slack) {
+  Plan plan;
+  Pose pose = from;
+  for (const double control : controls) {
+    const Pose to = stepped(pose, control);
+    if (!obstacles.is_clear(pose, control, to, slack)) return std::nullopt;
+    plan.controls.push_back(control);
+    plan.poses.push_back(pose = to);
+    if (at_goal(pose, obstacles.course(), -kMargin)) return plan;
+  }
+  return std::nullopt;
+}
+
+}  // namespace taut::car::detail

@@ -1,0 +1,226 @@
+#include <taut/robots/roadblocks/road_map_generator.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <numeric>
+
+#include <taut/geometry/detail/draws.h>
+#include <taut/geometry/errors.h>
+
+namespace taut::car {
+
+namespace {
+
+constexpr int kSlot = 15;                                       // cells of a slot, at least
+constexpr int kLeastRoom = 6;                                   // a side of a room
+constexpr std::array<int, 7> kLaneWidths{2, 2, 2, 3, 3, 4, 6};  // open cells: wall points are one more apart
+
+struct Room {
+  int left, top, right, bottom;  // cells, inclusive
+};
+
+struct Lane {
+  Room room;
+  bool along_x;
+};
+
+void require_range(const char* what, int value, int least, int most) {
+  if (value < least || value > most)
+    throw InputError({}, 0,
+                     std::string(what) + " " + std::to_string(value) + " is not " + std::to_string(least) + " to " +
+                         std::to_string(most));
+}
+
+class Generator {
+ public:
+  explicit Generator(const RoadMapRecipe& recipe) : recipe_(recipe), draws_(recipe.seed) {
+    Course& course = map_.course;
+    course.width = recipe.width;
+    course.height = recipe.height;
+    course.walls.assign(static_cast<std::size_t>(recipe.width) * static_cast<std::size_t>(recipe.height), 1);
+    columns_ = std::max(1, (recipe.width - 1) / kSlot);
+    rows_ = std::max(1, (recipe.height - 1) / kSlot);
+    if (columns_ * rows_ == 1) columns_ = 2;
+  }
+
+  RoadMap run() {
+    lay_rooms();
+    lay_lanes();
+    put_ends();
+    for (const Room& room : rooms_)
+      if (draws_.below(4) == 0) put_pillar(room);
+    put_roadblocks();
+    draw_samples();
+    return std::move(map_);
+  }
+
+ private:
+  int within(int lo, int hi) { return lo + static_cast<int>(draws_.below(static_cast<std::uint32_t>(hi - lo + 1))); }
+
+  void clear(const Room& r) {
+    for (int y = r.top; y <= r.bottom; ++y)
+      for (int x = r.left; x <= r.right; ++x) map_.course.walls[map_.course.index({x, y})] = 0;
+  }
+
+  /// Every room holds the middle of its slot, so that neighbours face each other.
+  std::array<int, 2> side(int slot, int slots, int length) {
+    const int begin = 2 + slot * (length - 1) / slots, end = (slot + 1) * (length - 1) / slots;
+    const int middle = (begin + end) / 2, half = kLeastRoom / 2;
+    return {within(begin, std::max(begin, middle - half)), within(std::min(end, middle + half), end)};
+  }
+
+  void lay_rooms() {
+    for (int r = 0; r < rows_; ++r)
+      for (int c = 0; c < columns_; ++c) {
+        const auto [left, right] = side(c, columns_, recipe_.width);
+        const auto [top, bottom] = side(r, rows_, recipe_.height);
+        rooms_.push_back({left, top, right, bottom});
+        clear(rooms_.back());
+      }
+  }
+
+  void lay_lanes() {
+    std::vector<std::array<int, 2>> pairs;
+    for (int r = 0; r < rows_; ++r)
+      for (int c = 0; c < columns_; ++c) {
+        const int at = r * columns_ + c;
+        if (c + 1 < columns_) pairs.push_back({at, at + 1});
+        if (r + 1 < rows_) pairs.push_back({at, at + columns_});
+      }
+    for (std::size_t i = pairs.size(); i > 1; --i)
+      std::swap(pairs[i - 1], pairs[draws_.below(static_cast<std::uint32_t>(i))]);
+    std::vector<int> part(rooms_.size());
+    std::iota(part.begin(), part.end(), 0);
+    for (const auto& [a, b] : pairs) {
+      const int from = part[static_cast<std::size_t>(a)], to = part[static_cast<std::size_t>(b)];
+      if (from == to && draws_.below(4) == 0) continue;  // most loops
+      std::ranges::replace(part, from, to);
+      lay_lane(rooms_[static_cast<std::size_t>(a)], rooms_[static_cast<std::size_t>(b)], b == a + 1);
+    }
+  }
+
+  void lay_lane(const Room& a, const Room& b, bool along_x) {
+    const int width = kLaneWidths[draws_.below(static_cast<std::uint32_t>(kLaneWidths.size()))];
+    Lane lane{{}, along_x};
+    if (along_x) {
+      const int lo = std::max(a.top, b.top), hi = std::min(a.bottom, b.bottom) - width + 1,
+                y = within(lo, std::max(lo, hi));
+      lane.room = {a.right + 1, y, b.left - 1, y + width - 1};
+    } else {
+      const int lo = std::max(a.left, b.left), hi = std::min(a.right, b.right) - width + 1,
+                x = within(lo, std::max(lo, hi));
+      lane.room = {x, a.bottom + 1, x + width - 1, b.top - 1};
+    }
+    clear(lane.room);
+    lanes_.push_back(lane);
+  }
+
+  static Point middle(const Room& r) {
+    return {static_cast<double>((r.left + r.right) / 2), static_cast<double>((r.top + r.bottom) / 2)};
+  }
+
+  void put_ends() {
+    map_.course.start = middle(rooms_.front());
+    map_.course.goal = middle(rooms_.back());
+    if (draws_.below(2) == 0) std::swap(map_.course.start, map_.course.goal);
+  }
+
+  /// A wall cell that leaves 4 to the room's sides, not near start or goal.
+  void put_pillar(const Room& r) {
+    if (r.right - r.left < 8 || r.bottom - r.top < 8) return;
+    const Cell cell{within(r.left + 3, r.right - 3), within(r.top + 3, r.bottom - 3)};
+    for (const Point p : {map_.course.start, map_.course.goal})
+      if (std::abs(cell.x - p.x) <= 4 && std::abs(cell.y - p.y) <= 4) return;
+    map_.course.walls[map_.course.index(cell)] = 1;
+  }
+
+  void put_roadblocks() {
+    std::erase_if(lanes_, [](const Lane& l) { return l.room.right < l.room.left || l.room.bottom < l.room.top; });
+    for (std::size_t i = lanes_.size(); i > 1; --i)
+      std::swap(lanes_[i - 1], lanes_[draws_.below(static_cast<std::uint32_t>(i))]);
+    const auto count = std::min(lanes_.size(), static_cast<std::size_t>(recipe_.roadblocks));
+    for (std::size_t i = 0; i < count; ++i) {
+      Roadblock block;
+      block.letter = static_cast<char>('A' + i);
+      block.open_probability = within(2, 9) / 10.0;
+      block.cells = cells_across(lanes_[i]);
+      map_.course.roadblocks.push_back(std::move(block));
+    }
+  }
+
+  /// One cell in the middle of a narrow lane, all across a wide one.
+  std::vector<Cell> cells_across(const Lane& lane) {
+    const Room& r = lane.room;
+    const Cell at{within(r.left, r.right), within(r.top, r.bottom)};
+    const int width = lane.along_x ? r.bottom - r.top + 1 : r.right - r.left + 1;
+    if (width == 2) return {at};
+    std::vector<Cell> cells;
+    const int rim = width == 3 ? 1 : 0;
+    for (int k = rim; k < width - rim; ++k)
+      cells.push_back(lane.along_x ? Cell{at.x, r.top + k} : Cell{r.left + k, at.y});
+    return cells;
+  }
+
+  void draw_samples() {
+    for (int number = 1; number <= recipe_.samples; ++number) {
+      Sample sample{number, 0};
+      for (std::size_t i = 0; i < map_.course.roadblocks.size(); ++i) {
+        const auto per_mille = static_cast<std::uint32_t>(1000 * map_.course.roadblocks[i].open_probability + 0.5);
+        if (draws_.below(1000) < per_mille) sample.open |= RoadblockSet{1} << i;
+      }
+      map_.samples.push_back(sample);
+    }
+  }
+
+  RoadMapRecipe recipe_;
+  detail::Draws draws_;
+  RoadMap map_;
+  int columns_ = 0, rows_ = 0;
+  std::vector<Room> rooms_;
+  std::vector<Lane> lanes_;
+};
+
+std::string number_text(double value) {
+  std::array<char, 32> buffer{};
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
+
+}  // namespace
+
+RoadMap generate_road_map(const RoadMapRecipe& recipe) {
+  require_range("a width of", recipe.width, kLeastMazeSide, kLargestSide);
+  require_range("a height of", recipe.height, kLeastMazeSide, kLargestSide);
+  require_range("a number of roadblocks,", recipe.roadblocks, 0, Course::kMostRoadblocks);
+  require_range("a number of samples,", recipe.samples, 0, 1'000'000);
+  return Generator(recipe).run();
+}
+
+std::string road_map_text(const RoadMap& map, const std::string& remark) {
+  const Course& course = map.course;
+  std::vector<std::string> rows(static_cast<std::size_t>(course.height),
+                                std::string(static_cast<std::size_t>(course.width), '.'));
+  const auto put = [&](Cell c, char what) {
+    rows[static_cast<std::size_t>(c.y - 1)][static_cast<std::size_t>(c.x - 1)] = what;
+  };
+  for (int y = 1; y <= course.height; ++y)
+    for (int x = 1; x <= course.width; ++x)
+      if (course.is_wall({x, y})) put({x, y}, '#');
+  std::string text = remark.empty() ? "" : "# " + remark + "\n";
+  text += "start " + number_text(course.start.x) + " " + number_text(course.start.y) + "\n";
+  text += "goal " + number_text(course.goal.x) + " " + number_text(course.goal.y) + "\n";
+  for (const Roadblock& block : course.roadblocks) {
+    const Cell c = block.cells.front();
+    text += std::string("roadblock ") + block.letter + " " + std::to_string(c.x) + " " + std::to_string(c.y) + " " +
+            number_text(block.open_probability) + "\n";
+    for (const Cell cell : block.cells) put(cell, block.letter);
+  }
+  text += "grid " + std::to_string(course.width) + " " + std::to_string(course.height) + "\n";
+  for (const std::string& row : rows) text += row + "\n";
+  if (!map.samples.empty()) text += "samples " + std::to_string(map.samples.size()) + "\n";
+  for (const Sample& sample : map.samples)
+    text += std::to_string(sample.number) + " " + bits_of(sample.open, course) + "\n";
+  return text;
+}
+
+}  // namespace taut::car

@@ -1,0 +1,31 @@
+// Mazes for a car with roadblocks, from a seed.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <taut/robots/roadblocks/road_map.h>
+
+namespace taut::car {
+
+struct RoadMapRecipe {
+  int width = 50;  ///< cells, kLeastMazeSide .. kLargestSide
+  int height = 50;
+  int roadblocks = 4;  ///< at most Course::kMostRoadblocks; fewer where the maze has fewer lanes
+  int samples = 10;    ///< drawn with the roadblocks' probabilities
+  std::uint64_t seed = 1;
+};
+
+inline constexpr int kLeastMazeSide = 24;
+
+/// Rooms, one a slot of a raster of slots, joined by straight lanes: a spanning tree and most loops. Wall points on
+/// both sides of a lane are 3 or 4 apart, of some 5 to 7, so that the car can hardly turn there; rooms are wide enough
+/// to turn, some have pillars. Roadblocks stand in lanes, mostly as one cell, anywhere from mouth to mouth: many show
+/// only from inside, and behind some there is but a dead end. A sample may leave no way to the goal. Start and goal lie
+/// in rooms at opposite corners. Same recipe, same map, everywhere. Throws InputError when the recipe is out of range.
+RoadMap generate_road_map(const RoadMapRecipe& recipe);
+
+/// The file of a map, as read_road_map takes it; `remark` becomes its first line.
+std::string road_map_text(const RoadMap& map, const std::string& remark = {});
+
+}  // namespace taut::car

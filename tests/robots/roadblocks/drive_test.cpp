@@ -1,0 +1,165 @@
+// Cars among walls and roadblocks, replayed by a second simulator.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <taut/geometry/errors.h>
+#include <taut/robots/roadblocks/drivers.h>
+
+#include "support/car_drawing.h"
+#include "support/second_car.h"
+
+namespace taut::car {
+namespace {
+
+using test::lane;
+using test::map_of;
+using test::replay;
+
+Drive driven(const RoadMap& map, RoadblockSet open, DriverKind kind = DriverKind::ours,
+             WallReading reading = WallReading::points) {
+  LatticePlanner planner(map.course, reading);
+  return drive(map.course, open, *make_driver(kind, planner, open), reading);
+}
+
+void expect_replays(const RoadMap& map, const Drive& run) {
+  const test::Replay again = replay(map.course, run.open, run.controls);
+  EXPECT_TRUE(again.reached);
+  EXPECT_FALSE(again.collided);
+  EXPECT_EQ(again.steps, run.controls.size());
+}
+
+TEST(Car, TurnsOnTheSpotByThreeStepsBackAndOneArc) {
+  Pose pose{10, 10, 0.3};
+  for (const double u : {-2.0, -2.0, -2.0, 1.0}) pose = stepped(pose, u);
+  EXPECT_NEAR(pose.heading, 0.35, 1e-12);
+  EXPECT_LT(std::hypot(pose.x - 10, pose.y - 10), 0.004);
+  EXPECT_EQ(stepped(pose, 1.5), pose);
+  EXPECT_EQ(stepped(pose, std::nan("")), pose);
+  EXPECT_NEAR(stepped({0, 0, 0}, 5e-324).x, 0.15, 1e-12);
+}
+
+TEST(Car, TouchesWhatLiesOnItsSide) {
+  EXPECT_TRUE(covers({0, 0, 0}, {1.5, -1}));
+  EXPECT_FALSE(covers({0, 0, 0}, {1.5, std::nextafter(-1.0, -2.0)}));
+}
+
+TEST(Car, SweptSquaresAgreeWithVeryManyPosesBetween) {
+  int met = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Pose from{0.013 * (i % 331), 0.017 * (i % 257), 0.37 * i};
+    const double control = i % 5 == 0 ? kReverse : std::sin(1.0 * i);
+    const Cell cell{3, 2};
+    bool sampled = false;
+    for (int k = 0; k <= 60; ++k) {
+      const double t = k / 60.0, w = kTurn * control * t, r = kForward / (kTurn * control), h = from.heading;
+      const Pose between =
+          control == kReverse
+              ? Pose{from.x - kBackward * t * std::cos(h), from.y - kBackward * t * std::sin(h), h}
+              : Pose{from.x + r * (std::sin(h + w) - std::sin(h)), from.y - r * (std::cos(h + w) - std::cos(h)), h + w};
+      sampled = sampled || touches(between, cell, WallReading::squares);
+    }
+    if (touches(from, cell, WallReading::squares)) continue;
+    const bool exact = meets(from, control, cell, WallReading::squares);
+    met += exact;
+    EXPECT_TRUE(exact || !sampled) << i;  // nothing is missed
+    EXPECT_TRUE(!exact || sampled || meets(from, control, cell, WallReading::squares, -1e-3) == false) << i;
+  }
+  EXPECT_GT(met, 20);
+}
+
+TEST(Drive, BacksOutOfALaneThreeWideWhenItsRoadblockIsClosed) {
+  const RoadMap map = lane();
+  const Drive open = driven(map, 1), closed = driven(map, 0);
+  ASSERT_EQ(open.outcome, Outcome::reached);
+  ASSERT_EQ(closed.outcome, Outcome::reached);
+  expect_replays(map, open);
+  expect_replays(map, closed);
+  EXPECT_LT(open.controls.size(), 300U);
+  EXPECT_EQ(closed.replans, 1);
+  EXPECT_GE(std::ranges::count(closed.controls, kReverse), 400) << "some 24 cells straight back";
+}
+
+TEST(Drive, EndsWithNoRouteWhereTheOnlyWayIsClosed) {
+  std::vector<std::string> rows(7, "#" + std::string(40, '.') + "#");
+  rows.front() = rows.back() = std::string(42, '#');
+  rows[1] = rows[5] = std::string(42, '#');
+  rows[3][4] = 'S';
+  rows[3][36] = 'G';
+  rows[3][25] = 'A';
+  const RoadMap map = map_of(rows);
+  const Drive closed = driven(map, 0);
+  EXPECT_EQ(closed.outcome, Outcome::no_route);
+  EXPECT_LT(closed.controls.size(), 200U);
+  EXPECT_EQ(driven(map, 1).outcome, Outcome::reached);
+}
+
+TEST(Drive, HoldsForThreeRoadblocksInARow) {
+  std::vector<std::string> rows(14, "#" + std::string(48, '.') + "#");
+  rows.front() = rows.back() = std::string(50, '#');
+  for (const std::size_t x : {12U, 24U, 36U}) {
+    for (std::size_t y = 1; y < 13; ++y)
+      if (!(y >= 2 && y <= 4) && !(y >= 9 && y <= 11)) rows[y][x] = '#';
+    rows[3][x] = static_cast<char>('A' + x / 12 - 1);
+  }
+  rows[3][4] = 'S';
+  rows[3][45] = 'G';
+  const RoadMap map = map_of(rows);
+  for (RoadblockSet open = 0; open < 8; ++open) {
+    const Drive run = driven(map, open);
+    ASSERT_EQ(run.outcome, Outcome::reached) << bits_of(open, map.course);
+    expect_replays(map, run);
+  }
+}
+
+class SharedMap : public testing::TestWithParam<int> {};
+
+TEST_P(SharedMap, ReachesEverySampleWithoutACollision) {
+  const auto file =
+      std::filesystem::path(TAUT_SHARED_DATA_DIR) / "car" / ("map_" + std::to_string(GetParam()) + ".txt");
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
+  std::stringstream text;
+  text << std::ifstream(file).rdbuf();
+  const RoadMap map = read_road_map(text.str(), file.filename().string());
+  LatticePlanner planner(map.course, WallReading::points);
+  for (const Sample& sample : map.samples) {
+    const Drive run = drive(map.course, sample.open, *make_driver(DriverKind::ours, planner), WallReading::points);
+    ASSERT_EQ(run.outcome, Outcome::reached) << sample.number;
+    expect_replays(map, run);
+    if (run.replans == 0) {
+      EXPECT_LE(run.controls.size(), GetParam() == 1 ? 212U : 309U) << "what one who knows needs";
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Maps, SharedMap, testing::Values(1, 2, 4));
+
+TEST(RoadMapReader, NamesTheLineAndTheCulprit) {
+  const auto message = [](const std::string& text) {
+    try {
+      read_road_map(text, "m.txt");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string head = "# c\r\nstart 1 1\r\ngoal 2 1\r\n";
+  EXPECT_EQ(message(head + "grid 3 1\r\n...\r\n"), "");
+  EXPECT_THAT(message(head + "grid 3 1\n..\n"), testing::HasSubstr("m.txt:5: a row of 2 cells"));
+  EXPECT_THAT(message(head + "grid 3 1\n..x\n"), testing::HasSubstr("m.txt:5: 'x' in column 3"));
+  EXPECT_THAT(message(head + "grid 3 2\n...\n"), testing::HasSubstr("the grid ends after 1 rows"));
+  EXPECT_THAT(message(head + "roadblock A 1 1 2\ngrid 3 1\n..A\n"), testing::HasSubstr("m.txt:4: P_OPEN '2'"));
+  EXPECT_THAT(message(head + "roadblock A 3 1\ngrid 3 1\n..A\nsamples 1\n1 2\n"),
+              testing::HasSubstr("m.txt:8: '2' is not"));
+  EXPECT_EQ(read_road_map(head + "grid 3 1\n#.#\n").course.walls, (std::vector<std::uint8_t>{1, 0, 1}));
+}
+
+}  // namespace
+}  // namespace taut::car

@@ -1,0 +1,91 @@
+// Plans and their parts: the estimate that is repaired, shortcuts, what is adopted.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include <taut/robots/roadblocks/detail/pose_distance.h>
+#include <taut/robots/roadblocks/detail/replay.h>
+#include <taut/robots/roadblocks/detail/shortcuts.h>
+#include <taut/robots/roadblocks/lattice_planner.h>
+#include <taut/robots/roadblocks/road_map_generator.h>
+
+namespace taut::car {
+namespace {
+
+Pose start_of(const RoadMap& map) { return {map.course.start.x, map.course.start.y, 0}; }
+
+TEST(PoseDistance, RepairedAfterARoadblockClosesEqualsOneMadeAnew) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const RoadMap map = generate_road_map({31, 31, 3, 0, seed});
+    const Point goal = map.course.goal;
+    const detail::Obstacles open(map.course, 0, WallReading::points);
+    const detail::DiscDistance open_disc(open, goal);
+    const detail::PoseDistance before(open, open_disc, goal);
+    for (const RoadblockSet closed : {1U, 5U, 7U}) {
+      const detail::Obstacles obstacles(map.course, closed, WallReading::points);
+      const detail::DiscDistance disc(obstacles, goal);
+      const detail::PoseDistance anew(obstacles, disc, goal), repaired(before, open, obstacles, disc);
+      int finite = 0;
+      for (double x = 1; x < 31; x += 0.31)
+        for (double y = 1; y < 31; y += 0.37) {
+          const Pose pose{x, y, x * y};
+          ASSERT_EQ(anew.steps_from(pose), repaired.steps_from(pose)) << seed << " " << closed;
+          finite += anew.steps_from(pose) < detail::PoseDistance::kFar;
+        }
+      EXPECT_GT(finite, 100);
+    }
+  }
+}
+
+TEST(PoseDistance, IsWithinATenthOfWhatPlansNeed) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const RoadMap map = generate_road_map({31, 31, 0, 0, seed});
+    const detail::Obstacles open(map.course, 0, WallReading::points);
+    const detail::PoseDistance distance(open, detail::DiscDistance(open, map.course.goal), map.course.goal);
+    LatticePlanner planner(map.course, WallReading::points);
+    const Plan* plan = planner.plan(start_of(map), 0);
+    if (!plan) continue;
+    const auto steps = static_cast<double>(plan->controls.size());
+    EXPECT_NEAR(distance.steps_from(start_of(map)), steps, 0.1 * steps + 10) << seed;
+  }
+}
+
+TEST(Shortcuts, PullAWeavingPlanStraightAndGoAroundAPillar) {
+  RoadMap map;
+  map.course = {31, 31, std::vector<std::uint8_t>(31 * 31), {}, {5, 15}, {27, 15}};
+  Plan weaving;
+  Pose pose = start_of(map);
+  for (int i = 0; i < 4; ++i)
+    for (int k = 0; k < 40; ++k) {
+      weaving.controls.push_back(k < 10 || k >= 30 ? 1 : -1);
+      weaving.poses.push_back(pose = stepped(pose, weaving.controls.back()));
+    }
+  const auto shortened = [&] {
+    const detail::Obstacles obstacles(map.course, 0, WallReading::points);
+    const Plan plan = detail::with_shortcuts(start_of(map), weaving, obstacles, kMargin);
+    EXPECT_TRUE(detail::replayed(start_of(map), plan.controls, obstacles, kMargin).has_value());
+    return static_cast<double>(plan.controls.size());
+  };
+  weaving = *detail::replayed(start_of(map), weaving.controls, detail::Obstacles(map.course, 0, WallReading::points),
+                              kMargin);
+  EXPECT_NEAR(shortened(), 137, 1) << "(27 - 5 - 1.5) / 0.15 straight ahead";
+  map.course.walls[map.course.index({19, 14})] = 1;  // in the straight car's side, and beside the weaving one
+  EXPECT_LT(shortened(), 145);
+}
+
+TEST(LatticePlanner, GivesTheRestOfAnAdoptedPlanWithoutASearch) {
+  const RoadMap map = generate_road_map({31, 31, 3, 0, 3});
+  LatticePlanner planner(map.course, WallReading::points);
+  const Plan* plan = planner.plan(start_of(map), 0);
+  ASSERT_NE(plan, nullptr);
+  const std::size_t searches = planner.plans(), half = plan->controls.size() / 2;
+  planner.adopt(*plan, half, 0);
+  const Plan* rest = planner.plan(plan->poses[half - 1], 0);
+  ASSERT_NE(rest, nullptr);
+  EXPECT_EQ(planner.plans(), searches);
+  EXPECT_EQ(rest->controls.size(), plan->controls.size() - half);
+  EXPECT_EQ(rest->poses.back(), plan->poses.back());
+}
+
+}  // namespace
+}  // namespace taut::car
