@@ -9,13 +9,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include <taut/cli/barrier.h>
-#include <taut/cli/clearance_report.h>
 #include <taut/cli/drive_world_svg.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
+#include <taut/cli/solve/barrier.h>
+#include <taut/cli/solve/clearance_report.h>
 #include <taut/cli/timing.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/results/detail/result_values.h>

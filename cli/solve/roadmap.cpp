@@ -12,7 +12,7 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
-#include <taut/cli/roadmap_kinds.h>
+#include <taut/cli/solve/roadmap_kinds.h>
 #include <taut/cli/timing.h>
 #include <taut/geometry/corridor_width.h>
 #include <taut/io/pictures/svg.h>

@@ -11,7 +11,7 @@
 #include <span>
 #include <string>
 
-#include <taut/cli/prm_options.h>
+#include <taut/cli/solve/prm_options.h>
 #include <taut/geometry/free_space.h>
 #include <taut/roadmaps/roadmap.h>
 #include <taut/roadmaps/voronoi.h>

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <taut/cli/clearance_report.h>
+#include <taut/cli/solve/clearance_report.h>
 #include <taut/io/results/detail/result_values.h>
 
 namespace taut::cli {

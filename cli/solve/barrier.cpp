@@ -1,4 +1,4 @@
-#include <taut/cli/barrier.h>
+#include <taut/cli/solve/barrier.h>
 
 #include <fmt/format.h>
 

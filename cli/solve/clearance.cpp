@@ -1,4 +1,4 @@
-#include <taut/cli/clearance.h>
+#include <taut/cli/solve/clearance.h>
 #include <taut/geometry/corridor_width.h>
 
 #include <fmt/format.h>
@@ -10,11 +10,11 @@
 #include <memory>
 #include <utility>
 
-#include <taut/cli/clearance_report.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
+#include <taut/cli/solve/clearance_report.h>
 #include <taut/cli/timing.h>
 #include <taut/io/pictures/svg.h>
 #include <taut/search/query_ends.h>

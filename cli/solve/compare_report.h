@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <taut/cli/planners.h>
+#include <taut/cli/solve/planners.h>
 #include <taut/geometry/free_space.h>
 
 namespace taut::cli {

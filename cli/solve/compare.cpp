@@ -8,13 +8,13 @@
 #include <string>
 
 #include <taut/cli/command.h>
-#include <taut/cli/compare_report.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
-#include <taut/cli/planners.h>
 #include <taut/cli/report.h>
+#include <taut/cli/solve/compare_report.h>
+#include <taut/cli/solve/planners.h>
 #include <taut/cli/timing.h>
 #include <taut/search/query_ends.h>
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include <taut/cli/input.h>
-#include <taut/cli/roadmap_kinds.h>
-#include <taut/cli/solve_options.h>
+#include <taut/cli/solve/roadmap_kinds.h>
+#include <taut/cli/solve/solve_options.h>
 #include <taut/geometry/free_space.h>
 #include <taut/io/pictures/svg.h>
 #include <taut/io/results/result_json.h>

@@ -1,4 +1,4 @@
-#include <taut/cli/solve_report.h>
+#include <taut/cli/solve/solve_report.h>
 
 #include <fmt/format.h>
 

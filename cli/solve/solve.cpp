@@ -4,18 +4,18 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include <taut/cli/anytime.h>
-#include <taut/cli/arcs.h>
-#include <taut/cli/barrier.h>
-#include <taut/cli/clearance.h>
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
-#include <taut/cli/solve_options.h>
-#include <taut/cli/solve_report.h>
+#include <taut/cli/solve/anytime.h>
+#include <taut/cli/solve/arcs.h>
+#include <taut/cli/solve/barrier.h>
+#include <taut/cli/solve/clearance.h>
+#include <taut/cli/solve/solve_options.h>
+#include <taut/cli/solve/solve_report.h>
 #include <taut/cli/timing.h>
 #include <taut/io/pictures/svg.h>
 #include <taut/io/results/result_json.h>

@@ -1,4 +1,4 @@
-#include <taut/cli/planners.h>
+#include <taut/cli/solve/planners.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include <taut/cli/clearance_report.h>
+#include <taut/cli/solve/clearance_report.h>
 
 #include <fmt/format.h>
 

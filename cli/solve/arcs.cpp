@@ -1,4 +1,4 @@
-#include <taut/cli/arcs.h>
+#include <taut/cli/solve/arcs.h>
 
 #include <fmt/format.h>
 

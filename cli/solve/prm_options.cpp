@@ -1,4 +1,4 @@
-#include <taut/cli/prm_options.h>
+#include <taut/cli/solve/prm_options.h>
 
 #include <fmt/format.h>
 #include <CLI/Error.hpp>
@@ -11,7 +11,7 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/options.h>
 #include <taut/cli/report.h>
-#include <taut/cli/roadmap_kinds.h>
+#include <taut/cli/solve/roadmap_kinds.h>
 
 namespace taut::cli {
 

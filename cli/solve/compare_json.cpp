@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include <taut/cli/compare_report.h>
+#include <taut/cli/solve/compare_report.h>
 
 namespace taut::cli {
 

@@ -5,11 +5,11 @@
 
 #include <string>
 
-#include <taut/cli/anytime.h>
-#include <taut/cli/clearance.h>
 #include <taut/cli/options.h>
-#include <taut/cli/prm_options.h>
-#include <taut/cli/roadmap_kinds.h>
+#include <taut/cli/solve/anytime.h>
+#include <taut/cli/solve/clearance.h>
+#include <taut/cli/solve/prm_options.h>
+#include <taut/cli/solve/roadmap_kinds.h>
 #include <taut/search/graph_search.h>
 
 namespace taut::cli {

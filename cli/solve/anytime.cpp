@@ -1,4 +1,4 @@
-#include <taut/cli/anytime.h>
+#include <taut/cli/solve/anytime.h>
 
 #include <fmt/format.h>
 #include <CLI/Error.hpp>

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <taut/cli/roadmap_kinds.h>
+#include <taut/cli/solve/roadmap_kinds.h>
 #include <taut/search/anytime_search.h>
 
 namespace taut::cli {

@@ -1,4 +1,4 @@
-#include <taut/cli/compare_report.h>
+#include <taut/cli/solve/compare_report.h>
 
 #include <fmt/format.h>
 

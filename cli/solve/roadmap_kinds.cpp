@@ -1,4 +1,4 @@
-#include <taut/cli/roadmap_kinds.h>
+#include <taut/cli/solve/roadmap_kinds.h>
 #include <taut/geometry/corridor_width.h>
 
 #include <CLI/Error.hpp>

@@ -7,14 +7,14 @@
 #include <optional>
 #include <utility>
 
-#include <taut/cli/barrier.h>
-#include <taut/cli/clearance_report.h>
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
+#include <taut/cli/solve/barrier.h>
+#include <taut/cli/solve/clearance_report.h>
 #include <taut/cli/timing.h>
 #include <taut/io/pictures/svg.h>
 #include <taut/io/results/detail/result_values.h>

@@ -1,4 +1,4 @@
-#include <taut/cli/solve_options.h>
+#include <taut/cli/solve/solve_options.h>
 
 #include <fmt/format.h>
 #include <CLI/Error.hpp>

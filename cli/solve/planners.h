@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include <taut/cli/roadmap_kinds.h>
+#include <taut/cli/solve/roadmap_kinds.h>
 
 namespace taut::cli {
 

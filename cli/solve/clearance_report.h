@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include <taut/cli/barrier.h>
-#include <taut/cli/clearance.h>
+#include <taut/cli/solve/barrier.h>
+#include <taut/cli/solve/clearance.h>
 #include <taut/io/results/result_json.h>
 
 namespace taut::cli {
