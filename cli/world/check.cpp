@@ -1,12 +1,12 @@
 // taut check: is the input valid, what is in it, and is a given path one that can be followed?
 #include <fmt/format.h>
 
-#include <taut/cli/check_report.h>
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
+#include <taut/cli/world/check_report.h>
 #include <taut/io/worlds/read_path.h>
 #include <taut/search/query_ends.h>
 #include <taut/search/verify.h>

@@ -1,4 +1,4 @@
-#include <taut/cli/check_report.h>
+#include <taut/cli/world/check_report.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
