@@ -1,5 +1,5 @@
 // taut grid: discrete searches on grid maps. What its subcommands share.
-#include <taut/cli/grid.h>
+#include <taut/cli/grid/grid.h>
 
 #include <fmt/format.h>
 #include <CLI/Error.hpp>

@@ -5,7 +5,7 @@
 
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>
-#include <taut/cli/grid.h>
+#include <taut/cli/grid/grid.h>
 #include <taut/cli/output.h>
 #include <taut/cli/timing.h>
 #include <taut/io/results/detail/result_values.h>

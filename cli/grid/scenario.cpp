@@ -7,7 +7,7 @@
 
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>
-#include <taut/cli/grid.h>
+#include <taut/cli/grid/grid.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
