@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "cli/mouse_mazes.h"
+#include "cli/mouse/mazes.h"
 #include "support/program_test.h"
 
 namespace taut::test {

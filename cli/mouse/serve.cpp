@@ -14,7 +14,7 @@
 
 #include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>
-#include <taut/cli/mouse.h>
+#include <taut/cli/mouse/mouse.h>
 #include <taut/cli/output.h>
 #include <taut/cli/stop.h>
 #include <taut/geometry/errors.h>

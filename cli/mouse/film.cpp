@@ -1,4 +1,4 @@
-#include <taut/cli/mouse_film.h>
+#include <taut/cli/mouse/film.h>
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include <taut/cli/mouse_sheet.h>
+#include <taut/cli/mouse/sheet.h>
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include <taut/cli/mouse_svg.h>
+#include <taut/cli/mouse/svg.h>
 #include <taut/io/pictures/colour_scale.h>
 
 #include <fmt/format.h>
@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <map>
 
-#include <taut/cli/mouse_film.h>
-#include <taut/cli/mouse_report.h>
-#include <taut/cli/mouse_sheet.h>
+#include <taut/cli/mouse/film.h>
+#include <taut/cli/mouse/report.h>
+#include <taut/cli/mouse/sheet.h>
 #include <taut/io/pictures/detail/svg_path.h>
 #include <taut/robots/micromouse/steps.h>
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <taut/cli/mouse_sheet.h>
+#include <taut/cli/mouse/sheet.h>
 #include <taut/robots/micromouse/trial.h>
 
 namespace taut::cli {

@@ -8,8 +8,8 @@
 #include <map>
 
 #include <taut/cli/exit_code.h>
-#include <taut/cli/mouse.h>
-#include <taut/cli/mouse_sheet.h>
+#include <taut/cli/mouse/mouse.h>
+#include <taut/cli/mouse/sheet.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
 #include <taut/cli/stop.h>

@@ -1,4 +1,4 @@
-#include <taut/cli/mouse_report.h>
+#include <taut/cli/mouse/report.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <set>
 
-#include <taut/cli/mouse.h>
+#include <taut/cli/mouse/mouse.h>
 #include <taut/cli/report.h>
 #include <taut/io/results/detail/result_values.h>
 #include <taut/robots/micromouse/steps.h>

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <taut/cli/exit_code.h>
-#include <taut/cli/mouse.h>
+#include <taut/cli/mouse/mouse.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
 #include <taut/cli/stop.h>

@@ -1,4 +1,4 @@
-#include <taut/cli/mouse.h>
+#include <taut/cli/mouse/mouse.h>
 
 #include <fmt/format.h>
 #include <CLI/Error.hpp>

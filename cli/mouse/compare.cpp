@@ -9,8 +9,8 @@
 
 #include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>
-#include <taut/cli/mouse.h>
-#include <taut/cli/mouse_report.h>
+#include <taut/cli/mouse/mouse.h>
+#include <taut/cli/mouse/report.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
 #include <taut/cli/timing.h>
