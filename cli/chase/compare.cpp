@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <taut/cli/chase_options.h>
+#include <taut/cli/chase/options.h>
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>

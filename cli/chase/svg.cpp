@@ -1,4 +1,4 @@
-#include <taut/cli/chase_svg.h>
+#include <taut/cli/chase/svg.h>
 
 #include <fmt/format.h>
 

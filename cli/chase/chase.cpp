@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include <taut/cli/chase_options.h>
-#include <taut/cli/chase_svg.h>
+#include <taut/cli/chase/options.h>
+#include <taut/cli/chase/svg.h>
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>

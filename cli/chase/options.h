@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include <taut/cli/chase_run.h>
+#include <taut/cli/chase/run.h>
 
 namespace taut::cli {
 

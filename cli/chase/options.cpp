@@ -1,4 +1,4 @@
-#include <taut/cli/chase_options.h>
+#include <taut/cli/chase/options.h>
 
 #include <CLI/Error.hpp>
 #include <CLI/Option.hpp>

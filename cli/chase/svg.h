@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include <taut/cli/chase_run.h>
+#include <taut/cli/chase/run.h>
 
 namespace taut::cli {
 

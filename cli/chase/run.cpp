@@ -1,4 +1,4 @@
-#include <taut/cli/chase_run.h>
+#include <taut/cli/chase/run.h>
 
 #include <fmt/format.h>
 #include <sys/resource.h>
