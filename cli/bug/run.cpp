@@ -1,4 +1,4 @@
-#include <taut/cli/bug_run.h>
+#include <taut/cli/bug/run.h>
 
 #include <fmt/format.h>
 #include <CLI/Error.hpp>

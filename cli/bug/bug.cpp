@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include <taut/cli/bug_run.h>
+#include <taut/cli/bug/run.h>
 #include <taut/cli/command.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/output.h>
