@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include <taut/cli/drive_world.h>
+#include <taut/cli/drive/world.h>
 #include <taut/geometry/errors.h>
 
 namespace taut::cli {

@@ -1,4 +1,4 @@
-#include <taut/cli/drive_svg.h>
+#include <taut/cli/drive/svg.h>
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <taut/cli/drive_values.h>
+#include <taut/cli/drive/values.h>
 #include <taut/robots/roadblocks/drive.h>
 
 namespace taut::cli {

@@ -1,4 +1,4 @@
-#include <taut/cli/drive_world_svg.h>
+#include <taut/cli/drive/world_svg.h>
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include <taut/cli/drive_world.h>
+#include <taut/cli/drive/world.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include <taut/cli/drive_world_svg.h>
+#include <taut/cli/drive/world_svg.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
 #include <taut/cli/output.h>

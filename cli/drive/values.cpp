@@ -1,4 +1,4 @@
-#include <taut/cli/drive_values.h>
+#include <taut/cli/drive/values.h>
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include <taut/cli/drive_report.h>
+#include <taut/cli/drive/report.h>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include <taut/cli/command.h>
-#include <taut/cli/drive_report.h>
-#include <taut/cli/drive_svg.h>
-#include <taut/cli/drive_world.h>
+#include <taut/cli/drive/report.h>
+#include <taut/cli/drive/svg.h>
+#include <taut/cli/drive/world.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
