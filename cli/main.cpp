@@ -13,9 +13,11 @@
 #include <unistd.h>
 
 #include <taut/cli/command.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
+#include <taut/cli/run.h>
 #include <taut/cli/stop.h>
 #include <taut/geometry/errors.h>
 
@@ -56,9 +58,8 @@ std::string reason(const CLI::App& at, const CLI::ParseError& error) {
                       : fmt::format("there is no subcommand or option '{}'", rest.front());
 }
 
-int wrong_usage(const CLI::App& app, const CLI::ParseError& error) {
-  const CLI::App& at = chosen(app);
-  complain(fmt::format("{}; see `{} --help`", reason(at, error), full_name(at)));
+int wrong_usage(const CLI::App& at, const std::string& why) {
+  complain(fmt::format("{}; see `{} --help`", why, full_name(at)));
   return kUsage;
 }
 
@@ -68,8 +69,7 @@ void refuse_stray_options(const CLI::App& at) {
   if (parent == nullptr) return;
   for (const CLI::Option* option : parent->get_options())
     if (option->count() > 0)
-      throw CLI::ValidationError(option->get_name() + " stands before `" + at.get_name() +
-                                 "`, which knows nothing of it");
+      throw UsageError(option->get_name() + " stands before `" + at.get_name() + "`, which knows nothing of it");
   refuse_stray_options(*parent);
 }
 
@@ -88,12 +88,14 @@ int parse(CLI::App& app, int argc, char** argv) {
     print(app.help());
     return kFound;
   } catch (const CLI::ParseError& error) {
-    return wrong_usage(app, error);
+    return wrong_usage(chosen(app), reason(chosen(app), error));
+  } catch (const UsageError& error) {
+    return wrong_usage(chosen(app), error.what());
   }
 }
 
 // In the order of --help. A group, like `grid`, brings several.
-std::vector<Command> all_commands(CLI::App& app) {
+std::vector<Command> all_commands(CommandLine& app) {
   std::vector<Command> commands;
   commands.push_back(solve_command(app));
   commands.push_back(check_command(app));
@@ -112,19 +114,30 @@ std::vector<Command> all_commands(CLI::App& app) {
   return commands;
 }
 
+int run(const Command& command) {
+  Run run(command.line->full_name().substr(std::string_view("taut ").size()), *command.common);
+  start_watch(command.common->limits);
+  try {
+    return command.run(run);
+  } catch (const InputError& error) {
+    complain(error.what());
+    return run.refuse(error.what());
+  } catch (const UsageError& error) {  // what only the work itself could find out
+    return wrong_usage(command.line->app(), error.what());
+  }
+}
+
 int run(int argc, char** argv) {
   CLI::App app("Exact motion planning in the plane: shortest paths, or the walls that leave none.", "taut");
-  app.set_version_flag("--version", "taut " TAUT_VERSION, "Print the version and exit");
+  app.set_version_flag("--version,-V", "taut " TAUT_VERSION, "Print the version and exit");
   app.set_help_flag("--help,-h", "Print this help and exit");
   app.require_subcommand(1);
+  CommandLine line(app);
+  const std::vector<Command> commands = all_commands(line);
   app.footer(kFooter);
-  const std::vector<Command> commands = all_commands(app);
   if (const int code = parse(app, argc, argv); code >= 0) return code;
   for (const Command& command : commands)
-    if (command.app->parsed()) {
-      start_watch(command.common->limits);
-      return command.run();
-    }
+    if (command.line->is_chosen()) return run(command);
   return kUsage;
 }
 

@@ -1,8 +1,5 @@
+#include <taut/cli/command_line.h>
 #include <taut/cli/options.h>
-
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
-#include <CLI/Validators.hpp>
 
 #include <charconv>
 #include <cmath>
@@ -17,7 +14,7 @@ namespace {
 [[noreturn]] void refuse(const std::string& text, const char* wanted) {
   std::string message = "'";
   message.append(text).append("' is not ").append(wanted);
-  throw CLI::ValidationError(message);
+  throw UsageError(message);
 }
 
 std::optional<double> number_in(std::string_view text) {
@@ -34,17 +31,11 @@ std::string trimmed(const std::string& text) {
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-// The option's value goes through `parse`; what it throws names the option.
+// The option's value goes through `parse`.
 template <typename Value, typename Parse>
-CLI::Option* add(CLI::App& app, const std::string& name, Value& value, Parse parse, const std::string& description) {
-  const auto take = [&value, parse, name](const std::string& text) {
-    try {
-      value = parse(text);
-    } catch (const CLI::ValidationError& error) {
-      throw CLI::ValidationError(name + ": " + error.what(), CLI::ExitCodes::ValidationError);
-    }
-  };
-  return app.add_option_function<std::string>(name, take, description);
+Option add(CommandLine& app, const std::string& name, Value& value, Parse parse, const std::string& description) {
+  return app.add_option_function(
+      name, [&value, parse](const std::string& text) { value = parse(text); }, description);
 }
 
 ReadOptions::Polygons polygons_of(const std::string& text) {
@@ -59,12 +50,16 @@ double thickness_of(const std::string& text) {
   return value;
 }
 
-std::uint64_t seed_of(const std::string& text) {
-  std::uint64_t value = 0;
+template <typename Number>
+Number whole_of(const std::string& text, const char* wanted) {
+  Number value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size())
-    refuse(text, "a whole number from 0 to 18446744073709551615");
+  if (error != std::errc{} || end != text.data() + text.size()) refuse(text, wanted);
   return value;
+}
+
+std::uint64_t seed_of(const std::string& text) {
+  return whole_of<std::uint64_t>(text, "a whole number from 0 to 18446744073709551615");
 }
 
 double seconds_of(const std::string& text) {
@@ -75,11 +70,13 @@ double seconds_of(const std::string& text) {
 
 }  // namespace
 
+std::size_t count_of(const std::string& text) { return whole_of<std::size_t>(text, "a whole number"); }
+
 double number_of(const std::string& text, const char* option) {
   const std::optional<double> value = number_in(text);
   if (value) return *value;
   if (!option) refuse(text, "a number");
-  throw CLI::ValidationError(std::string(option) + ": '" + text + "' is not a number");
+  throw UsageError(std::string(option) + ": '" + text + "' is not a number");
 }
 
 Point point_of(const std::string& text) {
@@ -123,78 +120,87 @@ std::size_t memory_of(const std::string& text) {
   return static_cast<std::size_t>(*value * unit);
 }
 
-void add_world_options(CLI::App& app, WorldOptions& options) {
-  app.add_option("FILE", options.file, "The world to read; - is standard input")->required();
+Option add_world_options(CommandLine& app, WorldOptions& options) {
+  Option file = app.add_option("FILE", options.file, "The world to read; - is standard input").required();
   const auto parse_format = [](const std::string& text) { return std::optional(format_of(text)); };
   add(app, "--format", options.read.format, parse_format,
       "What FILE is written in: segments, cells, drawing, maz, num, wkt, geojson, movingai (default: found out from "
       "its content)")
-      ->type_name("NAME")
-      ->group("World");
+      .type_name("NAME")
+      .group("World");
   add(app, "--polygons", options.read.polygons, polygons_of,
       "What wkt and geojson polygons without a role are: free (default) or obstacles")
-      ->type_name("WHAT")
-      ->group("World");
+      .type_name("WHAT")
+      .group("World");
   const auto parse_thickness = [](const std::string& text) { return std::optional(thickness_of(text)); };
   add(app, "--wall-thickness", options.wall_thickness, parse_thickness,
       "Give every wall this thickness, half of it on each side")
-      ->type_name("T")
-      ->group("World");
+      .type_name("T")
+      .group("World");
+  return file;
 }
 
-void add_query_options(CLI::App& app, QueryOptions& options) {
+void add_query_options(CommandLine& app, QueryOptions& options) {
   const auto parse_point = [](const std::string& text) { return std::optional(point_of(text)); };
   add(app, "--from", options.from, parse_point, "Start here instead of where FILE says")
-      ->type_name("X,Y")
-      ->group("Query");
-  add(app, "--to", options.to, parse_point, "Go here instead of where FILE says")->type_name("X,Y")->group("Query");
+      .type_name("X,Y")
+      .group("Query");
+  add(app, "--to", options.to, parse_point, "Go here instead of where FILE says").type_name("X,Y").group("Query");
   add(app, "--robot", options.robot, footprint_of, "Who moves: point (default), disc:R, or square:R of half side R")
-      ->type_name("SHAPE")
-      ->group("Query");
+      .type_name("SHAPE")
+      .group("Query");
 }
 
-void add_output_options(CLI::App& app, OutputOptions& options) {
-  app.add_option("--svg", options.svg, "Write a picture; - is standard output")->type_name("FILE")->group("Output");
+void add_output_options(CommandLine& app, OutputOptions& options) {
+  app.add_option("--svg", options.svg, "Write a picture; - is standard output").type_name("FILE").group("Output");
   app.add_option("--json", options.json, "Write everything as JSON; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
-  app.add_flag("--stats", options.stats, "Say on stderr what each stage took")->group("Output");
-  app.add_flag("--quiet,-q", options.quiet, "No line on standard output")->group("Output");
+      .type_name("FILE")
+      .group("Output");
+  app.add_flag("--stats", options.stats, "Say on stderr what each stage took").group("Output");
+  app.add_flag("--quiet,-q", options.quiet, "No line on standard output").group("Output");
   app.callback([&options] {
     if (options.svg == "-" && options.json == "-")
-      throw CLI::ValidationError("--svg - and --json - cannot both have standard output");
+      throw UsageError("--svg - and --json - cannot both have standard output");
   });
 }
 
-void add_animate_option(CLI::App& app, std::string& animation, const std::string& description) {
+void add_animate_option(CommandLine& app, std::string& animation, const std::string& description) {
   app.add_option("--animate", animation, description + "; without FILE, --svg's picture moves")
-      ->type_name("[FILE]")
-      ->expected(0, 1)
-      ->group("Output");
+      .type_name("[FILE]")
+      .values(0, 1)
+      .group("Output");
 }
 
-void settle_animation(const CLI::App& app, std::string& animation, std::string& svg, const std::string& json) {
+void settle_animation(const CommandLine& app, std::string& animation, std::string& svg, const std::string& json) {
   if (app.count("--animate") > 0 && animation.empty()) {
-    if (svg.empty()) throw CLI::ValidationError("--animate needs a FILE, or --svg");
+    if (svg.empty()) throw UsageError("--animate needs a FILE, or --svg");
     std::swap(animation, svg);
   }
   if ((svg == "-") + (animation == "-") + (json == "-") > 1)
-    throw CLI::ValidationError("only one of --svg, --animate and --json can have standard output");
+    throw UsageError("only one of --svg, --animate and --json can have standard output");
 }
 
-void add_common_options(CLI::App& app, CommonOptions& options) {
+void add_result_options(CommandLine& app, CommonOptions& options) {
+  app.add_option("--json", options.json, "Write the result as JSON; - is standard output")
+      .type_name("FILE")
+      .group("Output");
+  app.add_flag("--stats", options.stats, "Say on stderr what each stage took").group("Output");
+  app.add_flag("--quiet,-q", options.quiet, "No line on standard output").group("Output");
+}
+
+void add_common_options(CommandLine& app, CommonOptions& options) {
   add(
       app, "--max-seconds", options.limits.seconds,
       [](const std::string& text) { return std::optional(seconds_of(text)); }, "Stop after this time, with exit code 4")
-      ->type_name("S")
-      ->group("Limits");
+      .type_name("S")
+      .group("Limits");
   add(
       app, "--max-memory", options.limits.memory,
       [](const std::string& text) { return std::optional(memory_of(text)); },
       "Stop when more is needed, with exit code 4: 500M, 2G")
-      ->type_name("SIZE")
-      ->group("Limits");
-  add(app, "--seed", options.seed, seed_of, "Seed of whatever is random (default: 1)")->type_name("N")->group("Limits");
+      .type_name("SIZE")
+      .group("Limits");
+  add(app, "--seed", options.seed, seed_of, "Seed of whatever is random (default: 1)").type_name("N").group("Limits");
 }
 
 }  // namespace taut::cli

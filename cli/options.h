@@ -1,12 +1,11 @@
 // Options that several subcommands share.
 #pragma once
 
-#include <CLI/App.hpp>
-
 #include <cstdint>
 #include <optional>
 #include <string>
 
+#include <taut/cli/command_line.h>
 #include <taut/cli/stop.h>
 #include <taut/geometry/footprint.h>
 #include <taut/geometry/point.h>
@@ -43,26 +42,32 @@ struct OutputOptions {
 struct CommonOptions {
   Limits limits;
   std::uint64_t seed = 1;
+  std::string json;    ///< the envelope's file; `-` is stdout, empty is nothing
+  bool stats = false;  ///< what each stage took, on stderr
+  bool quiet = false;  ///< no line on stdout
 };
 
-// Each adds its options, in a group of their own in --help. A value that cannot be read is a CLI::ValidationError
+// Each adds its options, in a group of their own in --help. A value that cannot be read is a UsageError
 // (exit 2). The struct must outlive the parsing.
-void add_world_options(CLI::App& app, WorldOptions& options);
-void add_query_options(CLI::App& app, QueryOptions& options);
-void add_output_options(CLI::App& app, OutputOptions& options);
-void add_common_options(CLI::App& app, CommonOptions& options);
+/// Gives FILE.
+Option add_world_options(CommandLine& app, WorldOptions& options);
+void add_query_options(CommandLine& app, QueryOptions& options);
+void add_output_options(CommandLine& app, OutputOptions& options);
+void add_result_options(CommandLine& app, CommonOptions& options);
+void add_common_options(CommandLine& app, CommonOptions& options);
 
 /// `--animate [FILE]`: a picture that moves, into FILE or, where none is named, in the place of --svg's.
-void add_animate_option(CLI::App& app, std::string& animation, const std::string& description);
+void add_animate_option(CommandLine& app, std::string& animation, const std::string& description);
 /// To be called when all is parsed: gives a nameless --animate the file of --svg, which then is not written otherwise.
-/// Throws CLI::ValidationError when there is none, or when more than one of the three files is standard output.
-void settle_animation(const CLI::App& app, std::string& animation, std::string& svg, const std::string& json);
+/// Throws UsageError when there is none, or when more than one of the three files is standard output.
+void settle_animation(const CommandLine& app, std::string& animation, std::string& svg, const std::string& json);
 
-// Values of options. Throw CLI::ValidationError.
+// Values of options. Throw UsageError.
 Point point_of(const std::string& text);  ///< `1.5,-2`
 double number_of(
     const std::string& text,
     const char* option = nullptr);  ///< finite, of magnitude <= World::kLargest; `option` is named in the error
+std::size_t count_of(const std::string& text);    ///< a whole number of 0 or more
 Footprint footprint_of(const std::string& text);  ///< `point`, `disc:R`, `square:R`
 Format format_of(const std::string& text);        ///< a name of format_named
 std::size_t memory_of(const std::string& text);   ///< `500M`, `2G`; a bare number counts megabytes

@@ -1,13 +1,12 @@
 // taut bug: a robot that touches walls, or sees some way, by Bug 1, Bug 2 or Tangent Bug; taut bug compare: all of
 // them.
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
 
 #include <algorithm>
 
 #include <taut/cli/bug/run.h>
 #include <taut/cli/command.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
@@ -20,12 +19,12 @@ using bug::Journey;
 
 namespace {
 
-void add_turn_option(CLI::App& app, bug::Options& options) {
-  app.add_option_function<std::string>(
+void add_turn_option(CommandLine& app, bug::Options& options) {
+  app.add_option_function(
          "--turn", [&options](const std::string& text) { options.turn = bug_turn_of(text); },
          "Where to turn at an obstacle (tangent: when both sides promise the same): left (default) or right")
-      ->type_name("SIDE")
-      ->group("Query");
+      .type_name("SIDE")
+      .group("Query");
 }
 
 // ---- taut bug FILE
@@ -39,34 +38,32 @@ struct BugOptions {
   std::string animation;
 };
 
-void require_sense(const CLI::App& app, BugOptions& options) {
-  if (options.world.file.empty()) throw CLI::RequiredError("FILE");
+void require_sense(const CommandLine& app, BugOptions& options) {
+  if (options.world.file.empty()) throw UsageError("FILE is required");
   settle_animation(app, options.animation, options.output.svg, options.output.json);
   if (app.count("--range") > 0 && options.bug.algorithm != Algorithm::tangent)
-    throw CLI::ValidationError("--range is for --algorithm tangent: " + name_of(options.bug.algorithm) +
-                               " only touches");
+    throw UsageError("--range is for --algorithm tangent: " + name_of(options.bug.algorithm) + " only touches");
 }
 
-void add_options(CLI::App& app, BugOptions& options) {
-  add_world_options(app, options.world);
-  app.get_option("FILE")->required(false);  // not when `compare` follows
+void add_options(CommandLine& app, BugOptions& options) {
+  add_world_options(app, options.world).required(false);  // not when `compare` follows
   add_query_options(app, options.query);
-  app.add_option_function<std::string>(
+  app.add_option_function(
          "--algorithm", [&options](const std::string& text) { options.bug.algorithm = bug_algorithm_of(text); },
          "bug1, bug2 (default) or tangent")
-      ->type_name("NAME")
-      ->group("Query");
-  app.add_option_function<std::string>(
+      .type_name("NAME")
+      .group("Query");
+  app.add_option_function(
          "--range", [&options](const std::string& text) { options.bug.range = bug_range_of(text); },
          "How far tangent sees: a number, 0 is touch alone, or inf (default)")
-      ->type_name("R")
-      ->group("Query");
+      .type_name("R")
+      .group("Query");
   add_turn_option(app, options.bug);
   add_output_options(app, options.output);
   add_animate_option(app, options.animation, "Write a picture in which the robot moves");
-  app.require_subcommand(0, 1);
+  app.optional_subcommand();
   app.callback([&app, &options] {
-    if (app.get_subcommands().empty()) require_sense(app, options);
+    if (!app.has_subcommand()) require_sense(app, options);
   });
 }
 
@@ -112,14 +109,14 @@ std::vector<double> ranges_in(const std::string& list) {
   return ranges;
 }
 
-void add_compare_options(CLI::App& app, CompareOptions& options) {
-  app.add_option("FILE", options.files, "Worlds")->required();
+void add_compare_options(CommandLine& app, CompareOptions& options) {
+  app.add_option("FILE", options.files, "Worlds").required();
   add_query_options(app, options.query);
-  app.add_option_function<std::string>(
+  app.add_option_function(
          "--range", [&options](const std::string& list) { options.ranges = ranges_in(list); },
          "The ranges of tangent, separated by commas (default: 0,inf)")
-      ->type_name("LIST")
-      ->group("Query");
+      .type_name("LIST")
+      .group("Query");
   add_turn_option(app, options.bug);
 }
 
@@ -165,11 +162,11 @@ int run_compare(const CompareOptions& options) {
 
 }  // namespace
 
-std::vector<Command> bug_commands(CLI::App& app) {
+std::vector<Command> bug_commands(CommandLine& app) {
   Command bug = command<BugOptions>(
       app, "bug", "Find the way by touch (Bug 1, Bug 2) or by sight (Tangent Bug), with its length bound", add_options,
       run);
-  CLI::App& group = *bug.app;
+  CommandLine& group = *bug.line;
   return {command<CompareOptions>(group, "compare", "All bugs on the same worlds, beside the shortest path",
                                   add_compare_options, run_compare),
           std::move(bug)};

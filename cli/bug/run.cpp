@@ -1,7 +1,7 @@
 #include <taut/cli/bug/run.h>
+#include <taut/cli/command_line.h>
 
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -113,18 +113,18 @@ Algorithm bug_algorithm_of(const std::string& text) {
   if (text == "1" || text == "bug1") return Algorithm::bug1;
   if (text == "2" || text == "bug2") return Algorithm::bug2;
   if (text == "tangent") return Algorithm::tangent;
-  throw CLI::ValidationError("--algorithm: '" + text + "' is not bug1, bug2 or tangent");
+  throw UsageError("--algorithm: '" + text + "' is not bug1, bug2 or tangent");
 }
 
 double bug_range_of(const std::string& text) {
   if (text == "inf") return std::numeric_limits<double>::infinity();
   const double range = number_of(text, "--range");
-  if (range < 0) throw CLI::ValidationError("--range: '" + text + "' is not a range of 0 or more, or inf");
+  if (range < 0) throw UsageError("--range: '" + text + "' is not a range of 0 or more, or inf");
   return range;
 }
 
 bug::Turn bug_turn_of(const std::string& text) {
-  if (text != "left" && text != "right") throw CLI::ValidationError("--turn: '" + text + "' is not left or right");
+  if (text != "left" && text != "right") throw UsageError("--turn: '" + text + "' is not left or right");
   return text == "left" ? bug::Turn::left : bug::Turn::right;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include <taut/cli/command_line.h>
 #include <taut/cli/options.h>
 #include <taut/geometry/free_space.h>
 #include <taut/geometry/length.h>
@@ -30,9 +31,9 @@ bug::Journey checked_journey(const BugWorld& world, const bug::Options& options)
 
 /// `bug1`, `bug2`, `tangent`
 std::string name_of(bug::Algorithm algorithm);
-/// Of these names, or `1`, `2`. Throws CLI::ValidationError.
+/// Of these names, or `1`, `2`. Throws UsageError.
 bug::Algorithm bug_algorithm_of(const std::string& text);
-/// A number >= 0 or `inf`. Throws CLI::ValidationError.
+/// A number >= 0 or `inf`. Throws UsageError.
 double bug_range_of(const std::string& text);
 bug::Turn bug_turn_of(const std::string& text);
 std::string range_text(double range);

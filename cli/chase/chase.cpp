@@ -1,7 +1,5 @@
 // taut chase: catching a moving target on a cost map.
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
 #include <nlohmann/json.hpp>
 
 #include <memory>
@@ -13,6 +11,7 @@
 #include <taut/cli/chase/options.h>
 #include <taut/cli/chase/svg.h>
 #include <taut/cli/command.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
@@ -33,7 +32,7 @@ std::string planner_list() {
 
 const NamedPlanner* planner_of(const std::string& name) {
   const NamedPlanner* found = chase_planner(name);
-  if (!found) throw CLI::ValidationError("--planner: '" + name + "' is not one of " + planner_list());
+  if (!found) throw UsageError("--planner: '" + name + "' is not one of " + planner_list());
   return found;
 }
 
@@ -50,35 +49,34 @@ struct ChaseOptions {
   CommonOptions common;
 };
 
-void add_options(CLI::App& app, ChaseOptions& options) {
+void add_options(CommandLine& app, ChaseOptions& options) {
   app.add_option("MAP", options.file, "The cost map to read, sections N C R T M; - is standard input");
-  app.add_option_function<std::string>(
+  app.add_option_function(
          "--planner",
          [&options](const std::string& text) {
            options.planner = planner_of(text);
            options.names_planner = true;
          },
          "Who plans: exact (default), report, weighted, first")
-      ->type_name("NAME")
-      ->group("Rules");
+      .type_name("NAME")
+      .group("Rules");
   app.add_flag("--online", options.online,
                "Do not know the target's way: see it second by second, and the horizon ahead")
-      ->group("Rules");
+      .group("Rules");
   app.add_option("--horizon", options.horizon, "Seconds of the target's way that are seen ahead (default: 0)")
-      ->type_name("S")
-      ->check(CLI::Range(0, 1'000'000))
-      ->group("Rules");
+      .type_name("S")
+      .range(0, 1'000'000)
+      .group("Rules");
   add_chase_rule_options(app, options.rules);
   add_output_options(app, options.output);
   add_animate_option(app, options.animation, "Write a moving picture (SVG)");
-  app.add_flag("--path", options.path, "Print where the robot is at each second: `SECOND X,Y`")->group("Output");
-  app.require_subcommand(0, 1);
+  app.add_flag("--path", options.path, "Print where the robot is at each second: `SECOND X,Y`").group("Output");
+  app.optional_subcommand();
   app.callback([&app, &options] {
-    if (!app.get_subcommands().empty()) return;
-    if (options.file.empty()) throw CLI::RequiredError("MAP");
-    if (options.horizon && !options.online) throw CLI::ValidationError("--horizon needs --online");
-    if (options.online && options.names_planner)
-      throw CLI::ValidationError("--online plans by itself, without --planner");
+    if (app.has_subcommand()) return;
+    if (options.file.empty()) throw UsageError("MAP is required");
+    if (options.horizon && !options.online) throw UsageError("--horizon needs --online");
+    if (options.online && options.names_planner) throw UsageError("--online plans by itself, without --planner");
     settle_animation(app, options.animation, options.output.svg, options.output.json);
   });
 }
@@ -161,10 +159,10 @@ int run(const ChaseOptions& options) {
 
 }  // namespace
 
-std::vector<Command> chase_commands(CLI::App& app) {
+std::vector<Command> chase_commands(CommandLine& app) {
   Command chase =
       command<ChaseOptions>(app, "chase", "Catch a moving target on a cost map at least cost", add_options, run);
-  return {chase_compare_command(*chase.app), chase_generate_command(*chase.app), chase};
+  return {chase_compare_command(*chase.line), chase_generate_command(*chase.line), chase};
 }
 
 }  // namespace taut::cli

@@ -1,6 +1,5 @@
 // taut chase compare: all planners on the same maps.
 #include <fmt/format.h>
-#include <CLI/Option.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 
 #include <taut/cli/chase/options.h>
 #include <taut/cli/command.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
@@ -28,12 +28,12 @@ struct ChaseCompareOptions {
   CommonOptions common;
 };
 
-void add_compare_options(CLI::App& app, ChaseCompareOptions& options) {
-  app.add_option("MAP", options.files, "Cost maps")->required();
+void add_compare_options(CommandLine& app, ChaseCompareOptions& options) {
+  app.add_option("MAP", options.files, "Cost maps").required();
   add_chase_rule_options(app, options.rules);
   app.add_option("--json", options.json, "Write everything as JSON; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
+      .type_name("FILE")
+      .group("Output");
 }
 
 std::string row(const ChaseMap& map, const ChaseRun& run) {
@@ -72,7 +72,7 @@ int run_compare(const ChaseCompareOptions& options) {
 
 }  // namespace
 
-Command chase_compare_command(CLI::App& chase) {
+Command chase_compare_command(CommandLine& chase) {
   return command<ChaseCompareOptions>(chase, "compare", "Let all planners chase on the same maps", add_compare_options,
                                       run_compare);
 }

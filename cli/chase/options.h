@@ -1,12 +1,11 @@
 // What the subcommands of taut chase have in common.
 #pragma once
 
-#include <CLI/App.hpp>
-
 #include <optional>
 #include <string>
 
 #include <taut/cli/chase/run.h>
+#include <taut/cli/command_line.h>
 
 namespace taut::cli {
 
@@ -20,7 +19,7 @@ struct ChaseRuleOptions {
 };
 
 /// --clock, --free-planning, --plan-seconds.
-void add_chase_rule_options(CLI::App& app, ChaseRuleOptions& rules);
+void add_chase_rule_options(CommandLine& app, ChaseRuleOptions& rules);
 
 /// A file, or standard input for `-`.
 pursuit::ChaseMap read_chase_file(const std::string& file);

@@ -1,6 +1,5 @@
 // taut drive: a car through a maze whose roadblocks show only from near; with --car, any car in any world.
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
 
 #include <algorithm>
 #include <initializer_list>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include <taut/cli/command.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/drive/report.h>
 #include <taut/cli/drive/svg.h>
 #include <taut/cli/drive/world.h>
@@ -50,7 +50,7 @@ void choose_planner(const std::string& word, DriveOptions& options) {
   if (!kind && !options.peer) {
     std::string names = "ours, optimist, pessimist, clairvoyant";
     for (const car::Peer& peer : car::peers()) names += ", " + std::string(peer.name);
-    throw CLI::ValidationError("--planner: '" + word + "' is none of " + names);
+    throw UsageError("--planner: '" + word + "' is none of " + names);
   }
   if (kind) options.planner = *kind;
 }
@@ -62,78 +62,75 @@ std::string planner_name(const DriveOptions& options) {
 car::Aim aim_of(const std::string& word) {
   if (word == "expected") return car::Aim::expected;
   if (word == "worst") return car::Aim::worst;
-  throw CLI::ValidationError("--policy: '" + word + "' is not expected or worst");
+  throw UsageError("--policy: '" + word + "' is not expected or worst");
 }
 
 car::WallReading walls_of(const std::string& word) {
   if (word == "points") return car::WallReading::points;
   if (word == "squares") return car::WallReading::squares;
-  throw CLI::ValidationError("--walls: '" + word + "' is not points or squares");
+  throw UsageError("--walls: '" + word + "' is not points or squares");
 }
 
 /// The first of these options that is given; empty when none is.
-std::string first_given(const CLI::App& app, std::initializer_list<const char*> names) {
+std::string first_given(const CommandLine& app, std::initializer_list<const char*> names) {
   for (const char* name : names)
     if (app.count(name) > 0) return name;
   return "";
 }
 
 /// Each option is for roadblock maps, for general cars or for both: none is ignored.
-void require_one_kind(const CLI::App& app, const DriveOptions& options) {
+void require_one_kind(const CommandLine& app, const DriveOptions& options) {
   const std::string for_maps = first_given(
       app, {"--sample", "--all", "--open", "--planner", "--policy", "--walls", "--show-values", "--controls"});
   const std::string for_cars =
       first_given(app, {"--from", "--to", "--weight", "--wall-thickness", "--polygons", "--format"});
   if (options.world.car && !for_maps.empty())
-    throw CLI::ValidationError("--car drives in a world of walls: not with " + for_maps);
+    throw UsageError("--car drives in a world of walls: not with " + for_maps);
   if (!options.world.car && !for_cars.empty())
-    throw CLI::ValidationError(for_cars + " needs --car: a roadblock map says where its own car starts");
+    throw UsageError(for_cars + " needs --car: a roadblock map says where its own car starts");
 }
 
-void require_consistent(const CLI::App& app, const DriveOptions& options) {
+void require_consistent(const CommandLine& app, const DriveOptions& options) {
   require_one_kind(app, options);
   if (options.sample.has_value() + options.all + !options.bits.empty() > 1)
-    throw CLI::ValidationError("only one of --sample, --all and --open");
+    throw UsageError("only one of --sample, --all and --open");
   if (options.bits.find_first_not_of("01") != std::string::npos)
-    throw CLI::ValidationError("--open: '" + options.bits + "' is not of 0 and 1, one a roadblock");
-  if (app.count("--policy") > 0 && planner_name(options) != "ours")
-    throw CLI::ValidationError("--policy is for --planner ours");
-  if (options.controls && options.output.json.empty()) throw CLI::ValidationError("--controls needs --json");
-  if (options.output.draws() && options.all) throw CLI::ValidationError("--svg draws one drive: give --sample I");
-  if (options.show_values && !options.output.draws()) throw CLI::ValidationError("--show-values needs --svg");
+    throw UsageError("--open: '" + options.bits + "' is not of 0 and 1, one a roadblock");
+  if (app.count("--policy") > 0 && planner_name(options) != "ours") throw UsageError("--policy is for --planner ours");
+  if (options.controls && options.output.json.empty()) throw UsageError("--controls needs --json");
+  if (options.output.draws() && options.all) throw UsageError("--svg draws one drive: give --sample I");
+  if (options.show_values && !options.output.draws()) throw UsageError("--show-values needs --svg");
 }
 
-void add_options(CLI::App& app, DriveOptions& options) {
+void add_options(CommandLine& app, DriveOptions& options) {
   add_world_drive_options(app, options.world);
-  app.add_option("--sample", options.sample, "Drive this sample of the file (default: its first)")->type_name("I");
+  app.add_option("--sample", options.sample, "Drive this sample of the file (default: its first)").type_name("I");
   app.add_flag("--all", options.all, "Drive all samples of the file");
-  app.add_option("--open", options.bits, "Drive with these roadblocks open, as 101 for A and C")->type_name("BITS");
-  app.add_option_function<std::string>(
+  app.add_option("--open", options.bits, "Drive with these roadblocks open, as 101 for A and C").type_name("BITS");
+  app.add_option_function(
          "--planner", [&options](const std::string& word) { choose_planner(word, options); },
          "ours (default), optimist, pessimist, clairvoyant (knows the sample: a bound); to compare with: rrt, "
          "rrt-field, rrt-star, rrt-connect (with --seed), value-iteration")
-      ->type_name("NAME");
-  app.add_option_function<std::string>(
+      .type_name("NAME");
+  app.add_option_function(
          "--policy", [&options](const std::string& word) { options.aim = aim_of(word); },
          "What the planner ours makes least: expected (default) or worst steps over what may be learnt")
-      ->type_name("NAME");
-  app.add_option_function<std::string>(
+      .type_name("NAME");
+  app.add_option_function(
          "--walls", [&options](const std::string& word) { options.walls = walls_of(word); },
          "points (default, the course's rule): a wall is its cell's centre, tested at the end of a step; squares: "
          "whole cells, the whole step")
-      ->type_name("NAME");
-  app.add_option("--svg", options.output.svg, "Draw the drive; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
+      .type_name("NAME");
+  app.add_option("--svg", options.output.svg, "Draw the drive; - is standard output").type_name("FILE").group("Output");
   add_animate_option(app, options.output.animation, "Draw the car as it drives, an SVG that plays in a browser");
   app.add_flag("--show-values", options.show_values,
                "Draw the surface and the arrows of value iteration; --planner value-iteration does")
-      ->group("Output");
+      .group("Output");
   app.add_option("--json", options.output.json, "An array of results, one a sample; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
-  app.add_flag("--controls", options.controls, "Put each drive's controls into the JSON")->group("Output");
-  app.add_flag("-q,--quiet", options.output.quiet, "Print no table")->group("Output");
+      .type_name("FILE")
+      .group("Output");
+  app.add_flag("--controls", options.controls, "Put each drive's controls into the JSON").group("Output");
+  app.add_flag("-q,--quiet", options.output.quiet, "Print no table").group("Output");
   app.callback([&app, &options] {
     options.file = options.world.world.file;
     settle_animation(app, options.output.animation, options.output.svg, options.output.json);
@@ -264,7 +261,7 @@ int run(const DriveOptions& options) {
 
 }  // namespace
 
-Command drive_command(CLI::App& app) {
+Command drive_command(CommandLine& app) {
   return command<DriveOptions>(app, "drive", "Drive a car through a maze with roadblocks that show only from near",
                                add_options, run);
 }

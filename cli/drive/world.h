@@ -1,12 +1,11 @@
 // taut drive --car: a general car in a world of walls and polygons.
 #pragma once
 
-#include <CLI/App.hpp>
-
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include <taut/cli/command_line.h>
 #include <taut/cli/options.h>
 #include <taut/robots/car/car_planner.h>
 
@@ -27,7 +26,7 @@ struct WorldDriveOptions {
 };
 
 /// FILE, --car, --from, --to, --weight and those of a world.
-void add_world_drive_options(CLI::App& app, WorldDriveOptions& options);
+void add_world_drive_options(CommandLine& app, WorldDriveOptions& options);
 
 /// What `taut drive` writes, whatever it drives in.
 struct DriveOutput {

@@ -1,10 +1,10 @@
 // The options of `taut drive --car`.
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
 
 #include <algorithm>
 #include <map>
 
+#include <taut/cli/command_line.h>
 #include <taut/cli/drive/world.h>
 #include <taut/geometry/errors.h>
 
@@ -13,13 +13,13 @@ namespace taut::cli {
 namespace {
 
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const char* wanted) {
-  throw CLI::ValidationError(fmt::format("{}: '{}' is not {}", option, text, wanted));
+  throw UsageError(fmt::format("{}: '{}' is not {}", option, text, wanted));
 }
 
 double number_for(const std::string& option, const std::string& text, const char* wanted) {
   try {
     return number_of(text);
-  } catch (const CLI::ValidationError&) {
+  } catch (const UsageError&) {
     refuse(option, text, wanted);
   }
 }
@@ -57,7 +57,7 @@ car::CarShape car_of(const std::string& text) {
   try {
     return car::car_shape(length, width, radius, rear, reverse);
   } catch (const InputError& error) {
-    throw CLI::ValidationError(std::string("--car: ") + error.what());
+    throw UsageError(std::string("--car: ") + error.what());
   }
 }
 
@@ -75,32 +75,32 @@ DriveEnd end_of(const std::string& option, const std::string& text) {
 
 }  // namespace
 
-void add_world_drive_options(CLI::App& app, WorldDriveOptions& options) {
+void add_world_drive_options(CommandLine& app, WorldDriveOptions& options) {
   add_world_options(app, options.world);
-  app.add_option_function<std::string>(
+  app.add_option_function(
          "--car", [&options](const std::string& text) { options.car = car_of(text); },
          "Drive this car in a world of walls: length=L,width=W,radius=R (of the least turn), rear=B (from the "
          "rear axle, whose middle is guided, to the rear end; default: L/4), reverse=no")
-      ->type_name("CAR")
-      ->group("General car");
+      .type_name("CAR")
+      .group("General car");
   const auto add_end = [&](const char* name, std::optional<DriveEnd>& end, const char* what) {
-    app.add_option_function<std::string>(
+    app.add_option_function(
            name, [&end, name](const std::string& text) { end = end_of(name, text); }, what)
-        ->type_name("X,Y[,DEGREES]")
-        ->group("General car");
+        .type_name("X,Y[,DEGREES]")
+        .group("General car");
   };
   add_end("--from", options.from,
           "Start here, with the nearest of 64 headings (default: where FILE says, any heading)");
   add_end("--to", options.to, "Get the middle of the rear axle here, likewise");
-  app.add_option_function<std::string>(
+  app.add_option_function(
          "--weight",
          [&options](const std::string& text) {
            options.weight = number_for("--weight", text, "a number of 1 or more");
            if (options.weight < 1) refuse("--weight", text, "a number of 1 or more");
          },
          "The drive may be this much longer than the shortest on its lattice (default: 1.05)")
-      ->type_name("W")
-      ->group("General car");
+      .type_name("W")
+      .group("General car");
 }
 
 }  // namespace taut::cli

@@ -1,12 +1,11 @@
 // taut grid generate: grid maps and scenarios from a seed.
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
 
 #include <charconv>
 #include <random>
 
 #include <taut/cli/command.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
@@ -41,38 +40,38 @@ void read_size(const std::string& text, GenerateOptions& options) {
         std::max(options.width, options.height) <= kLargestSide)
       return;
   }
-  throw CLI::ValidationError(
+  throw UsageError(
       fmt::format("'{}' is no size; sizes are written WIDTHxHEIGHT, each from 2 to {}", text, kLargestSide));
 }
 
-void add_options(CLI::App& app, GenerateOptions& options) {
-  app.add_option_function<std::string>(
+void add_options(CommandLine& app, GenerateOptions& options) {
+  app.add_option_function(
          "--kind",
          [&options](const std::string& text) {
            const auto kind = grid_kind_named(text);
-           if (!kind) throw CLI::ValidationError("'" + text + "' is no kind of grid; they are maze, rooms and random");
+           if (!kind) throw UsageError("'" + text + "' is no kind of grid; they are maze, rooms and random");
            options.kind = *kind;
          },
          "maze (default), rooms or random")
-      ->type_name("KIND")
-      ->group("Map");
-  app.add_option_function<std::string>(
+      .type_name("KIND")
+      .group("Map");
+  app.add_option_function(
          "--size", [&options](const std::string& text) { read_size(text, options); }, "In cells (default: 64x64)")
-      ->type_name("WIDTHxHEIGHT")
-      ->group("Map");
+      .type_name("WIDTHxHEIGHT")
+      .group("Map");
   app.add_option("--output,-o", options.output, "Where the MovingAI map goes (default: standard output)")
-      ->type_name("FILE")
-      ->group("Output");
+      .type_name("FILE")
+      .group("Output");
   app.add_option("--scen", options.scenario_file, "Also write scenarios with their optimal lengths, by Dijkstra")
-      ->type_name("FILE")
-      ->group("Output");
+      .type_name("FILE")
+      .group("Output");
   app.add_option("--scenarios", options.scenarios, "How many (default: 100)")
-      ->check(CLI::Range(1, 100000))
-      ->type_name("N")
-      ->group("Output");
+      .range(1, 100000)
+      .type_name("N")
+      .group("Output");
   app.callback([&options] {
     if (options.output == "-" && options.scenario_file == "-")
-      throw CLI::ValidationError("only one of --output and --scen can have standard output");
+      throw UsageError("only one of --output and --scen can have standard output");
   });
 }
 
@@ -120,7 +119,7 @@ int run(const GenerateOptions& options) {
 
 }  // namespace
 
-Command grid_generate_command(CLI::App& grid) {
+Command grid_generate_command(CommandLine& grid) {
   return command<GenerateOptions>(grid, "generate", "A grid map, and scenarios for it, from a seed", add_options, run);
 }
 

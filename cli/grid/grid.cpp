@@ -1,9 +1,8 @@
 // taut grid: discrete searches on grid maps. What its subcommands share.
+#include <taut/cli/command_line.h>
 #include <taut/cli/grid/grid.h>
 
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
 
 #include <charconv>
 #include <cmath>
@@ -37,12 +36,12 @@ GridPlace checked(GridPlace place, const OccupancyGrid& grid, const char* option
 }
 
 template <class Value>
-void add_value(CLI::App& app, const char* option, Value& value, auto(*of)(const std::string&), const char* type,
+void add_value(CommandLine& app, const char* option, Value& value, auto(*of)(const std::string&), const char* type,
                const std::string& text, const char* group) {
-  app.add_option_function<std::string>(
+  app.add_option_function(
          option, [&value, of](const std::string& word) { value = of(word); }, text)
-      ->type_name(type)
-      ->group(group);
+      .type_name(type)
+      .group(group);
 }
 
 }  // namespace
@@ -55,28 +54,28 @@ GridPlace grid_place_of(const std::string& text) {
     const auto column = std::from_chars(row.ptr + 1, end, place.column);
     if (column.ec == std::errc() && column.ptr == end) return place;
   }
-  throw CLI::ValidationError("'" + text + "' is no cell; cells are written ROW,COLUMN, from 0");
+  throw UsageError("'" + text + "' is no cell; cells are written ROW,COLUMN, from 0");
 }
 
 GridMoves grid_moves_of(const std::string& text) {
   if (const auto moves = grid_moves_named(text)) return *moves;
-  throw CLI::ValidationError("'" + text + "' are no moves; they are 4, 8 and octile");
+  throw UsageError("'" + text + "' are no moves; they are 4, 8 and octile");
 }
 
 GridHeuristic grid_heuristic_of(const std::string& text) {
   if (auto heuristic = grid_heuristic_named(text)) return *std::move(heuristic);
-  throw CLI::ValidationError("'" + text + "' is no heuristic; they are " + grid_estimate_names() +
-                             ", and several joined by commas for their maximum");
+  throw UsageError("'" + text + "' is no heuristic; they are " + grid_estimate_names() +
+                   ", and several joined by commas for their maximum");
 }
 
 GridAlgorithm grid_algorithm_of(const std::string& text) {
   if (const auto algorithm = grid_algorithm_named(text)) return *algorithm;
-  throw CLI::ValidationError("'" + text + "' is no algorithm; they are " + algorithm_names());
+  throw UsageError("'" + text + "' is no algorithm; they are " + algorithm_names());
 }
 
 double grid_weight_of(const std::string& text) {
   const double weight = number_of(text, "--weight");
-  if (weight < 1 || weight > 1000) throw CLI::ValidationError("--weight: '" + text + "' is not 1 to 1000");
+  if (weight < 1 || weight > 1000) throw UsageError("--weight: '" + text + "' is not 1 to 1000");
   return weight;
 }
 
@@ -84,13 +83,12 @@ std::size_t grid_steps_of(const std::string& text) {
   std::size_t steps = 0;
   const char* const end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, steps);
-  if (read.ec != std::errc() || read.ptr != end)
-    throw CLI::ValidationError("--max-steps: '" + text + "' is no number of steps");
+  if (read.ec != std::errc() || read.ptr != end) throw UsageError("--max-steps: '" + text + "' is no number of steps");
   return steps;
 }
 
-void add_grid_options(CLI::App& app, GridOptions& options, bool with_start) {
-  app.add_option("FILE", options.file, "A grid map: csv, MovingAI map or drawing; - is standard input")->required();
+void add_grid_options(CommandLine& app, GridOptions& options, bool with_start) {
+  app.add_option("FILE", options.file, "A grid map: csv, MovingAI map or drawing; - is standard input").required();
   add_value(app, "--moves", options.moves, &grid_moves_of, "RULE",
             "4, 8 (diagonal moves past corners too) or octile (only where both cells beside are free); default: 4, "
             "octile in MovingAI maps and for jps",
@@ -136,8 +134,8 @@ std::string cost_text(GridCost cost) {
 
 std::string place_text(GridPlace place) { return fmt::format("({},{})", place.row, place.column); }
 
-std::vector<Command> grid_commands(CLI::App& app) {
-  CLI::App& grid = command_group(app, "grid", "Discrete searches on grid maps, side by side");
+std::vector<Command> grid_commands(CommandLine& app) {
+  CommandLine grid = command_group(app, "grid", "Discrete searches on grid maps, side by side");
   std::vector<Command> commands;
   commands.push_back(grid_solve_command(grid));
   commands.push_back(grid_compare_command(grid));

@@ -1,8 +1,7 @@
 // What the subcommands of `taut grid` share.
 #pragma once
 
-#include <CLI/App.hpp>
-
+#include <taut/cli/command_line.h>
 #include <taut/io/worlds/grid_csv.h>
 #include <taut/search/grid/grid_search.h>
 #include <optional>
@@ -18,7 +17,7 @@ struct GridOptions {
   std::optional<GridPlace> to;
 };
 
-void add_grid_options(CLI::App& app, GridOptions& options, bool with_start = true);
+void add_grid_options(CommandLine& app, GridOptions& options, bool with_start = true);
 
 /// Of a search: --algorithm, --heuristic, --ties, --weight, --max-steps.
 struct GridSearchOptions {
@@ -51,7 +50,7 @@ std::string cost_text(GridCost cost);
 /// `(2,5)`: row and column.
 std::string place_text(GridPlace place);
 
-// Values of options. Throw CLI::ValidationError.
+// Values of options. Throw UsageError.
 GridPlace grid_place_of(const std::string& text);
 GridMoves grid_moves_of(const std::string& text);
 GridHeuristic grid_heuristic_of(const std::string& text);

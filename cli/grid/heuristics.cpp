@@ -1,9 +1,9 @@
 // taut grid heuristics: which estimates can be trusted on a map.
 #include <fmt/format.h>
-#include <CLI/Option.hpp>
 #include <nlohmann/json.hpp>
 
 #include <taut/cli/command.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/grid/grid.h>
 #include <taut/cli/output.h>
@@ -23,19 +23,16 @@ struct HeuristicsOptions {
   std::string json;
 };
 
-void add_options(CLI::App& app, HeuristicsOptions& options) {
+void add_options(CommandLine& app, HeuristicsOptions& options) {
   add_grid_options(app, options.grid, false);
-  app.add_option_function<std::vector<std::string>>(
-         "--heuristic",
-         [&options](const std::vector<std::string>& words) {
-           for (const std::string& word : words) options.chosen.push_back(grid_heuristic_of(word));
-         },
+  app.add_each_function(
+         "--heuristic", [&options](const std::string& word) { options.chosen.push_back(grid_heuristic_of(word)); },
          "Only this one, or a maximum of several joined by commas (default: each of " + grid_estimate_names() + ")")
-      ->type_name("NAME")
-      ->group("Search");
+      .type_name("NAME")
+      .group("Search");
   app.add_option("--json", options.json, "Write the verdicts as JSON; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
+      .type_name("FILE")
+      .group("Output");
 }
 
 std::string why_not_admissible(const Overestimate& o) {
@@ -100,7 +97,7 @@ int run(const HeuristicsOptions& options) {
 
 }  // namespace
 
-Command grid_heuristics_command(CLI::App& grid) {
+Command grid_heuristics_command(CommandLine& grid) {
   return command<HeuristicsOptions>(grid, "heuristics",
                                     "Is each heuristic admissible and consistent on a map? With a witness where not",
                                     add_options, run);

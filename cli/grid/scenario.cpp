@@ -1,11 +1,11 @@
 // taut grid scen: a MovingAI scenario file, every optimal length checked.
 #include <fmt/format.h>
-#include <CLI/Option.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 
 #include <taut/cli/command.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/grid/grid.h>
 #include <taut/cli/messages.h>
@@ -31,22 +31,22 @@ struct ScenarioOptions {
   std::string json;
 };
 
-void add_options(CLI::App& app, ScenarioOptions& options) {
-  app.add_option("MAP", options.map, "A MovingAI map; - is standard input")->required();
-  app.add_option("SCEN", options.scenarios, "Its scenarios (version 1)")->required();
-  app.add_option_function<std::string>(
+void add_options(CommandLine& app, ScenarioOptions& options) {
+  app.add_option("MAP", options.map, "A MovingAI map; - is standard input").required();
+  app.add_option("SCEN", options.scenarios, "Its scenarios (version 1)").required();
+  app.add_option_function(
          "--algorithm", [&options](const std::string& text) { options.algorithm = grid_algorithm_of(text); },
          "One that finds the least cost: jps (default), astar, dijkstra, bidirectional-astar, idastar")
-      ->type_name("NAME")
-      ->group("Search");
+      .type_name("NAME")
+      .group("Search");
   app.add_option("--json", options.json, "Write the totals and mismatches as JSON; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
+      .type_name("FILE")
+      .group("Output");
   app.callback([&options] {
     if (!finds_least_cost({options.algorithm, natural_heuristic(GridMoves::octile)}, GridMoves::octile))
-      throw CLI::ValidationError(fmt::format("{} does not find the least cost", name(options.algorithm)));
+      throw UsageError(fmt::format("{} does not find the least cost", name(options.algorithm)));
     if (options.map == "-" && options.scenarios == "-")
-      throw CLI::ValidationError("MAP and SCEN cannot both come from standard input");
+      throw UsageError("MAP and SCEN cannot both come from standard input");
   });
 }
 
@@ -120,7 +120,7 @@ int run(const ScenarioOptions& options) {
 
 }  // namespace
 
-Command grid_scenario_command(CLI::App& grid) {
+Command grid_scenario_command(CommandLine& grid) {
   return command<ScenarioOptions>(
       grid, "scen",
       "Run a MovingAI scenario file and check each optimal length to its own digits (exit 1: some differ)", add_options,

@@ -1,12 +1,11 @@
 // taut grid solve, taut grid compare: one search, or all of them.
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 #include <taut/cli/command.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/grid/grid.h>
 #include <taut/cli/messages.h>
@@ -32,60 +31,59 @@ struct GridSolveOptions {
   bool path = false;
 };
 
-void add_search_options(CLI::App& app, GridSearchOptions& options) {
-  app.add_option_function<std::string>(
+void add_search_options(CommandLine& app, GridSearchOptions& options) {
+  app.add_option_function(
          "--heuristic", [&options](const std::string& text) { options.heuristic = grid_heuristic_of(text); },
          grid_estimate_names() +
              "; several joined by commas: their maximum. Default: manhattan with 4 neighbours, "
              "else octile; euclidean for greedy")
-      ->type_name("NAME")
-      ->group("Search");
-  app.add_option_function<std::string>(
+      .type_name("NAME")
+      .group("Search");
+  app.add_option_function(
          "--ties",
          [&options](const std::string& text) {
-           if (text != "fifo" && text != "lifo")
-             throw CLI::ValidationError("--ties are fifo or lifo, not '" + text + "'");
+           if (text != "fifo" && text != "lifo") throw UsageError("--ties are fifo or lifo, not '" + text + "'");
            options.ties = text == "fifo" ? Ties::fifo : Ties::lifo;
          },
          "Among equals the oldest (fifo, default) or the newest (lifo) first")
-      ->type_name("ORDER")
-      ->group("Search");
-  app.add_option_function<std::string>(
+      .type_name("ORDER")
+      .group("Search");
+  app.add_option_function(
          "--weight", [&options](const std::string& text) { options.weight = grid_weight_of(text); },
          "Of weighted-astar, 1 to 1000 (default: 1.5)")
-      ->type_name("W")
-      ->group("Search");
-  app.add_option_function<std::string>(
+      .type_name("W")
+      .group("Search");
+  app.add_option_function(
          "--max-steps", [&options](const std::string& text) { options.max_steps = grid_steps_of(text); },
          "Stop after so many steps, with exit code 4 (default: 1000000 for greedy, 10000000 for idastar, which can "
          "take "
          "exponentially many; no limit for the others)")
-      ->type_name("N")
-      ->group("Limits");
+      .type_name("N")
+      .group("Limits");
 }
 
-void add_options(CLI::App& app, GridSolveOptions& options) {
+void add_options(CommandLine& app, GridSolveOptions& options) {
   add_grid_options(app, options.grid);
-  app.add_option_function<std::string>(
+  app.add_option_function(
          "--algorithm", [&options](const std::string& text) { options.search.algorithm = grid_algorithm_of(text); },
          "bfs, dfs, dijkstra, greedy (a cell may be taken again and again, as in reports that call it A*), "
          "greedy-once, "
          "astar (default), weighted-astar, bidirectional-astar, idastar, jps")
-      ->type_name("NAME")
-      ->group("Search");
+      .type_name("NAME")
+      .group("Search");
   add_search_options(app, options.search);
   app.add_option("--svg", options.svg, "Draw visited cells by order, frontier and path; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
+      .type_name("FILE")
+      .group("Output");
   add_animate_option(app, options.animation, "The same as an SVG that plays in a browser");
   app.add_option("--json", options.json, "Write the result as JSON; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
-  app.add_flag("--path", options.path, "Print the cells of the path, one `row,column` a line")->group("Output");
+      .type_name("FILE")
+      .group("Output");
+  app.add_flag("--path", options.path, "Print the cells of the path, one `row,column` a line").group("Output");
   app.callback([&app, &options] {
     settle_animation(app, options.animation, options.svg, options.json);
     if (options.search.algorithm == GridAlgorithm::jps && options.grid.moves == GridMoves::four)
-      throw CLI::ValidationError("jps jumps along diagonals: not with --moves 4");
+      throw UsageError("jps jumps along diagonals: not with --moves 4");
   });
 }
 
@@ -216,12 +214,12 @@ struct GridCompareOptions {
   std::string json;
 };
 
-void add_compare_options(CLI::App& app, GridCompareOptions& options) {
+void add_compare_options(CommandLine& app, GridCompareOptions& options) {
   add_grid_options(app, options.grid);
   add_search_options(app, options.search);
   app.add_option("--json", options.json, "Write the table as JSON; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
+      .type_name("FILE")
+      .group("Output");
 }
 
 std::string row_of(const GridQuery& query, GridMoves moves, const GridResult& result, double seconds) {
@@ -266,12 +264,12 @@ int compare(const GridCompareOptions& options) {
 
 }  // namespace
 
-Command grid_solve_command(CLI::App& grid) {
+Command grid_solve_command(CommandLine& grid) {
   return command<GridSolveOptions>(grid, "solve", "A path on a grid, by the search of your choice, its steps counted",
                                    add_options, solve);
 }
 
-Command grid_compare_command(CLI::App& grid) {
+Command grid_compare_command(CommandLine& grid) {
   return command<GridCompareOptions>(grid, "compare", "All searches on one grid: steps, cost, time",
                                      add_compare_options, compare);
 }

@@ -1,10 +1,9 @@
 // taut mouse check: is it a legal competition maze? With --certificate: does this file prove what it says about the
 // maze?
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
 #include <nlohmann/json.hpp>
 
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/mouse/mouse.h>
 #include <taut/cli/output.h>
@@ -30,22 +29,22 @@ struct CheckOptions {
   std::string json;
 };
 
-void add_options(CLI::App& app, CheckOptions& options) {
+void add_options(CommandLine& app, CheckOptions& options) {
   add_maze_options(app, options.maze);
   const auto rules = [&options](const std::string& word) {
     if (word != "competition" && word != "course")
-      throw CLI::ValidationError("--rules: '" + word + "' is not competition or course");
+      throw UsageError("--rules: '" + word + "' is not competition or course");
     options.rules = word == "course" ? MazeRules::course : MazeRules::competition;
   };
-  app.add_option_function<std::string>(
+  app.add_option_function(
          "--rules", rules,
          "competition (default): 16 x 16 or 32 x 32, all posts carry walls; course: 12, 14 or 16 a side, free posts")
-      ->type_name("NAME");
+      .type_name("NAME");
   app.add_option("--certificate", options.certificate, "Check this file of `taut mouse run --certificate` instead")
-      ->type_name("FILE");
+      .type_name("FILE");
   app.add_option("--json", options.json, "Write the finding as JSON; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
+      .type_name("FILE")
+      .group("Output");
 }
 
 int tell(const CheckOptions& options, const MouseMaze& read, const char* yes, const char* no, const std::string& remark,
@@ -87,7 +86,7 @@ int run(const CheckOptions& options) {
 
 }  // namespace
 
-Command mouse_check_command(CLI::App& group) {
+Command mouse_check_command(CommandLine& group) {
   return command<CheckOptions>(group, "check", "Is this a legal competition maze? Is this certificate valid?",
                                add_options, run);
 }

@@ -1,12 +1,10 @@
 // taut mouse compare: all explorers over many mazes.
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
-#include <CLI/Validators.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/mouse/mouse.h>
@@ -71,21 +69,21 @@ std::vector<Explorer> explorers_in(const std::string& list) {
   return explorers;
 }
 
-void add_options(CLI::App& app, CompareOptions& options) {
-  app.add_option("MAZE", options.files, "The mazes, of any format")->required();
-  app.add_option_function<std::string>(
+void add_options(CommandLine& app, CompareOptions& options) {
+  app.add_option("MAZE", options.files, "The mazes, of any format").required();
+  app.add_option_function(
          "--explorers", [&options](const std::string& list) { options.explorers = explorers_in(list); },
          "Which, separated by commas (default: all)")
-      ->type_name("LIST")
-      ->group("Robot");
+      .type_name("LIST")
+      .group("Robot");
   app.add_option("--max-steps", options.max_steps, "Of both runs together (default: 1000)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1'000'000))
-      ->group("Robot");
+      .type_name("N")
+      .range(1, 1'000'000)
+      .group("Robot");
   app.add_option("--json", options.json, "Write every score as JSON; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
-  app.add_flag("--quiet,-q", options.quiet, "No table on standard output")->group("Output");
+      .type_name("FILE")
+      .group("Output");
+  app.add_flag("--quiet,-q", options.quiet, "No table on standard output").group("Output");
 }
 
 Contest read(const CompareOptions& options) {
@@ -214,7 +212,7 @@ int run(const CompareOptions& options) {
 
 }  // namespace
 
-Command mouse_compare_command(CLI::App& group) {
+Command mouse_compare_command(CommandLine& group) {
   return command<CompareOptions>(group, "compare", "All explorers over many mazes: mean, worst, failures", add_options,
                                  run);
 }

@@ -1,8 +1,7 @@
+#include <taut/cli/command_line.h>
 #include <taut/cli/mouse/mouse.h>
 
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
 
 #include <array>
 #include <optional>
@@ -35,40 +34,39 @@ Format maze_format_of(const std::string& text) {
   constexpr std::array kMazes{Format::cell_values, Format::drawing, Format::maz, Format::num};
   const std::optional<Format> format = format_named(text);
   if (!format || std::ranges::find(kMazes, *format) == kMazes.end())
-    throw CLI::ValidationError("--format: '" + text + "' is not cells, drawing, maz or num");
+    throw UsageError("--format: '" + text + "' is not cells, drawing, maz or num");
   return *format;
 }
 
 }  // namespace
 
-void add_maze_options(CLI::App& app, MazeOptions& options, const char* name) {
-  app.add_option(name, options.file, "The maze to read; - is standard input")->required();
-  app.add_option_function<std::string>(
+void add_maze_options(CommandLine& app, MazeOptions& options, const char* name) {
+  app.add_option(name, options.file, "The maze to read; - is standard input").required();
+  app.add_option_function(
          "--format", [&options](const std::string& text) { options.format = maze_format_of(text); },
          "What it is written in: cells, drawing, maz, num (default: found out from its content)")
-      ->type_name("NAME")
-      ->group("World");
+      .type_name("NAME")
+      .group("World");
 }
 
-void add_explorer_options(CLI::App& app, Explorer& explorer) {
+void add_explorer_options(CommandLine& app, Explorer& explorer) {
   const auto take = [&explorer](const std::string& word) { explorer = explorer_of(word, "--explorer"); };
-  app.add_option_function<std::string>("--explorer", take, "How run 1 explores: " + explorer_names() + " (default)")
-      ->type_name("NAME")
-      ->group("Robot");
+  app.add_option_function("--explorer", take, "How run 1 explores: " + explorer_names() + " (default)")
+      .type_name("NAME")
+      .group("Robot");
   const auto mode = [&explorer](const std::string& word) {
-    if (word != "prove" && word != "score") throw CLI::ValidationError("--mode: '" + word + "' is not prove or score");
+    if (word != "prove" && word != "score") throw UsageError("--mode: '" + word + "' is not prove or score");
     explorer = explorer_of(word, "--mode");
   };
-  app.add_option_function<std::string>("--mode", mode,
-                                       "Of our own explorer: prove (until the optimum is certain) or score")
-      ->type_name("NAME")
-      ->excludes("--explorer")
-      ->group("Robot");
+  app.add_option_function("--mode", mode, "Of our own explorer: prove (until the optimum is certain) or score")
+      .type_name("NAME")
+      .excludes("--explorer")
+      .group("Robot");
 }
 
 Explorer explorer_of(const std::string& word, const char* option) {
   const std::optional<Explorer> explorer = micromouse::explorer_named(word);
-  if (!explorer) throw CLI::ValidationError(std::string(option) + ": '" + word + "' is not one of " + explorer_names());
+  if (!explorer) throw UsageError(std::string(option) + ": '" + word + "' is not one of " + explorer_names());
   return *explorer;
 }
 
@@ -121,8 +119,8 @@ int no_route(const std::string& name) {
   return ExitCode::kNone;
 }
 
-std::vector<Command> mouse_commands(CLI::App& app) {
-  CLI::App& group = command_group(app, "mouse", "Micromouse: explore an unknown maze, then race through it");
+std::vector<Command> mouse_commands(CommandLine& app) {
+  CommandLine group = command_group(app, "mouse", "Micromouse: explore an unknown maze, then race through it");
   std::vector<Command> commands;
   commands.push_back(mouse_run_command(group));
   commands.push_back(mouse_compare_command(group));

@@ -1,12 +1,11 @@
 // What the subcommands of `taut mouse` share.
 #pragma once
 
-#include <CLI/App.hpp>
-
 #include <optional>
 #include <string>
 
 #include <taut/cli/command.h>
+#include <taut/cli/command_line.h>
 #include <taut/geometry/grid_maze.h>
 #include <taut/io/worlds/read_world.h>
 #include <taut/robots/micromouse/explorers.h>
@@ -27,10 +26,10 @@ struct MouseMaze {
   std::size_t unknown_walls = 0;  ///< nobody has looked at, read as open
 };
 
-void add_maze_options(CLI::App& app, MazeOptions& options, const char* name = "MAZE");
-void add_explorer_options(CLI::App& app, micromouse::Explorer& explorer);
+void add_maze_options(CommandLine& app, MazeOptions& options, const char* name = "MAZE");
+void add_explorer_options(CommandLine& app, micromouse::Explorer& explorer);
 
-/// `flood`, or a CLI::ValidationError that says what there is.
+/// `flood`, or a UsageError that says what there is.
 micromouse::Explorer explorer_of(const std::string& word, const char* option);
 
 /// Throws InputError, also when the file is readable but describes no grid maze.
@@ -51,10 +50,10 @@ const char* side_name(Side side);
 /// Says on stderr that the maze has no way to the goal; exit code 1.
 int no_route(const std::string& name);
 
-Command mouse_run_command(CLI::App& group);
-Command mouse_compare_command(CLI::App& group);
-Command mouse_check_command(CLI::App& group);
-Command mouse_serve_command(CLI::App& group);
-Command mouse_speed_command(CLI::App& group);
+Command mouse_run_command(CommandLine& group);
+Command mouse_compare_command(CommandLine& group);
+Command mouse_check_command(CommandLine& group);
+Command mouse_serve_command(CommandLine& group);
+Command mouse_speed_command(CommandLine& group);
 
 }  // namespace taut::cli

@@ -1,12 +1,10 @@
 // taut mouse run: one robot, one maze, both runs.
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
-#include <CLI/Validators.hpp>
 
 #include <algorithm>
 #include <stdexcept>
 
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/mouse/mouse.h>
@@ -41,33 +39,33 @@ struct RunOptions {
   std::vector<const std::string*> files() const { return {&svg, &animation, &json, &certificate}; }
 };
 
-void add_options(CLI::App& app, RunOptions& options) {
+void add_options(CommandLine& app, RunOptions& options) {
   add_maze_options(app, options.maze);
   add_explorer_options(app, options.explorer);
   app.add_option("--max-steps", options.max_steps, "Of both runs together (default: 1000)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1'000'000))
-      ->group("Robot");
+      .type_name("N")
+      .range(1, 1'000'000)
+      .group("Robot");
   app.add_option("--svg", options.svg, "Write a picture of both runs; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
+      .type_name("FILE")
+      .group("Output");
   add_animate_option(app, options.animation, "Write a film of both runs that plays in a browser (SVG, no script)");
   app.add_flag("--flood", options.flood, "Write into the pictures how many steps each cell is from the goal")
-      ->group("Output");
+      .group("Output");
   app.add_option("--json", options.json, "Write everything as JSON; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
+      .type_name("FILE")
+      .group("Output");
   app.add_option("--certificate", options.certificate,
                  "Write the proof that run 2 is optimal, for `taut mouse check`; exit code 4 when run 1 has none")
-      ->type_name("FILE")
-      ->group("Output");
-  app.add_flag("--quick", options.quick, "Leave out the floor with proof and benchmark 2")->group("Output");
-  app.add_flag("--quiet,-q", options.quiet, "No table on standard output")->group("Output");
+      .type_name("FILE")
+      .group("Output");
+  app.add_flag("--quick", options.quick, "Leave out the floor with proof and benchmark 2").group("Output");
+  app.add_flag("--quiet,-q", options.quiet, "No table on standard output").group("Output");
   app.callback([&app, &options] {
     settle_animation(app, options.animation, options.svg, options.json);
     int taken = 0;
     for (const std::string* file : options.files()) taken += *file == "-" ? 1 : 0;
-    if (taken > 1) throw CLI::ValidationError("only one output can have standard output");
+    if (taken > 1) throw UsageError("only one output can have standard output");
   });
 }
 
@@ -145,7 +143,7 @@ int run(const RunOptions& options) {
 
 }  // namespace
 
-Command mouse_run_command(CLI::App& group) {
+Command mouse_run_command(CommandLine& group) {
   return command<RunOptions>(group, "run", "Run 1 explores, run 2 races: the score, beside what is possible",
                              add_options, run);
 }

@@ -1,7 +1,5 @@
 // taut mouse serve: a program in any language is the robot, one line a step.
 #include <fmt/format.h>
-#include <CLI/Option.hpp>
-#include <CLI/Validators.hpp>
 
 #include <unistd.h>
 
@@ -12,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/mouse/mouse.h>
@@ -43,11 +42,11 @@ struct ServeOptions {
   bool hello = false;
 };
 
-void add_options(CLI::App& app, ServeOptions& options) {
+void add_options(CommandLine& app, ServeOptions& options) {
   add_maze_options(app, options.maze);
   app.add_option("--max-steps", options.max_steps, "Of both runs together (default: 1000)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1'000'000));
+      .type_name("N")
+      .range(1, 1'000'000);
   app.add_flag("--hello", options.hello,
                "First write a line `maze WIDTH HEIGHT START-X START-Y MAX-STEPS`, then `goal X Y X Y ...`");
   app.footer(kFooter);
@@ -176,7 +175,7 @@ int run(const ServeOptions& options) {
 
 }  // namespace
 
-Command mouse_serve_command(CLI::App& group) {
+Command mouse_serve_command(CommandLine& group) {
   return command<ServeOptions>(group, "serve", "Let a program be the robot, by lines on standard input and output",
                                add_options, run);
 }

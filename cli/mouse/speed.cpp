@@ -1,12 +1,11 @@
 // taut mouse speed: the fastest way through a known maze, beside the shortest.
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <map>
 
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/mouse/mouse.h>
 #include <taut/cli/mouse/sheet.h>
@@ -36,24 +35,24 @@ struct SpeedOptions {
   bool quiet = false;
 };
 
-void add_options(CLI::App& app, SpeedOptions& options) {
+void add_options(CommandLine& app, SpeedOptions& options) {
   add_maze_options(app, options.maze);
   app.add_option("--model", options.model,
                  "How fast the mouse is, as JSON; data/mouse_speed.json is what it is without this")
-      ->type_name("FILE")
-      ->group("Robot");
+      .type_name("FILE")
+      .group("Robot");
   app.add_flag("--drives", options.drives, "Print the straights and turns of the fastest run, one a line")
-      ->group("Output");
+      .group("Output");
   app.add_option("--svg", options.svg, "Write a picture of both; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
+      .type_name("FILE")
+      .group("Output");
   app.add_option("--json", options.json, "Write everything as JSON; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
-  app.add_flag("--quiet,-q", options.quiet, "No table on standard output")->group("Output");
+      .type_name("FILE")
+      .group("Output");
+  app.add_flag("--quiet,-q", options.quiet, "No table on standard output").group("Output");
   app.callback([&options] {
     if (options.svg == "-" && options.json == "-")
-      throw CLI::ValidationError("--svg - and --json - cannot both have standard output");
+      throw UsageError("--svg - and --json - cannot both have standard output");
   });
 }
 
@@ -219,7 +218,7 @@ int run(const SpeedOptions& options) {
 
 }  // namespace
 
-Command mouse_speed_command(CLI::App& group) {
+Command mouse_speed_command(CommandLine& group) {
   return command<SpeedOptions>(group, "speed", "The fastest run with smooth turns and diagonals, beside the shortest",
                                add_options, run);
 }

@@ -1,8 +1,7 @@
+#include <taut/cli/command_line.h>
 #include <taut/cli/solve/anytime.h>
 
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +19,7 @@ constexpr double kEpsilon = 3;
 double epsilon_of(const std::string& text) {
   const double epsilon = number_of(text, "--epsilon");
   if (!(epsilon >= 1 && epsilon <= AnytimeSearch::kLargestEpsilon))
-    throw CLI::ValidationError("--epsilon: '" + text + "' is not a factor from 1 to 1000000");
+    throw UsageError("--epsilon: '" + text + "' is not a factor from 1 to 1000000");
   return epsilon;
 }
 
@@ -31,25 +30,25 @@ void tell(const AnytimeImprovement& stage) {
 
 }  // namespace
 
-void add_anytime_options(CLI::App& app, AnytimeOptions& options) {
+void add_anytime_options(CommandLine& app, AnytimeOptions& options) {
   app.add_flag("--anytime", options.wanted,
                "A path soon, then better ones, until it is the shortest or --max-seconds end; says how far from the "
                "shortest it can be at most (ARA*)")
-      ->group("Query");
-  app.add_option_function<std::string>(
+      .group("Query");
+  app.add_option_function(
          "--epsilon", [&options](const std::string& text) { options.epsilon = epsilon_of(text); },
          "With --anytime: the first path is at most so many times as long as the shortest (default: 3)")
-      ->type_name("E")
-      ->group("Query");
+      .type_name("E")
+      .group("Query");
 }
 
 void require_anytime_fits(const AnytimeOptions& options, const RoadmapKind* kind, GraphAlgorithm algorithm) {
-  if (options.epsilon && !options.wanted) throw CLI::ValidationError("--epsilon makes no sense without --anytime");
+  if (options.epsilon && !options.wanted) throw UsageError("--epsilon makes no sense without --anytime");
   if (!options.wanted) return;
   if (algorithm == GraphAlgorithm::dijkstra)
-    throw CLI::ValidationError("--anytime makes no sense with --algorithm dijkstra: it has a search of its own");
+    throw UsageError("--anytime makes no sense with --algorithm dijkstra: it has a search of its own");
   if (kind && (!kind->graph || kind == roadmap_kind("voronoi")))
-    throw CLI::ValidationError(
+    throw UsageError(
         fmt::format("--anytime makes no sense with the roadmap {}, which is no graph of "
                     "straight legs",
                     kind->name));

@@ -1,12 +1,11 @@
 // taut solve --anytime: a path soon, then better ones, each with a proven bound.
 #pragma once
 
-#include <CLI/App.hpp>
-
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <taut/cli/command_line.h>
 #include <taut/cli/solve/roadmap_kinds.h>
 #include <taut/search/anytime_search.h>
 
@@ -18,9 +17,9 @@ struct AnytimeOptions {
 };
 
 /// --anytime, --epsilon E.
-void add_anytime_options(CLI::App& app, AnytimeOptions& options);
+void add_anytime_options(CommandLine& app, AnytimeOptions& options);
 
-/// Throws CLI::ValidationError: --epsilon needs --anytime, and that a roadmap which is a graph. `kind` is the one asked
+/// Throws UsageError: --epsilon needs --anytime, and that a roadmap which is a graph. `kind` is the one asked
 /// for, if any.
 void require_anytime_fits(const AnytimeOptions& options, const RoadmapKind* kind, GraphAlgorithm algorithm);
 

@@ -1,7 +1,5 @@
 // taut batch: many queries on one world, streamed.
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cerrno>
@@ -13,6 +11,7 @@
 #include <sstream>
 
 #include <taut/cli/command.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
@@ -44,28 +43,28 @@ struct BatchOptions {
   bool quiet = false;
 };
 
-void add_options(CLI::App& app, BatchOptions& options) {
+void add_options(CommandLine& app, BatchOptions& options) {
   add_world_options(app, options.world);
   app.add_option(
          "QUERIES", options.queries,
          "Lines `sx sy gx gy [length]`, `#` starts a comment; - is standard input. Where a length is given, or "
          "`none`, it is compared to 1e-6. Or a MovingAI scenario file between corners of cells, as the any-angle "
          "sets have it; compared as far as its digits go")
-      ->required();
-  app.add_option_function<std::string>(
+      .required();
+  app.add_option_function(
          "--robot", [&options](const std::string& text) { options.query.robot = footprint_of(text); },
          "point (default), disc:R, or square:R (half its side)")
-      ->type_name("SHAPE")
-      ->group("Query");
-  app.add_flag("--json", options.json, "Print one JSON object a line instead")->group("Output");
+      .type_name("SHAPE")
+      .group("Query");
+  app.add_flag("--json", options.json, "Print one JSON object a line instead").group("Output");
   app.add_flag("--path", options.path,
                "Print the points of each path as well: ` x y x y ...` after the length, `path` in JSON")
-      ->group("Output");
+      .group("Output");
   app.add_flag("--quiet,-q", options.quiet, "Print no results; mismatches and totals go to stderr all the same")
-      ->group("Output");
+      .group("Output");
   app.callback([&options] {
     if (options.queries == "-" && options.world.file == "-")
-      throw CLI::ValidationError("FILE and QUERIES cannot both come from standard input");
+      throw UsageError("FILE and QUERIES cannot both come from standard input");
   });
 }
 
@@ -253,7 +252,7 @@ int run(const BatchOptions& options) { return Batch(options).run(); }
 
 }  // namespace
 
-Command batch_command(CLI::App& app) {
+Command batch_command(CommandLine& app) {
   return command<BatchOptions>(app, "batch", "Answer many queries on one world, one a line", add_options, run);
 }
 

@@ -1,9 +1,8 @@
+#include <taut/cli/command_line.h>
 #include <taut/cli/solve/clearance.h>
 #include <taut/geometry/corridor_width.h>
 
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -228,25 +227,25 @@ class ClearanceSolver {
 
 }  // namespace
 
-void add_clearance_options(CLI::App& app, ClearanceQuery& query) {
+void add_clearance_options(CommandLine& app, ClearanceQuery& query) {
   const auto choose = [&query](Kind kind) {
-    if (query.kind != Kind::none) throw CLI::ValidationError("only one of --clearance, --widest and --tradeoff");
+    if (query.kind != Kind::none) throw UsageError("only one of --clearance, --widest and --tradeoff");
     query.kind = kind;
   };
-  app.add_option_function<std::string>(
+  app.add_option_function(
          "--clearance",
          [&query, choose](const std::string& text) {
            choose(Kind::at_least);
            query.clearance = number_of(text, "--clearance");
-           if (query.clearance < 0) throw CLI::ValidationError("--clearance: '" + text + "' is negative");
+           if (query.clearance < 0) throw UsageError("--clearance: '" + text + "' is negative");
          },
          "The shortest way along the Voronoi diagram that keeps this far from walls and from the limits of the world")
-      ->type_name("C")
-      ->group("Clearance");
+      .type_name("C")
+      .group("Clearance");
   const auto flag = [&](const char* name, Kind kind, const char* what) {
     app.add_flag_callback(
            name, [choose, kind] { choose(kind); }, what)
-        ->group("Clearance");
+        .group("Clearance");
   };
   flag("--widest", Kind::widest, "The largest disc that gets through, its way, and the two walls that pinch it");
   flag("--tradeoff", Kind::tradeoff, "All best ways between the shortest along the diagram and the widest");
@@ -254,10 +253,10 @@ void add_clearance_options(CLI::App& app, ClearanceQuery& query) {
 
 void require_suitable(const ClearanceRequest& request) {
   if (request.query.robot.kind() != Footprint::Kind::point)
-    throw CLI::ValidationError(
+    throw UsageError(
         "--robot does not go with --clearance, --widest and --tradeoff; a disc of radius R is --clearance R");
   if (request.path && request.what.kind == Kind::tradeoff)
-    throw CLI::ValidationError("--path prints one path, --tradeoff has several; --json - writes them all");
+    throw UsageError("--path prints one path, --tradeoff has several; --json - writes them all");
 }
 
 int solve_with_clearance(const ClearanceRequest& request) { return ClearanceSolver(request).run(); }

@@ -1,8 +1,7 @@
 // taut solve --clearance, --widest and --tradeoff: paths along the Voronoi diagram that keep away from the walls.
 #pragma once
 
-#include <CLI/App.hpp>
-
+#include <taut/cli/command_line.h>
 #include <taut/cli/options.h>
 
 namespace taut::cli {
@@ -14,8 +13,8 @@ struct ClearanceQuery {
   double clearance = 0;  ///< Kind::at_least
 };
 
-/// --clearance C, --widest, --tradeoff; at most one of them (CLI::ValidationError).
-void add_clearance_options(CLI::App& app, ClearanceQuery& query);
+/// --clearance C, --widest, --tradeoff; at most one of them (UsageError).
+void add_clearance_options(CommandLine& app, ClearanceQuery& query);
 
 struct ClearanceRequest {
   const WorldOptions& world;
@@ -26,7 +25,7 @@ struct ClearanceRequest {
   bool path = false;  ///< print its points
 };
 
-/// Throws CLI::ValidationError where the other options do not suit it: only a point robot, and no path of a tradeoff to
+/// Throws UsageError where the other options do not suit it: only a point robot, and no path of a tradeoff to
 /// print.
 void require_suitable(const ClearanceRequest& request);
 

@@ -1,13 +1,11 @@
 // taut compare: planners side by side on one maze.
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
-#include <CLI/Validators.hpp>
 
 #include <algorithm>
 #include <string>
 
 #include <taut/cli/command.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
@@ -41,34 +39,34 @@ std::vector<const Planner*> planners_in(const std::string& list) {
     const std::size_t comma = std::min(list.find(',', from), list.size());
     const std::string name = list.substr(from, comma - from);
     chosen.push_back(planner(name));
-    if (!chosen.back()) throw CLI::ValidationError("--planners: '" + name + "' is not one of " + planner_names());
+    if (!chosen.back()) throw UsageError("--planners: '" + name + "' is not one of " + planner_names());
     from = comma + 1;
   }
   return chosen;
 }
 
-void add_options(CLI::App& app, CompareOptions& options) {
+void add_options(CommandLine& app, CompareOptions& options) {
   add_world_options(app, options.world);
   add_query_options(app, options.query);
-  app.add_option_function<std::string>(
+  app.add_option_function(
          "--planners", [&options](const std::string& list) { options.chosen = planners_in(list); },
          "Which, separated by commas (default: all that fit): " + planner_names())
-      ->type_name("LIST")
-      ->group("Planners");
+      .type_name("LIST")
+      .group("Planners");
   app.add_option("--runs", options.runs,
                  "How often each randomised planner runs, with seeds --seed, --seed + 1, ... (default: 1)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 100000))
-      ->group("Planners");
+      .type_name("N")
+      .range(1, 100000)
+      .group("Planners");
   add_prm_options(app, options.prm, true);
   add_output_options(app, options.output);
   app.callback([&options] {
     if (options.output.svg == "-" && options.output.json == "-")
-      throw CLI::ValidationError("--svg - and --json - cannot both have standard output");
+      throw UsageError("--svg - and --json - cannot both have standard output");
     const auto is_prm = [](const Planner* p) { return roadmap_kind(p->kind)->is_prm; };
     if (!options.prm.first().empty() && !options.chosen.empty() &&
         std::none_of(options.chosen.begin(), options.chosen.end(), is_prm))
-      throw CLI::ValidationError(options.prm.first() + " makes no sense here: none of --planners is a prm");
+      throw UsageError(options.prm.first() + " makes no sense here: none of --planners is a prm");
     for (const Planner* p : options.chosen)
       if (is_prm(p)) require_prm_options_fit(options.prm, *roadmap_kind(p->kind));
   });
@@ -134,7 +132,7 @@ int run(const CompareOptions& options) {
 
 }  // namespace
 
-Command compare_command(CLI::App& app) {
+Command compare_command(CommandLine& app) {
   return command<CompareOptions>(app, "compare", "Let several planners solve the same maze, side by side", add_options,
                                  run);
 }

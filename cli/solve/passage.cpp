@@ -1,6 +1,5 @@
 // taut passage: can a disc get from start to goal, and how large may it be? By the gates, without building a path.
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <utility>
 
 #include <taut/cli/command.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
@@ -32,15 +32,15 @@ struct PassageOptions {
   CommonOptions common;
 };
 
-void add_options(CLI::App& app, PassageOptions& options) {
+void add_options(CommandLine& app, PassageOptions& options) {
   add_world_options(app, options.world);
   add_query_options(app, options.query);
   add_output_options(app, options.output);
   app.callback([&options] {
     if (options.query.robot.kind() == Footprint::Kind::polygon)
-      throw CLI::ValidationError("--robot: passages are for discs; `taut solve --robot square:R` knows squares");
+      throw UsageError("--robot: passages are for discs; `taut solve --robot square:R` knows squares");
     if (options.output.svg == "-" && options.output.json == "-")
-      throw CLI::ValidationError("only one of --svg and --json can have standard output");
+      throw UsageError("only one of --svg and --json can have standard output");
   });
 }
 
@@ -202,7 +202,7 @@ int run(const PassageOptions& options) { return Answerer(options).run(); }
 
 }  // namespace
 
-Command passage_command(CLI::App& app) {
+Command passage_command(CommandLine& app) {
   return command<PassageOptions>(app, "passage",
                                  "Say whether --robot disc:R gets from start to goal, or how large a disc may be",
                                  add_options, run);

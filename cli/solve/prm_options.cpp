@@ -1,9 +1,7 @@
+#include <taut/cli/command_line.h>
 #include <taut/cli/solve/prm_options.h>
 
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
-#include <CLI/Validators.hpp>
 
 #include <cmath>
 #include <utility>
@@ -25,14 +23,12 @@ PrmSampler sampler_of(const std::string& text) {
       {"bridge", PrmSampler::bridge},   {"medial-axis", PrmSampler::medial}, {"corners", PrmSampler::corners}};
   for (const auto& [name, sampler] : kNames)
     if (text == name) return sampler;
-  throw CLI::ValidationError("--sampler: '" + text +
-                             "' is not one of uniform, lattice, gaussian, bridge, medial-axis, corners");
+  throw UsageError("--sampler: '" + text + "' is not one of uniform, lattice, gaussian, bridge, medial-axis, corners");
 }
 
 [[noreturn]] void refuse_connection(const std::string& text) {
-  throw CLI::ValidationError(
-      "--connection: '" + text +
-      "' is not nearest:K, visible:K, forest:K (K from 1 to 1000), radius:R (R > 0) or prm-star");
+  throw UsageError("--connection: '" + text +
+                   "' is not nearest:K, visible:K, forest:K (K from 1 to 1000), radius:R (R > 0) or prm-star");
 }
 
 PrmConnection connection_of(const std::string& text) {
@@ -44,7 +40,7 @@ PrmConnection connection_of(const std::string& text) {
   double number = 0;
   try {
     number = number_of(text.substr(colon + 1));
-  } catch (const CLI::ValidationError&) {
+  } catch (const UsageError&) {
     refuse_connection(text);
   }
   if (rule == "radius" && number > 0) return {Rule::radius, 8, number};
@@ -58,7 +54,7 @@ PrmConnection connection_of(const std::string& text) {
 
 double clearance_of(const std::string& text) {
   const double clearance = number_of(text, "--prm-clearance");
-  if (clearance < 0) throw CLI::ValidationError("--prm-clearance: '" + text + "' is not a distance of 0 or more");
+  if (clearance < 0) throw UsageError("--prm-clearance: '" + text + "' is not a distance of 0 or more");
   return clearance;
 }
 
@@ -74,49 +70,47 @@ std::string PrmRequest::first() const {
                       : "";
 }
 
-void add_prm_options(CLI::App& app, PrmRequest& request, bool with_query) {
+void add_prm_options(CommandLine& app, PrmRequest& request, bool with_query) {
   static constexpr const char* kGroup = "Probabilistic roadmaps (prm, prm-lattice)";
-  app.add_option_function<std::string>(
+  app.add_option_function(
          "--sampler", [&request](const std::string& text) { request.sampler = sampler_of(text); },
          "Where vertices come from: uniform, lattice, gaussian, bridge, medial-axis, corners")
-      ->type_name("NAME")
-      ->group(kGroup);
-  app.add_option_function<std::string>(
+      .type_name("NAME")
+      .group(kGroup);
+  app.add_option_function(
          "--connection", [&request](const std::string& text) { request.connection = connection_of(text); },
          "Which vertices are joined when a path can go straight: nearest:K, visible:K (default, K = 8), forest:K, "
          "radius:R, "
          "prm-star")
-      ->type_name("RULE")
-      ->group(kGroup);
-  app.add_option_function<std::string>(
+      .type_name("RULE")
+      .group(kGroup);
+  app.add_option_function(
          "--prm-clearance", [&request](const std::string& text) { request.clearance = clearance_of(text); },
          "How far vertices and edges stay away from walls (default: 0)")
-      ->type_name("C")
-      ->group(kGroup);
-  app.add_option_function<std::size_t>(
-         "--samples", [&request](const std::size_t& count) { request.samples = count; },
+      .type_name("C")
+      .group(kGroup);
+  app.add_option_function(
+         "--samples", [&request](const std::string& text) { request.samples = count_of(text); },
          "How many samples are drawn at most until start and goal are joined; with no start and goal exactly so many")
-      ->type_name("N")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{100'000'000}))
-      ->group(kGroup);
+      .type_name("N")
+      .range(1, 100'000'000)
+      .group(kGroup);
   if (!with_query) return;
-  CLI::Option* lazy = app.add_flag("--lazy", request.lazy, "Test an edge only when a candidate path uses it");
-  CLI::Option* eager = app.add_flag("--eager", request.eager, "Test all edges at once (default)");
-  lazy->group(kGroup)->excludes(eager);
-  eager->group(kGroup);
+  app.add_flag("--lazy", request.lazy, "Test an edge only when a candidate path uses it").group(kGroup);
+  app.add_flag("--eager", request.eager, "Test all edges at once (default)").group(kGroup).excludes("--lazy");
 }
 
 void require_prm_options_fit(const PrmRequest& request, const RoadmapKind& kind) {
   if (request.first().empty()) return;
   if (!kind.is_prm)
-    throw CLI::ValidationError(fmt::format("{} makes no sense with the roadmap {}: it is for prm and prm-lattice",
-                                           request.first(), kind.name));
+    throw UsageError(fmt::format("{} makes no sense with the roadmap {}: it is for prm and prm-lattice",
+                                 request.first(), kind.name));
   if (request.sampler && std::string(kind.name) == "prm-lattice" && request.sampler != PrmSampler::lattice)
-    throw CLI::ValidationError("--sampler makes no sense with the roadmap prm-lattice: its vertices are a lattice");
+    throw UsageError("--sampler makes no sense with the roadmap prm-lattice: its vertices are a lattice");
   if (request.lazy && request.connection &&
       (request.connection->rule == PrmConnection::Rule::visible ||
        request.connection->rule == PrmConnection::Rule::forest))
-    throw CLI::ValidationError(
+    throw UsageError(
         "--lazy makes no sense with --connection visible:K or forest:K, which have to test edges as they go");
 }
 

@@ -1,13 +1,12 @@
 // The options of probabilistic roadmaps: --sampler, --connection, --prm-clearance, --samples, --lazy.
 #pragma once
 
-#include <CLI/App.hpp>
-
 #include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
 
+#include <taut/cli/command_line.h>
 #include <taut/search/prm_planner.h>
 
 namespace taut::cli {
@@ -28,9 +27,9 @@ struct PrmRequest {
 };
 
 /// Adds them in a group of their own; --lazy and --eager only where there is a query to be lazy for.
-void add_prm_options(CLI::App& app, PrmRequest& request, bool with_query);
+void add_prm_options(CommandLine& app, PrmRequest& request, bool with_query);
 
-/// Throws CLI::ValidationError when options were given that a roadmap of this kind cannot heed.
+/// Throws UsageError when options were given that a roadmap of this kind cannot heed.
 void require_prm_options_fit(const PrmRequest& request, const RoadmapKind& kind);
 
 /// The plan of the request, with the sampler and connection that the kind has when nothing else was asked for. Without

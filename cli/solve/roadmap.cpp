@@ -1,12 +1,11 @@
 // taut roadmap: builds a roadmap and says what it is made of.
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
 
 #include <algorithm>
 #include <functional>
 
 #include <taut/cli/command.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
@@ -48,30 +47,29 @@ struct RoadmapOptions {
   }
 };
 
-void add_options(CLI::App& app, RoadmapOptions& options) {
+void add_options(CommandLine& app, RoadmapOptions& options) {
   add_world_options(app, options.world);
   add_query_options(app, options.query);
   add_roadmap_kind(app, "--kind", options.kind, "Roadmap");
   app.add_flag("--full", options.full,
                "Of a visibility graph all pairs that see each other, not only those a shortest path can use")
-      ->group("Roadmap");
+      .group("Roadmap");
   add_prm_options(app, options.prm, false);
   add_output_options(app, options.output);
   app.add_option("--graphml", options.graphml, "Write it as GraphML; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
+      .type_name("FILE")
+      .group("Output");
   app.add_option("--geojson", options.geojson, "Write it as GeoJSON; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
-  app.add_option("--save", options.save, "Keep it for `taut solve --load`")->type_name("FILE")->group("Output");
+      .type_name("FILE")
+      .group("Output");
+  app.add_option("--save", options.save, "Keep it for `taut solve --load`").type_name("FILE").group("Output");
   app.callback([&options] {
-    if (!options.chosen().graph)
-      throw CLI::ValidationError(fmt::format("--kind {} makes no graph", options.chosen().name));
+    if (!options.chosen().graph) throw UsageError(fmt::format("--kind {} makes no graph", options.chosen().name));
     if (!options.save.empty()) require_savable(options.chosen());
     require_prm_options_fit(options.prm, options.chosen());
     const auto files = options.files();
     if (std::count(files.begin(), files.end(), "-") > 1)
-      throw CLI::ValidationError("only one of --svg, --json, --graphml, --geojson and --save can have standard output");
+      throw UsageError("only one of --svg, --json, --graphml, --geojson and --save can have standard output");
   });
 }
 
@@ -157,7 +155,7 @@ int run(const RoadmapOptions& options) {
 
 }  // namespace
 
-Command roadmap_command(CLI::App& app) {
+Command roadmap_command(CommandLine& app) {
   return command<RoadmapOptions>(app, "roadmap", "Build a roadmap and say what it is made of", add_options, run);
 }
 

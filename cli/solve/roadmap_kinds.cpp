@@ -1,8 +1,6 @@
+#include <taut/cli/command_line.h>
 #include <taut/cli/solve/roadmap_kinds.h>
 #include <taut/geometry/corridor_width.h>
-
-#include <CLI/Error.hpp>
-#include <CLI/Option.hpp>
 
 #include <utility>
 
@@ -179,22 +177,22 @@ const RoadmapKind* roadmap_kind(const std::string& name) {
   return nullptr;
 }
 
-void add_roadmap_kind(CLI::App& app, const std::string& option, const RoadmapKind*& kind, const std::string& group,
+void add_roadmap_kind(CommandLine& app, const std::string& option, const RoadmapKind*& kind, const std::string& group,
                       const std::string& standard) {
   const auto take = [&kind, option](const std::string& text) {
     const RoadmapKind* named = roadmap_kind(text);
-    if (!named) throw CLI::ValidationError(option + ": '" + text + "' is not one of " + roadmap_kind_names());
+    if (!named) throw UsageError(option + ": '" + text + "' is not one of " + roadmap_kind_names());
     kind = named;
   };
-  app.add_option_function<std::string>(option, take, roadmap_kind_names() + " (default: " + standard + ")")
-      ->type_name("NAME")
-      ->group(group);
+  app.add_option_function(option, take, roadmap_kind_names() + " (default: " + standard + ")")
+      .type_name("NAME")
+      .group(group);
 }
 
 void require_savable(const RoadmapKind& kind) {
   if (!kind.restore)
-    throw CLI::ValidationError(std::string("--save: a roadmap of the kind '") + kind.name +
-                               "' cannot be kept in a file; it is built anew each time");
+    throw UsageError(std::string("--save: a roadmap of the kind '") + kind.name +
+                     "' cannot be kept in a file; it is built anew each time");
 }
 
 std::string saved_text(const RoadmapKind& kind, const PlannedRoadmap& planned, const FreeSpace& space) {

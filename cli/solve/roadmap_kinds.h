@@ -2,8 +2,6 @@
 // roadmap_kinds.cpp.
 #pragma once
 
-#include <CLI/App.hpp>
-
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -11,6 +9,7 @@
 #include <span>
 #include <string>
 
+#include <taut/cli/command_line.h>
 #include <taut/cli/solve/prm_options.h>
 #include <taut/geometry/free_space.h>
 #include <taut/roadmaps/roadmap.h>
@@ -64,12 +63,12 @@ std::string roadmap_kind_names();
 /// nullptr when there is none of that name.
 const RoadmapKind* roadmap_kind(const std::string& name);
 
-/// --OPTION NAME, one of the kinds; anything else is a CLI::ValidationError. `kind` keeps its value when the option is
+/// --OPTION NAME, one of the kinds; anything else is a UsageError. `kind` keeps its value when the option is
 /// not given. `standard` is the name of that one, for --help.
-void add_roadmap_kind(CLI::App& app, const std::string& option, const RoadmapKind*& kind, const std::string& group,
+void add_roadmap_kind(CommandLine& app, const std::string& option, const RoadmapKind*& kind, const std::string& group,
                       const std::string& standard = "visibility");
 
-/// Throws CLI::ValidationError when roadmaps of that kind cannot be kept in files: what they hold besides legs is not
+/// Throws UsageError when roadmaps of that kind cannot be kept in files: what they hold besides legs is not
 /// in them.
 void require_savable(const RoadmapKind& kind);
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include <taut/cli/command.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
@@ -215,7 +216,7 @@ int run(const SolveOptions& options) {
 
 }  // namespace
 
-Command solve_command(CLI::App& app) {
+Command solve_command(CommandLine& app) {
   return command<SolveOptions>(app, "solve", "Find the shortest path from start to goal, or the walls that leave none",
                                add_solve_options, run);
 }

@@ -1,82 +1,81 @@
+#include <taut/cli/command_line.h>
 #include <taut/cli/solve/solve_options.h>
 
 #include <fmt/format.h>
-#include <CLI/Error.hpp>
 
 namespace taut::cli {
 
 namespace {
 
-// Options that exclude each other. Throws CLI::ValidationError.
+// Options that exclude each other. Throws UsageError.
 void require_consistent(const SolveOptions& options) {
   if (options.clearance.kind != ClearanceQuery::Kind::none) {
     if ((options.kind && options.kind != roadmap_kind("voronoi")) || !options.save.empty() || !options.load.empty() ||
         options.shorten)
-      throw CLI::ValidationError(
-          "--clearance, --widest and --tradeoff go along the Voronoi diagram, not another roadmap");
+      throw UsageError("--clearance, --widest and --tradeoff go along the Voronoi diagram, not another roadmap");
     require_suitable(options.clearance_request());
   }
   if (options.kind && !options.kind->graph && !options.save.empty())
-    throw CLI::ValidationError(fmt::format("--roadmap {} makes no graph that --save could keep", options.kind->name));
+    throw UsageError(fmt::format("--roadmap {} makes no graph that --save could keep", options.kind->name));
   if (options.kind && !options.save.empty()) require_savable(*options.kind);
   const RoadmapKind& kind = options.kind ? *options.kind : *roadmap_kind("visibility");
   if (!options.load.empty() && !options.prm.first().empty())
-    throw CLI::ValidationError(options.prm.first() + " makes no sense with --load: that roadmap is built already");
+    throw UsageError(options.prm.first() + " makes no sense with --load: that roadmap is built already");
   require_prm_options_fit(options.prm, kind);
   if (options.shorten && kind.optimal && options.load.empty())
-    throw CLI::ValidationError(
+    throw UsageError(
         fmt::format("--shorten makes no sense with the roadmap {}: its paths are the shortest", kind.name));
   if (options.shorten && options.prm.clearance.value_or(0) > 0)
-    throw CLI::ValidationError("--shorten makes no sense with --prm-clearance: a taut path touches corners");
+    throw UsageError("--shorten makes no sense with --prm-clearance: a taut path touches corners");
   if ((options.output.svg == "-") + (options.output.json == "-") + (options.save == "-") > 1)
-    throw CLI::ValidationError("only one of --svg, --json and --save can have standard output");
+    throw UsageError("only one of --svg, --json and --save can have standard output");
   if (options.arcs && (options.kind || !options.save.empty() || !options.load.empty() || options.shorten ||
                        options.clearance.kind != ClearanceQuery::Kind::none))
-    throw CLI::ValidationError("--arcs has a roadmap of its own: not with --roadmap, --save, --load or --clearance");
+    throw UsageError("--arcs has a roadmap of its own: not with --roadmap, --save, --load or --clearance");
   if (options.arcs && options.query.robot.kind() != Footprint::Kind::disc)
-    throw CLI::ValidationError("--arcs needs --robot disc:R");
+    throw UsageError("--arcs needs --robot disc:R");
   require_anytime_fits(options.anytime, options.kind, options.algorithm);
   if (options.anytime.wanted &&
       (options.shorten || options.arcs || options.clearance.kind != ClearanceQuery::Kind::none))
-    throw CLI::ValidationError("--anytime makes no sense with --shorten, --arcs, --clearance, --widest or --tradeoff");
+    throw UsageError("--anytime makes no sense with --shorten, --arcs, --clearance, --widest or --tradeoff");
   if (options.load == "-" && options.world.file == "-")
-    throw CLI::ValidationError("FILE and --load cannot both come from standard input");
+    throw UsageError("FILE and --load cannot both come from standard input");
   if (options.kind && !options.kind->graph && options.algorithm == GraphAlgorithm::dijkstra)
-    throw CLI::ValidationError(fmt::format("--roadmap {} makes no graph for --algorithm dijkstra", options.kind->name));
+    throw UsageError(fmt::format("--roadmap {} makes no graph for --algorithm dijkstra", options.kind->name));
 }
 
 }  // namespace
 
-void add_solve_options(CLI::App& app, SolveOptions& options) {
+void add_solve_options(CommandLine& app, SolveOptions& options) {
   add_world_options(app, options.world);
   add_query_options(app, options.query);
-  app.add_option_function<std::string>(
+  app.add_option_function(
          "--algorithm",
          [&options](const std::string& text) {
            if (text != "astar" && text != "dijkstra")
-             throw CLI::ValidationError("--algorithm: '" + text + "' is not astar or dijkstra");
+             throw UsageError("--algorithm: '" + text + "' is not astar or dijkstra");
            options.algorithm = text == "astar" ? GraphAlgorithm::astar : GraphAlgorithm::dijkstra;
          },
          "astar (default) or dijkstra; the path is the same length")
-      ->type_name("NAME")
-      ->group("Query");
+      .type_name("NAME")
+      .group("Query");
   add_roadmap_kind(app, "--roadmap", options.kind, "Roadmap",
                    "polyanya; visibility with --algorithm dijkstra, --save or --load");
   app.add_option("--save", options.save, "Keep the roadmap for --load; - is standard output")
-      ->type_name("FILE")
-      ->group("Roadmap");
+      .type_name("FILE")
+      .group("Roadmap");
   app.add_option("--load", options.load, "Take the roadmap from here instead of building it; - is standard input")
-      ->type_name("FILE")
-      ->group("Roadmap");
+      .type_name("FILE")
+      .group("Roadmap");
   app.add_flag("--shorten", options.shorten,
                "Pull the path found in the roadmap taut: the shortest of its homotopy class")
-      ->group("Roadmap");
+      .group("Roadmap");
   add_prm_options(app, options.prm, true);
   app.add_flag("--arcs", options.arcs,
                "With --robot disc:R: the disc itself, not a polygon around it; the path bends in arcs")
-      ->group("Query");
-  app.add_flag("--no-verify", options.no_verify, "Do not check the answer independently")->group("Query");
-  app.add_flag("--path", options.path, "Print the points of the path, one `x y` a line")->group("Output");
+      .group("Query");
+  app.add_flag("--no-verify", options.no_verify, "Do not check the answer independently").group("Query");
+  app.add_flag("--path", options.path, "Print the points of the path, one `x y` a line").group("Output");
   add_anytime_options(app, options.anytime);
   add_clearance_options(app, options.clearance);
   add_output_options(app, options.output);

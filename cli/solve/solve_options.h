@@ -1,10 +1,9 @@
 // The options of `taut solve`.
 #pragma once
 
-#include <CLI/App.hpp>
-
 #include <string>
 
+#include <taut/cli/command_line.h>
 #include <taut/cli/options.h>
 #include <taut/cli/solve/anytime.h>
 #include <taut/cli/solve/clearance.h>
@@ -35,7 +34,7 @@ struct SolveOptions {
   bool stdout_taken() const { return output.stdout_taken() || save == "-"; }
 };
 
-/// Adds them all. Those that exclude each other are a CLI::ValidationError (exit 2).
-void add_solve_options(CLI::App& app, SolveOptions& options);
+/// Adds them all. Those that exclude each other are a UsageError (exit 2).
+void add_solve_options(CommandLine& app, SolveOptions& options);
 
 }  // namespace taut::cli

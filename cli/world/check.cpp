@@ -2,10 +2,10 @@
 #include <fmt/format.h>
 
 #include <taut/cli/command.h>
-#include <taut/cli/exit_code.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/input.h>
-#include <taut/cli/output.h>
 #include <taut/cli/report.h>
+#include <taut/cli/run.h>
 #include <taut/cli/world/check_report.h>
 #include <taut/io/worlds/read_path.h>
 #include <taut/search/query_ends.h>
@@ -20,24 +20,18 @@ struct CheckOptions {
   QueryOptions query;
   CommonOptions common;
   std::string path;
-  std::string json;
-  bool quiet = false;
 };
 
-void add_options(CLI::App& app, CheckOptions& options) {
+void add_options(CommandLine& app, CheckOptions& options) {
   add_world_options(app, options.world);
   add_query_options(app, options.query);
   app.add_option("--path", options.path,
                  "Check this path as well: the JSON of `taut solve`, or a point `x y` a line; - is standard input")
-      ->type_name("FILE")
-      ->group("Query");
-  app.add_option("--json", options.json, "Write everything as JSON; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
-  app.add_flag("--quiet,-q", options.quiet, "No lines on standard output")->group("Output");
+      .type_name("FILE")
+      .group("Query");
   app.callback([&options] {
     if (options.path == "-" && options.world.file == "-")
-      throw CLI::ValidationError("FILE and --path cannot both be standard input");
+      throw UsageError("FILE and --path cannot both be standard input");
   });
 }
 
@@ -65,29 +59,26 @@ void require_free_ends(const FreeSpace& space) {
   if (world.goal().point) require_free(space, *world.goal().point, "goal");
 }
 
-int run(const CheckOptions& options) {
-  require_writable(options.json);
-  begin_stage("read");
-  const Input input = read_input(options.world, options.query);
+int run(const CheckOptions& options, Run& run) {
+  run.source(options.world.file);
+  const Input input = run.stage("read", [&] { return read_input(options.world, options.query); });
   std::optional<ClaimedPath> claimed;
   if (!options.path.empty())
     claimed = read_path(read_bytes(options.path), options.path == "-" ? "<stdin>" : options.path);
-  begin_stage("space");
-  const FreeSpace space(input.world, options.query.robot);
+  const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world, options.query.robot); });
   require_free_ends(space);
   CheckReport report(input, space);
-  begin_stage("verify");
-  if (claimed) report.add_path(*claimed, judge(*claimed, space));
-  const std::string json = options.json.empty() ? "" : report.json();
-  finish();
-  write_file(options.json, json);
-  if (!options.quiet && options.json != "-") print(report.text());
-  return report.valid() ? kFound : kNone;
+  run.so_far(report.json(), report.text());
+  if (claimed) run.stage("verify", [&] { report.add_path(*claimed, judge(*claimed, space)); });
+  return run.end({.outcome = report.valid() ? Outcome::done : Outcome::invalid,
+                  .reason = report.fault(),
+                  .result = report.json(),
+                  .line = report.text()});
 }
 
 }  // namespace
 
-Command check_command(CLI::App& app) {
+Command check_command(CommandLine& app) {
   return command<CheckOptions>(app, "check", "Say whether a world is valid and what is in it; check a path",
                                add_options, run);
 }

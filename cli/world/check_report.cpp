@@ -1,7 +1,6 @@
 #include <taut/cli/world/check_report.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
@@ -12,19 +11,16 @@ namespace taut::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kOpeningsNamed = 4;
 
 const char* name_of(Boundary boundary) {
   return boundary == Boundary::walled ? "walled" : boundary == Boundary::limit ? "limit" : "open";
 }
 
-Json json_of(Point p) { return {p.x, p.y}; }
 Json json_of(const Box& b) { return {b.min.x, b.min.y, b.max.x, b.max.y}; }
 
 Json json_of(const Goal& goal) {
-  if (goal.point) return {{"point", json_of(*goal.point)}};
+  if (goal.point) return {{"point", *goal.point}};
   if (goal.room.empty()) return nullptr;
   Json boxes = Json::array();
   for (const Box& box : goal.room) boxes.push_back(json_of(box));
@@ -89,13 +85,9 @@ std::string CheckReport::text() const {
   return out;
 }
 
-std::string CheckReport::json() const {
+Json CheckReport::json() const {
   const World& world = input_.world;
-  Json json{{"program", "taut"},
-            {"version", TAUT_VERSION},
-            {"source", input_.name},
-            {"format", std::string(name(input_.notes.format))},
-            {"valid", true}};
+  Json json{{"format", name(input_.notes.format)}};
   json["walls"] = world.walls().size();
   json["dropped_walls"] = world.dropped_walls();
   json["unknown_walls"] = input_.notes.unknown_walls;
@@ -103,9 +95,8 @@ std::string CheckReport::json() const {
   json["areas"] = world.areas().size();
   json["boundary"] = name_of(world.boundary());
   json["box"] = json_of(world.box());
-  json["openings"] = Json::array();
-  for (const Segment& s : world.openings()) json["openings"].push_back(Json::array({json_of(s.a), json_of(s.b)}));
-  json["start"] = world.start() ? json_of(*world.start()) : Json(nullptr);
+  json["openings"] = world.openings();
+  json["start"] = world.start();
   json["goal"] = json_of(world.goal());
   json["free_space"] = {{"area", area_},
                         {"components", space_.component_count()},
@@ -121,12 +112,12 @@ std::string CheckReport::json() const {
     const bool finite = std::isfinite(verdict.clearance);
     json["path"] = {{"valid", verdict.valid},
                     {"reason", verdict.reason},
-                    {"leg", verdict.valid ? Json(nullptr) : Json(verdict.leg)},
+                    {"leg", verdict.valid ? Json() : Json(verdict.leg)},
                     {"length", Length(path.points).value()},
                     {"points", path.points.size()},
-                    {"clearance", verdict.valid && finite ? Json(verdict.clearance) : Json(nullptr)}};
+                    {"clearance", verdict.valid && finite ? Json(verdict.clearance) : Json()}};
   }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json;
 }
 
 }  // namespace taut::cli

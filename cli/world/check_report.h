@@ -8,14 +8,14 @@
 
 #include <taut/cli/input.h>
 #include <taut/geometry/free_space.h>
+#include <taut/io/results/json.h>
 #include <taut/io/worlds/read_path.h>
 #include <taut/search/verify.h>
 
 namespace taut::cli {
 
-/// A valid world, counted. JSON keys, stable:
-///  program, version, source, format   as in result_json.h; the format's name in options
-///  valid             true; an invalid file writes no JSON but a line on stderr and exits with 3
+/// A valid world, counted. Keys of the result, stable:
+///  format            its name in options
 ///  walls             number; dropped_walls: of no length; unknown_walls: not looked at, read as open
 ///  solids, areas     numbers of obstacle polygons, and of polygons the world is made of
 ///  boundary          "walled", "limit" or "open" (world.h)
@@ -34,9 +34,11 @@ class CheckReport {
 
   /// Is the path, if there is one to check, valid?
   bool valid() const { return !path_ || path_->second.valid; }
+  /// Why it is not.
+  std::string fault() const { return valid() ? "" : path_->second.reason; }
 
   std::string text() const;
-  std::string json() const;
+  Json json() const;
 
  private:
   std::string path_text() const;

@@ -1,10 +1,9 @@
 // taut convert: the same world in another format.
-#include <CLI/Option.hpp>
 
 #include <taut/cli/command.h>
-#include <taut/cli/exit_code.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/input.h>
-#include <taut/cli/output.h>
+#include <taut/cli/run.h>
 #include <taut/io/worlds/write_world.h>
 
 namespace taut::cli {
@@ -18,38 +17,31 @@ struct ConvertOptions {
   Format format = Format::segments;
 };
 
-void add_options(CLI::App& app, ConvertOptions& options) {
+void add_options(CommandLine& app, ConvertOptions& options) {
   add_world_options(app, options.world);
   app.add_option("OUT", options.target, "The file to write; - is standard output (default)");
-  app.add_option_function<std::string>(
-         "--to",
-         [&options](const std::string& text) {
-           try {
-             options.format = format_of(text);
-           } catch (const CLI::ValidationError& error) {
-             throw CLI::ValidationError(std::string("--to: ").append(error.what()), CLI::ExitCodes::ValidationError);
-           }
-         },
+  app.add_option_function(
+         "--as", [&options](const std::string& text) { options.format = format_of(text); },
          "The format to write: segments, cells, drawing, maz, num, wkt, geojson")
-      ->type_name("NAME")
-      ->required()
-      ->group("World");
+      .type_name("NAME")
+      .required()
+      .group("World");
+  app.renamed("--to", "--as");
+  app.example("taut convert maze.maz maze.wkt --as wkt");
 }
 
-int run(const ConvertOptions& options) {
-  require_writable(options.target);
-  begin_stage("read");
-  const Input input = read_input(options.world);
-  begin_stage("write");
-  const std::string bytes = write_world(input.world, options.format);
-  finish();
-  write_file(options.target, bytes);
-  return kFound;
+int run(const ConvertOptions& options, Run& run) {
+  run.source(options.world.file);
+  run.promise(options.target);
+  const Input input = run.stage("read", [&] { return read_input(options.world); });
+  std::string bytes = run.stage("convert", [&] { return write_world(input.world, options.format); });
+  Json result{{"from", name(input.notes.format)}, {"as", name(options.format)}, {"bytes", bytes.size()}};
+  return run.end({.result = std::move(result), .files = {{options.target, std::move(bytes)}}});
 }
 
 }  // namespace
 
-Command convert_command(CLI::App& app) {
+Command convert_command(CommandLine& app) {
   return command<ConvertOptions>(app, "convert", "Write a world in another format", add_options, run);
 }
 

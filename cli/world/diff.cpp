@@ -1,39 +1,29 @@
 // taut diff: in which walls do two mazes differ?
 #include <fmt/format.h>
-#include <CLI/Option.hpp>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 
-#include <taut/cli/exit_code.h>
+#include <taut/cli/command.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/mouse/mouse.h>
-#include <taut/cli/output.h>
 #include <taut/cli/report.h>
-#include <taut/cli/stop.h>
+#include <taut/cli/run.h>
 #include <taut/geometry/errors.h>
-#include <taut/io/results/detail/result_values.h>
 
 namespace taut::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using micromouse::CellSide;
 
 struct DiffOptions {
   std::string a, b;
   CommonOptions common;
-  std::string json;
-  bool quiet = false;
 };
 
-void add_options(CLI::App& app, DiffOptions& options) {
-  app.add_option("A", options.a, "A grid maze, of any format; - is standard input")->required();
-  app.add_option("B", options.b, "Another one")->required();
-  app.add_option("--json", options.json, "Write the walls as JSON; - is standard output")
-      ->type_name("FILE")
-      ->group("Output");
-  app.add_flag("--quiet,-q", options.quiet, "Nothing on standard output")->group("Output");
+void add_options(CommandLine& app, DiffOptions& options) {
+  app.add_option("A", options.a, "A grid maze, of any format; - is standard input").required();
+  app.add_option("B", options.b, "Another one").required();
 }
 
 std::vector<CellSide> differing(const GridMaze& a, const GridMaze& b) {
@@ -73,8 +63,7 @@ Json json_of(const MouseMaze& a, const MouseMaze& b, const std::vector<CellSide>
                     {"side", side_name(w.side)},
                     {"a", a.maze.wall(w.cell, w.side) ? "wall" : "open"},
                     {"b", b.maze.wall(w.cell, w.side) ? "wall" : "open"}});
-  return {{"program", "taut"},
-          {"a", a.name},
+  return {{"a", a.name},
           {"b", b.name},
           {"differ", walls.size()},
           {"same_start", a.maze.start == b.maze.start},
@@ -84,35 +73,39 @@ Json json_of(const MouseMaze& a, const MouseMaze& b, const std::vector<CellSide>
 
 std::string size_text(const GridMaze& maze) { return fmt::format("{} x {}", maze.width(), maze.height()); }
 
-int different_sizes(const DiffOptions& options, const MouseMaze& a, const MouseMaze& b) {
-  const Json json{{"program", "taut"},
-                  {"a", a.name},
-                  {"b", b.name},
-                  {"differ", nullptr},
-                  {"size_a", {a.maze.width(), a.maze.height()}},
-                  {"size_b", {b.maze.width(), b.maze.height()}}};
-  write_file(options.json, options.json.empty() ? "" : detail::json_text(json));
-  if (!options.quiet && options.json != "-")
-    print(fmt::format("the sizes differ: {} / {}\n", size_text(a.maze), size_text(b.maze)));
-  return ExitCode::kNone;
+Answer different_sizes(const MouseMaze& a, const MouseMaze& b) {
+  const std::string reason = fmt::format("the sizes differ: {} / {}", size_text(a.maze), size_text(b.maze));
+  return {.outcome = Outcome::differs,
+          .reason = reason,
+          .result = {{"a", a.name},
+                     {"b", b.name},
+                     {"differ", nullptr},
+                     {"size_a", {a.maze.width(), a.maze.height()}},
+                     {"size_b", {b.maze.width(), b.maze.height()}}},
+          .line = reason + "\n"};
 }
 
-int run(const DiffOptions& options) {
-  require_writable(options.json);
-  if (options.a == "-" && options.b == "-") throw InputError("<stdin>", 0, "cannot be both mazes");
-  begin_stage("read");
-  const MouseMaze a = read_grid_maze(options.a), b = read_grid_maze(options.b);
-  finish();
-  if (a.maze.width() != b.maze.width() || a.maze.height() != b.maze.height()) return different_sizes(options, a, b);
+Answer answer_of(const MouseMaze& a, const MouseMaze& b) {
+  if (a.maze.width() != b.maze.width() || a.maze.height() != b.maze.height()) return different_sizes(a, b);
   const std::vector<CellSide> walls = differing(a.maze, b.maze);
-  write_file(options.json, options.json.empty() ? "" : detail::json_text(json_of(a, b, walls)));
-  if (!options.quiet && options.json != "-") print(text_of(a, b, walls));
-  return walls.empty() ? kFound : ExitCode::kNone;
+  Answer answer{.result = json_of(a, b, walls), .line = text_of(a, b, walls)};
+  if (walls.empty()) return answer;
+  answer.outcome = Outcome::differs;
+  answer.reason = count_text(walls.size(), "wall differs", "walls differ");
+  return answer;
+}
+
+int run(const DiffOptions& options, Run& run) {
+  run.sources({options.a, options.b});
+  if (options.a == "-" && options.b == "-") throw InputError("<stdin>", 0, "cannot be both mazes");
+  const auto read = [&](const std::string& file) { return run.stage("read", [&] { return read_grid_maze(file); }); };
+  const MouseMaze a = read(options.a), b = read(options.b);
+  return run.end(answer_of(a, b));
 }
 
 }  // namespace
 
-Command diff_command(CLI::App& app) {
+Command diff_command(CommandLine& app) {
   return command<DiffOptions>(app, "diff", "How many walls differ between two grid mazes; exit code 1 when any does",
                               add_options, run);
 }

@@ -10,10 +10,9 @@
 #include <utility>
 
 #include <taut/cli/command.h>
-#include <taut/cli/exit_code.h>
-#include <taut/cli/messages.h>
-#include <taut/cli/output.h>
+#include <taut/cli/command_line.h>
 #include <taut/cli/report.h>
+#include <taut/cli/run.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/maze_generator.h>
 #include <taut/io/worlds/write_world.h>
@@ -46,7 +45,7 @@ Size size_of(const std::string& text) {
     int value = 0;
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), value);
     if (error != std::errc{} || end != part.data() + part.size() || value < 1 || value > 20000)
-      throw CLI::ValidationError("--size: '" + text + "' is not WIDTHxHEIGHT or N, of 1 to 20000");
+      throw UsageError("--size: '" + text + "' is not WIDTHxHEIGHT or N, of 1 to 20000");
     return value;
   };
   const std::size_t by = text.find('x');
@@ -58,50 +57,52 @@ constexpr std::array<std::string_view, 3> kKinds{"biased", "backtracker", "roadb
 
 Kind kind_of(const std::string& text) {
   const auto at = std::ranges::find(kKinds, text);
-  if (at == kKinds.end()) throw CLI::ValidationError("--kind: '" + text + "' is not biased, backtracker or roadblocks");
+  if (at == kKinds.end()) throw UsageError("--kind: '" + text + "' is not biased, backtracker or roadblocks");
   return static_cast<Kind>(at - kKinds.begin());
 }
 
 double loops_of(const std::string& text) {
   const double share = number_of(text, "--loops");
-  if (share < 0 || share > 1) throw CLI::ValidationError("--loops: '" + text + "' is not a share of 0 to 1");
+  if (share < 0 || share > 1) throw UsageError("--loops: '" + text + "' is not a share of 0 to 1");
   return share;
 }
 
 // Options that would be without effect, or mazes that a format cannot hold.
-void check(const CLI::App& app, const GenerateOptions& options) {
+void check(const CommandLine& app, const GenerateOptions& options) {
   const bool roadblocks = options.kind == Kind::roadblocks;
-  if (roadblocks && app.count("--format") + app.count("--loops") > 0)
-    throw CLI::ValidationError("--kind roadblocks writes maps of a format of their own: not with --format or --loops");
+  if (roadblocks && app.count("--as") + app.count("--loops") > 0)
+    throw UsageError("--kind roadblocks writes maps of a format of their own: not with --as or --loops");
   if (!roadblocks && app.count("--roadblocks") + app.count("--samples") > 0)
-    throw CLI::ValidationError("--roadblocks and --samples need --kind roadblocks");
+    throw UsageError("--roadblocks and --samples need --kind roadblocks");
   if (options.kind == Kind::biased && options.format == Format::cell_values)
-    throw CLI::ValidationError("--format cells knows no openings in the border: take --kind backtracker");
+    throw UsageError("--as cells knows no openings in the border: take --kind backtracker");
 }
 
-void add_options(CLI::App& app, GenerateOptions& options) {
+void add_options(CommandLine& app, GenerateOptions& options) {
   const auto add = [&](const char* name, auto& value, auto parse, const char* type, const char* description) {
     return app
-        .add_option_function<std::string>(
+        .add_option_function(
             name, [&value, parse](const std::string& text) { value = parse(text); }, description)
-        ->type_name(type)
-        ->group("Maze");
+        .type_name(type)
+        .group("Maze");
   };
-  add("--size", options.size, size_of, "WxH", "Width and height in cells, or one number for both")->required();
+  add("--size", options.size, size_of, "WxH", "Width and height in cells, or one number for both").required();
   add("--kind", options.kind, kind_of, "NAME",
       "biased (default): a spanning tree of varied texture, open at two corners; backtracker: long corridors, closed, "
       "goal top right; roadblocks: rooms and narrow lanes for taut drive, 24 or more a side");
   app.add_option("--roadblocks", options.roadblocks, "With --kind roadblocks: how many, at most (default: 4)")
-      ->group("Maze");
-  app.add_option("--samples", options.samples, "With --kind roadblocks: how many (default: 10)")->group("Maze");
+      .group("Maze");
+  app.add_option("--samples", options.samples, "With --kind roadblocks: how many (default: 10)").group("Maze");
   add("--loops", options.loops, loops_of, "SHARE", "Take down this share of the inner walls, 0 to 1 (default: 0)");
-  add("--format", options.format, format_of, "NAME",
+  add("--as", options.format, format_of, "NAME",
       "segments (default), drawing, cells, maz, num, wkt, geojson; in cells, maz and num the goal is the room in the "
       "middle");
   app.add_option("-o,--output", options.file, "Write to this file instead of standard output")
-      ->type_name("FILE")
-      ->group("Maze");
+      .type_name("FILE")
+      .group("Maze");
+  app.renamed("--format", "--as");
   app.callback([&app, &options] { check(app, options); });
+  app.example("taut generate --size 45x45 --seed 1 --loops 0.1 -o maze.txt");
 }
 
 GridMaze maze_of(const GenerateOptions& options) {
@@ -141,24 +142,22 @@ std::string bytes_of(const GenerateOptions& options) {
   return write_segments(world, {recipe(options), options.kind == Kind::biased ? Point{0.5, 0.5} : Point{}});
 }
 
-int run(const GenerateOptions& options) {
-  require_writable(options.file);
-  begin_stage("generate");
-  std::string bytes;
-  try {
-    bytes = bytes_of(options);
-  } catch (const InputError& error) {
-    complain(error.what());  // all input is the command line
-    return kUsage;
-  }
-  finish();
-  write_file(options.file, bytes);
-  return kFound;
+int run(const GenerateOptions& options, Run& run) {
+  run.promise(options.file);
+  std::string bytes = run.stage("generate", [&] {
+    try {
+      return bytes_of(options);
+    } catch (const InputError& error) {
+      throw UsageError(error.what());  // all input is the command line
+    }
+  });
+  Json result{{"recipe", recipe(options)}, {"bytes", bytes.size()}};
+  return run.end({.result = std::move(result), .files = {{options.file, std::move(bytes)}}});
 }
 
 }  // namespace
 
-Command generate_command(CLI::App& app) {
+Command generate_command(CommandLine& app) {
   return command<GenerateOptions>(app, "generate", "Make a maze from a seed", add_options, run);
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include <taut/geometry/point.h>
-#include <taut/robots/car/pose.h>
 #include <taut/robots/car/heading.h>
+#include <taut/robots/car/pose.h>
 
 namespace taut::car {
 

@@ -78,10 +78,10 @@ TEST_F(ExitCode, IsTwoWhenTheCommandLineMakesNoSense) {
                                 "generate --size 20001",
                                 "generate --size 3 --loops 2",
                                 "generate --size 3 --kind magic",
-                                "generate --size 3 --format maz",
-                                "generate --size 3 --format pdf",
-                                "generate --size 4 --format cells",
-                                "generate --size 30 --kind roadblocks --format maz",
+                                "generate --size 3 --as maz",
+                                "generate --size 3 --as pdf",
+                                "generate --size 4 --as cells",
+                                "generate --size 30 --kind roadblocks --as maz",
                                 "generate --size 30 --kind roadblocks --loops 0.5",
                                 "generate --size 3 --samples 2",
                                 "mouse run - --seed -1",
@@ -92,7 +92,7 @@ TEST_F(ExitCode, IsTwoWhenTheCommandLineMakesNoSense) {
                                 "bug --range 3 compare -",
                                 "chase - --plan-seconds soon",
                                 "convert -",
-                                "convert - --to pdf"}) {
+                                "convert - --as pdf"}) {
     SCOPED_TRACE(arguments);
     expect_one_line(run_taut(arguments, kRoom), 2, "taut: ");
   }

@@ -44,10 +44,10 @@ TEST_F(Output, LeavesTheOldFileAloneWhenTheInputIsWrong) {
   const std::string old = folder.file("a.svg", "old");
   for (const char* bytes : {"", "0 0 1 nan\n", "hello\n"}) {
     EXPECT_EQ(run_taut("solve - --svg " + old + " --json " + old, bytes).code, 3);
-    EXPECT_EQ(run_taut("convert - --to wkt " + old, bytes).code, 3);
+    EXPECT_EQ(run_taut("convert - --as wkt " + old, bytes).code, 3);
     EXPECT_EQ(contents(old), "old");
   }
-  EXPECT_EQ(run_taut("generate --size 5 --format maz -o " + old).code, 2);
+  EXPECT_EQ(run_taut("generate --size 5 --as maz -o " + old).code, 2);
   EXPECT_EQ(contents(old), "old");
   EXPECT_EQ(files(), 1);
 }

@@ -69,8 +69,8 @@ TEST_F(Subcommand, SolveMovesARobotOfSomeSize) {
 }
 
 TEST_F(Subcommand, CheckCountsWhatIsThere) {
-  const json answer = json::parse(run_taut("check - --json -", kRoom).out);
-  EXPECT_EQ(answer["valid"], true);
+  const json envelope = json::parse(run_taut("check - --json -", kRoom).out), answer = envelope["result"];
+  EXPECT_EQ(envelope["status"], "done");
   EXPECT_EQ(answer["format"], "segments");
   EXPECT_EQ(answer["walls"], 6);
   EXPECT_EQ(answer["free_space"]["area"], 16);
@@ -117,7 +117,7 @@ TEST_F(Subcommand, GenerateMakesTheSameMazeFromTheSameSeed) {
   EXPECT_THAT(maze, StartsWith("# taut generate --size 9x5 --kind biased --seed 4\n"));
   EXPECT_EQ(run_taut("generate --size 9x5 --seed 4").out, maze);
   EXPECT_NE(run_taut("generate --size 9x5 --seed 5").out, maze);
-  const json box = json::parse(run_taut("check - --json -", maze).out)["box"];
+  const json box = json::parse(run_taut("check - --json -", maze).out)["result"]["box"];
   EXPECT_EQ(box, json::parse("[0.5, 0.5, 9.5, 5.5]"));  // width x height
 }
 
@@ -131,9 +131,9 @@ TEST_F(Subcommand, GenerateAndSolveWorkInAPipe) {
 TEST_F(Subcommand, GenerateWritesEveryGridFormat) {
   for (const char* format : {"segments", "drawing", "num", "maz", "geojson"}) {
     SCOPED_TRACE(format);
-    const Outcome maze = run_taut(std::string("generate --size 16 --seed 2 --format ") + format);
+    const Outcome maze = run_taut(std::string("generate --size 16 --seed 2 --as ") + format);
     EXPECT_EQ(maze.code, 0) << maze.err;
-    const json world = json::parse(run_taut("check - --json -", maze.out).out);
+    const json world = json::parse(run_taut("check - --json -", maze.out).out)["result"];
     EXPECT_EQ(world["format"], format);
     EXPECT_EQ(world["free_space"]["area"], 256);
   }
@@ -141,19 +141,19 @@ TEST_F(Subcommand, GenerateWritesEveryGridFormat) {
 
 TEST_F(Subcommand, ConvertKeepsTheAnswer) {
   const std::string maze =
-      folder.file("maze.txt", run_taut("generate --size 16 --kind backtracker --format drawing --seed 7").out);
+      folder.file("maze.txt", run_taut("generate --size 16 --kind backtracker --as drawing --seed 7").out);
   const std::string answer = run_taut("solve --path -q " + maze).out;
   for (const char* format : {"segments", "drawing", "geojson"}) {
     SCOPED_TRACE(format);
     const std::string other = (folder / format).string();
-    const Outcome run = run_taut("convert " + maze + " " + other + " --to " + format);
+    const Outcome run = run_taut("convert " + maze + " " + other + " --as " + format);
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_EQ(run_taut("solve --path -q " + other).out, answer);
   }
 }
 
 TEST_F(Subcommand, ConvertRefusesWhatAFormatCannotHold) {
-  const Outcome run = run_taut("convert - --to maz", kRoom);
+  const Outcome run = run_taut("convert - --as maz", kRoom);
   EXPECT_EQ(run.code, 3);
   EXPECT_EQ(run.out, "");
 }

@@ -106,7 +106,7 @@ TEST_F(MouseRun, RefusesWhatIsNoGridMaze) {
 
 TEST_F(MouseRun, MeasuresLongMazesAndSaysWhenNoRandomWalkerFinishes) {
   const std::string slim = in_folder("slim");
-  ASSERT_EQ(run_taut("generate --kind backtracker --size 250x2 --format num -o " + slim).code, 0);
+  ASSERT_EQ(run_taut("generate --kind backtracker --size 250x2 --as num -o " + slim).code, 0);
   const Outcome run = run_taut("mouse run --explorer flood " + slim);
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, HasSubstr("\n  floor with proof "));
@@ -122,7 +122,7 @@ TEST_F(MouseRun, FailsWithItsReasonWhenTheStepsRunOut) {
 
 TEST_F(MouseRun, NamesTheFileOfAMazeThatIsTooLarge) {
   const std::string large = in_folder("large");
-  ASSERT_EQ(run_taut("generate --kind backtracker --size 257 --format drawing -o " + large).code, 0);
+  ASSERT_EQ(run_taut("generate --kind backtracker --size 257 --as drawing -o " + large).code, 0);
   for (const char* command : {"run", "serve", "speed", "compare"}) {
     const Outcome run = run_taut(std::string("mouse ") + command + " " + large);
     EXPECT_EQ(run.code, 3);

@@ -21,14 +21,14 @@ TEST_F(Diff, CountsTheWallsThatDiffer) {
   const Outcome one = run_taut("diff " + bend + " " + sealed);
   EXPECT_EQ(one.code, 1);
   EXPECT_EQ(one.out, "(0,1) east: open / wall\n1 wall differs\n");
-  const json all = json::parse(run_taut("diff --json - " + bend + " " + sealed).out);
+  const json all = json::parse(run_taut("diff --json - " + bend + " " + sealed).out)["result"];
   EXPECT_EQ(all["differ"], 1);
   EXPECT_EQ(all["walls"][0]["side"], "east");
 }
 
 TEST_F(Diff, ComparesAcrossFormatsAndSizes) {
   const std::string drawing = in_folder("drawing");
-  ASSERT_EQ(run_taut("convert --to drawing " + data_file("mouse_16.maz") + " " + drawing).code, 0);
+  ASSERT_EQ(run_taut("convert --as drawing " + data_file("mouse_16.maz") + " " + drawing).code, 0);
   const Outcome same = run_taut("diff " + data_file("mouse_16.maz") + " " + drawing);
   EXPECT_EQ(same.code, 0);
   EXPECT_EQ(same.out, "no wall differs\n");

@@ -1,0 +1,190 @@
+#include <taut/cli/command_line.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include <algorithm>
+#include <charconv>
+#include <type_traits>
+
+namespace taut::cli {
+
+namespace {
+
+// `--quiet,-q`: the long one; of `MAP` that.
+std::string chief_name(const std::string& names) {
+  for (std::size_t from = 0; from < names.size();) {
+    const std::size_t comma = std::min(names.find(',', from), names.size());
+    if (names.compare(from, 2, "--") == 0) return names.substr(from, comma - from);
+    from = comma + 1;
+  }
+  return names.substr(0, names.find(','));
+}
+
+template <typename Number>
+Number whole_number(const std::string& text) {
+  Number value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size())
+    throw UsageError("'" + text + "' is not a whole number" + (std::is_unsigned_v<Number> ? " of 0 or more" : ""));
+  return value;
+}
+
+// A name that every line begins with once, though several hands may have put it there.
+std::string with_name(const std::string& name, const std::string& words) {
+  return words.starts_with("--") || words.starts_with(name) ? words : name + ": " + words;
+}
+
+CommandLine::Take named(const std::string& names, CommandLine::Take take) {
+  return [take = std::move(take), name = chief_name(names)](const std::string& text) {
+    try {
+      take(text);
+    } catch (const UsageError& error) {
+      throw UsageError(with_name(name, error.what()));
+    }
+  };
+}
+
+std::string in_words(double number) {
+  const auto whole = static_cast<long long>(number);
+  return static_cast<double>(whole) == number ? std::to_string(whole) : std::to_string(number);
+}
+
+}  // namespace
+
+Option Option::type_name(const char* name) const {
+  option_->type_name(name);
+  return *this;
+}
+
+Option Option::group(const std::string& name) const {
+  option_->group(name);
+  return *this;
+}
+
+Option Option::required(bool is) const {
+  option_->required(is);
+  return *this;
+}
+
+Option Option::excludes(const char* other) const {
+  option_->excludes(app_->get_option(other));
+  return *this;
+}
+
+Option Option::values(int least, int most) const {
+  option_->expected(least, most);
+  return *this;
+}
+
+Option Option::range(double least, double most) const {
+  const std::string name = option_->get_name();
+  const auto check = [least, most, name](std::string& text) -> std::string {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error == std::errc{} && end == text.data() + text.size() && !(value >= least && value <= most))
+      throw UsageError(name + ": '" + text + "' is not from " + in_words(least) + " to " + in_words(most));
+    return {};  // what is no number at all is for the option itself to say
+  };
+  option_->check(CLI::Validator(check, ""));
+  return *this;
+}
+
+Option CommandLine::add_option_function(const std::string& names, Take take, const std::string& what) {
+  return {*app_, *app_->add_option_function<std::string>(names, named(names, std::move(take)), what)};
+}
+
+Option CommandLine::add_each_function(const std::string& names, Take take, const std::string& what) {
+  const auto each = [take = named(names, std::move(take))](const std::vector<std::string>& texts) {
+    for (const std::string& text : texts) take(text);
+  };
+  return {*app_, *app_->add_option_function<std::vector<std::string>>(names, each, what)};
+}
+
+Option CommandLine::add_option(const std::string& names, std::string& value, const std::string& what) {
+  return Option(*app_, *app_->add_option(names, value, what)->type_name(""));
+}
+
+Option CommandLine::add_option(const std::string& names, std::vector<std::string>& values, const std::string& what) {
+  return Option(*app_, *app_->add_option(names, values, what)->type_name(""));
+}
+
+Option CommandLine::add_option(const std::string& names, int& value, const std::string& what) {
+  return add_option_function(
+      names, [&value](const std::string& text) { value = whole_number<int>(text); }, what);
+}
+
+Option CommandLine::add_option(const std::string& names, std::optional<int>& value, const std::string& what) {
+  return add_option_function(
+      names, [&value](const std::string& text) { value = whole_number<int>(text); }, what);
+}
+
+Option CommandLine::add_option(const std::string& names, std::size_t& value, const std::string& what) {
+  return add_option_function(
+      names, [&value](const std::string& text) { value = whole_number<std::size_t>(text); }, what);
+}
+
+Option CommandLine::add_flag(const std::string& names, bool& value, const std::string& what) {
+  return Option(*app_, *app_->add_flag(names, value, what));
+}
+
+Option CommandLine::add_flag_callback(const std::string& names, std::function<void()> work, const std::string& what) {
+  return Option(*app_, *app_->add_flag_callback(names, std::move(work), what));
+}
+
+void CommandLine::renamed(const std::string& old_name, const std::string& new_name) {
+  const auto refuse = [old_name, new_name](const std::string& value) {
+    throw UsageError(old_name + " is " + new_name + " here; did you mean `" + new_name + " " + value + "`?");
+  };
+  add_option_function(old_name, refuse, "").group("");
+}
+
+void CommandLine::callback(std::function<void()> work) {
+  checks_.push_back(std::move(work));
+  app_->callback([this] {
+    for (const auto& check : checks_) check();
+  });
+}
+
+void CommandLine::footer(const std::string& text) {
+  paragraphs_ += text + "\n";
+  app_->footer(paragraphs_ + examples_);
+}
+
+void CommandLine::example(const std::string& line) {
+  examples_ += (examples_.empty() ? "Example:\n  " : "  ") + line + "\n";
+  app_->footer(paragraphs_ + examples_);
+}
+
+void CommandLine::explain(const std::string& title, const std::vector<Choice>& choices) {
+  std::size_t widest = 0;
+  for (const Choice& choice : choices) widest = std::max(widest, choice.first.size());
+  std::string text = title + ":\n";
+  for (const auto& [name, what] : choices)
+    text.append("  ").append(name).append(widest + 2 - name.size(), ' ').append(what).append("\n");
+  footer(text);
+}
+
+std::size_t CommandLine::count(const std::string& name) const { return app_->count(name); }
+
+bool CommandLine::has_subcommand() const { return !app_->get_subcommands().empty(); }
+
+void CommandLine::optional_subcommand() { app_->require_subcommand(0, 1); }
+
+void CommandLine::require_subcommand() { app_->require_subcommand(1); }
+
+CommandLine CommandLine::add_subcommand(const char* name, const char* description) {
+  return CommandLine(*app_->add_subcommand(name, description));
+}
+
+bool CommandLine::is_chosen() const { return app_->parsed(); }
+
+std::string CommandLine::full_name() const {
+  std::string name = app_->get_name();
+  for (const CLI::App* up = app_->get_parent(); up != nullptr; up = up->get_parent())
+    name.insert(0, up->get_name() + " ");
+  return name;
+}
+
+}  // namespace taut::cli
