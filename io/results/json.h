@@ -74,8 +74,8 @@ class Json {
 };
 
 /// Indented by two; arrays without objects on one line, or wrapped at 100 columns, those with objects an item a line;
-/// objects of scalars on one line where they fit in 100 columns. Numbers read back as the same double; bytes that are no
-/// UTF-8 become U+FFFD. Ends in a newline.
+/// objects of scalars on one line where they fit in 100 columns. Numbers read back as the same double; bytes that are
+/// no UTF-8 become U+FFFD. Ends in a newline.
 std::string json_text(const Json& json);
 
 /// All on one line, without a newline.
