@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <ctime>
 #include <mutex>
 #include <utility>
@@ -34,7 +35,7 @@ std::string shown(const std::string& file) { return file == "-" ? "<stdin>" : fi
 }  // namespace
 
 struct Run::Shared {
-  std::mutex mutex;
+  std::timed_mutex mutex;
   Envelope envelope;
   std::string line;
   std::string json;    // the file, once promised
@@ -71,8 +72,8 @@ Run::Run(std::string command, const CommonOptions& options) : options_(options),
   shared_->envelope.version = TAUT_VERSION;
   shared_->envelope.command = std::move(command);
   on_stop([shared = shared_](const Stop& why) {
-    const std::unique_lock lock(shared->mutex, std::try_to_lock);
-    if (!lock.owns_lock()) return;  // memory ran out while the result was handed over
+    const std::unique_lock lock(shared->mutex, std::chrono::milliseconds(200));
+    if (!lock.owns_lock()) return;  // memory ran out in the thread that holds it
     if (shared->prints && !shared->line.empty()) print(shared->line);
     shared->say(Outcome::stopped, why.reason, why.stage);
   });
@@ -149,6 +150,7 @@ int Run::end(Answer answer) {
 }
 
 int Run::refuse(const std::string& reason) noexcept {
+  finish();
   try {
     const std::lock_guard lock(shared_->mutex);
     shared_->envelope.result = nullptr;
