@@ -1,11 +1,10 @@
 // Cells of poses: what they rule out, no car can do.
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include <cstdint>
 #include <cstdlib>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <taut/robots/roadblocks/detail/pose_cells.h>
