@@ -7,6 +7,7 @@
 
 #include <taut/geometry/detail/outline.h>
 #include <taut/geometry/detail/polygon_gate.h>
+#include <taut/geometry/detail/room_cut.h>
 #include <taut/geometry/detail/text.h>
 
 namespace taut {
@@ -152,34 +153,12 @@ Box roomy_box(const WorldParts& parts) {
   return wide;
 }
 
-bool is_within(const Box& inner, const Box& outer) { return outer.contains(inner.min) && outer.contains(inner.max); }
-
-// What of `b` lies within; nothing when that has no area.
-std::optional<Box> cut_to(const Box& within, const Box& b) {
-  const Box cut{{std::max(b.min.x, within.min.x), std::max(b.min.y, within.min.y)},
-                {std::min(b.max.x, within.max.x), std::min(b.max.y, within.max.y)}};
-  return cut.min.x < cut.max.x && cut.min.y < cut.max.y ? std::optional(cut) : std::nullopt;
-}
-
 // Does an end lie beyond the box, or a part of a room?
 bool ends_beyond(const WorldParts& parts, const Box& box) {
   const auto beyond = [&](const std::optional<Point>& p) { return p && !box.contains(*p); };
   const std::vector<Box>& room = parts.goal.room;
   return beyond(parts.start) || beyond(parts.goal.point) ||
-         !std::all_of(room.begin(), room.end(), [&](const Box& b) { return is_within(b, box); });
-}
-
-// A path ends within the world. No end can widen it again: of a box with a bare side no room reaches beyond.
-void cut_room(WorldParts& parts, const Box& world) {
-  std::vector<Box> room;
-  for (const Box& b : parts.goal.room)
-    if (const std::optional<Box> cut = is_within(b, world) ? b : cut_to(world, b)) room.push_back(*cut);
-  if (room.empty() && !parts.goal.room.empty()) {
-    const Box& b = parts.goal.room.front();
-    throw InputError(parts.source, 0,
-                     "the goal room " + text(b.min) + " to " + text(b.max) + " lies outside the world");
-  }
-  parts.goal.room = std::move(room);
+         !std::all_of(room.begin(), room.end(), [&](const Box& b) { return detail::is_within(b, box); });
 }
 
 // The bounding box of the walls, when walls cover at least half its outline; of a box with a bare side only when both
@@ -235,7 +214,7 @@ World::World(WorldParts parts) : parts_(std::move(parts)) {
   implied_area_ = parts_.areas.empty();
   if (implied_area_) imply_area(parts_);
   box_ = box_of(parts_.areas);
-  cut_room(parts_, box_);
+  detail::cut_room(parts_.goal.room, box_, parts_.source);  // no end can widen the box again: see ends_beyond
   if (parts_.boundary != Boundary::limit) return;
   openings_ = detail::open_pieces(detail::outline(parts_.areas), parts_.walls, parts_.areas.size() > 1);
   end_at_openings(parts_, openings_);

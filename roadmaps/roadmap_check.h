@@ -16,8 +16,8 @@ struct RoadmapFault {
   std::string text;     ///< one line: `vertex 3, (1, 2), lies in an obstacle or touches one`
 };
 
-/// Every vertex lies clear of all obstacles, and along every edge a path can go straight (FreeSpace::sees); so any chain
-/// of edges is a path. Exact. What a PRM promises, whatever its samples were. O(V + E) questions to the free space.
+/// Every vertex lies clear of all obstacles, and along every edge a path can go straight (FreeSpace::sees); so any
+/// chain of edges is a path. Exact. What a PRM promises, whatever its samples were. O(V + E) questions to the free space.
 std::optional<RoadmapFault> fault_of(const Roadmap& roadmap, const FreeSpace& space);
 
 /// Where it differs from the roadmap that it should be: a vertex elsewhere, an edge too many, an edge missing. The

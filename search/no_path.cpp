@@ -98,7 +98,8 @@ Footprint inside_of(const Footprint& disc) {
 struct NoPath::Impl {
   explicit Impl(FreeSpace s) : space(std::move(s)) {}
 
-  /// Where the polygon inside the disc can be; nothing when roundings may have moved it out of the disc, or are refused.
+  /// Where the polygon inside the disc can be; nothing when roundings may have moved it out of the disc, or are
+  /// refused.
   const std::optional<FreeSpace>& inner() {
     if (std::exchange(is_tried, true)) return inner_space;
     try {

@@ -12,11 +12,11 @@ namespace taut {
 /// Says, for one free space, which ends walls keep apart.
 ///
 ///  1. A point is in the connected parts of free space around it: of one on a wall those of both sides. A room is in
-///     those that meet the inside of one of its boxes. Ends without a common part are apart, and so are ends that are in
-///     none; all others have a path between them.
+///     those that meet the inside of one of its boxes. Ends without a common part are apart, and so are ends that are
+///     in none; all others have a path between them.
 ///  2. A disc's free space is that of the polygon around it, so the disc may get through where that does not. Ends are
-///     apart only if they are for a polygon inside the disc as well, roundings included; that space is built when it is
-///     first asked for.
+///     apart only if they are for a polygon inside the disc as well, roundings included; that space is built when it
+///     is first asked for.
 class NoPath {
  public:
   explicit NoPath(FreeSpace space);

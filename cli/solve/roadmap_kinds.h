@@ -81,8 +81,8 @@ void require_savable(const RoadmapKind& kind);
 /// The file of a roadmap of that kind (roadmap_file).
 std::string saved_text(const RoadmapKind& kind, const PlannedRoadmap& planned, const FreeSpace& space);
 
-/// Reads a file written from saved_text and says of which kind it is. Nothing in it is taken on trust (Keeping): what is
-/// returned keeps the promises of its kind. Throws InputError that names the line.
+/// Reads a file written from saved_text and says of which kind it is. Nothing in it is taken on trust (Keeping): what
+/// is returned keeps the promises of its kind. Throws InputError that names the line.
 PlannedRoadmap load_roadmap(const std::string& file, const FreeSpace& space, const RoadmapKind*& kind);
 
 }  // namespace taut::cli
