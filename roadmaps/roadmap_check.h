@@ -17,7 +17,8 @@ struct RoadmapFault {
 };
 
 /// Every vertex lies clear of all obstacles, and along every edge a path can go straight (FreeSpace::sees); so any
-/// chain of edges is a path. Exact. What a PRM promises, whatever its samples were. O(V + E) questions to the free space.
+/// chain of edges is a path. Exact. What a PRM promises, whatever its samples were. O(V + E) questions to the free
+/// space.
 std::optional<RoadmapFault> fault_of(const Roadmap& roadmap, const FreeSpace& space);
 
 /// Where it differs from the roadmap that it should be: a vertex elsewhere, an edge too many, an edge missing. The

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <taut/geometry/free_space.h>
-#include <taut/io/read_world.h>
-#include <taut/io/roadmap_file.h>
+#include <taut/io/saved/roadmap_file.h>
+#include <taut/io/worlds/read_world.h>
 
 #include "support/program_test.h"
 
@@ -187,24 +187,32 @@ TEST_F(Proven, PathsIntoARoomThatReachesBeyondTheBoundaryEndWithinIt) {
   const Outcome compared = run_taut("compare -", world);
   EXPECT_EQ(compared.code, 0) << compared.err;
   EXPECT_THAT(compared.out, Not(HasSubstr("NO")));
-  for (const char* beyond : {"boundary 0 0 3 3\nstart 0.5 0.5\ngoal 2 4 3 5\n",
-                             R"({"type": "FeatureCollection", "features": [
- {"type": "Feature", "properties": {"role": "free"}, "geometry": {"type": "Polygon", "coordinates": [[[0,0],[3,0],[3,3],[0,3],[0,0]]]}},
- {"type": "Feature", "properties": {"role": "start"}, "geometry": {"type": "Point", "coordinates": [0.5, 0.5]}},
- {"type": "Feature", "properties": {"role": "goal"}, "geometry": {"type": "Polygon", "coordinates": [[[2,4],[3,4],[3,5],[2,5],[2,4]]]}}]})"}) {
-    const Outcome outside = run_taut("solve -", beyond);
-    EXPECT_EQ(outside.code, 3) << outside.out;
-    EXPECT_THAT(outside.err, HasSubstr("the goal room (2, 4) to (3, 5) lies outside the world"));
-  }
+  const Outcome outside = run_taut("solve -", "boundary 0 0 3 3\nstart 0.5 0.5\ngoal 2 4 3 5\n");
+  EXPECT_EQ(outside.code, 3) << outside.out;
+  EXPECT_THAT(outside.err, HasSubstr("the goal room (2, 4) to (3, 5) lies outside the world"));
 }
 
-TEST_F(Proven, GeojsonRoomsAreCutAsWell) {
-  const Outcome run = run_taut("solve -", R"({"type": "FeatureCollection", "features": [
- {"type": "Feature", "properties": {"role": "free"}, "geometry": {"type": "Polygon", "coordinates": [[[0,0],[3,0],[3,3],[0,3],[0,0]]]}},
- {"type": "Feature", "properties": {"role": "start"}, "geometry": {"type": "Point", "coordinates": [0.5, 0.5]}},
- {"type": "Feature", "properties": {"role": "goal"}, "geometry": {"type": "Polygon", "coordinates": [[[2,2],[3,2],[3,5],[2,5],[2,2]]]}}]})");
+/// The square from (0, 0) to (3, 3), with a goal room 1 wide on its right side.
+std::string geojson_with_room(double low, double high) {
+  const auto feature = [](const char* role, const char* kind, const json& at) {
+    return json{
+        {"type", "Feature"}, {"properties", {{"role", role}}}, {"geometry", {{"type", kind}, {"coordinates", at}}}};
+  };
+  const auto box = [](double x0, double y0, double x1, double y1) {
+    return json{{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}, {x0, y0}}};
+  };
+  const json features{feature("free", "Polygon", box(0, 0, 3, 3)), feature("start", "Point", {0.5, 0.5}),
+                      feature("goal", "Polygon", box(2, low, 3, high))};
+  return json{{"type", "FeatureCollection"}, {"features", features}}.dump();
+}
+
+TEST_F(Proven, RoomsOfOtherFormatsAreCutAsWell) {
+  const Outcome run = run_taut("solve -", geojson_with_room(2, 5));
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_THAT(run.out, HasSubstr("length 2.121320, "));
+  const Outcome outside = run_taut("solve -", geojson_with_room(4, 5));
+  EXPECT_EQ(outside.code, 3) << outside.out;
+  EXPECT_THAT(outside.err, HasSubstr("lies outside the world"));
 }
 
 /// Whatever planners answer, a path that does not pass the check is a defect and says so.

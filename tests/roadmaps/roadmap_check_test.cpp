@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/read_world.h>
 #include <taut/roadmaps/prm.h>
 #include <taut/roadmaps/visibility_graph.h>
 

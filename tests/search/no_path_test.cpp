@@ -6,7 +6,7 @@
 #include <numbers>
 #include <string>
 
-#include <taut/io/read_world.h>
+#include <taut/io/worlds/read_world.h>
 #include <taut/search/shortest_path.h>
 
 namespace taut {
