@@ -97,7 +97,8 @@ int solve_with_arcs(const WorldOptions& world, const QueryOptions& query, const 
   picture.goal = input.world.goal();
   const std::string drawing = output.svg.empty() ? "" : svg(space, picture);
   const std::string json =
-      output.json.empty() ? "" : arc_json(result, space, s, g, r, found && verify, source, TAUT_VERSION);
+      output.json.empty() ? ""
+                          : arc_json(result, space, s, g, r, found ? verify : none.has_value(), source, TAUT_VERSION);
   begin_stage("write");
   finish();
   write_file(output.svg, drawing);
