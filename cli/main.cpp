@@ -7,6 +7,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -141,6 +142,11 @@ int run(int argc, char** argv) {
   return kUsage;
 }
 
+[[noreturn]] void refused(const std::system_error& error) noexcept {
+  stop(error.code() == std::errc::resource_unavailable_try_again ? "no further thread can be started" : error.what());
+}
+
+// A std::system_error is the operating system's refusal: no further thread, no file handle.
 int guarded(int argc, char** argv) noexcept {
   try {
     return run(argc, argv);
@@ -152,6 +158,8 @@ int guarded(int argc, char** argv) noexcept {
     return kStopped;
   } catch (const std::bad_alloc&) {
     stop("out of memory");
+  } catch (const std::system_error& error) {
+    refused(error);
   } catch (const std::exception& error) {
     complain(std::string("internal error: ").append(error.what()));
     return kInternal;
@@ -167,6 +175,8 @@ int guarded(int argc, char** argv) noexcept {
     if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::bad_alloc&) {
     stop("out of memory");
+  } catch (const std::system_error& error) {
+    refused(error);
   } catch (const std::exception& error) {
     complain(error.what());
   } catch (...) {

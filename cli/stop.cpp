@@ -7,6 +7,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cmath>
@@ -123,7 +124,9 @@ void start_thread() {
 void limit_memory(std::size_t bytes) {
   shared().reserve = std::make_unique<char[]>(1 << 20);
   mp_set_memory_functions(gmp_allocate, gmp_reallocate, gmp_free);
-  const rlimit limit{bytes, bytes};
+  rlimit limit{};
+  getrlimit(RLIMIT_AS, &limit);  // one that is there already may only be lowered
+  limit.rlim_cur = limit.rlim_max = std::min<rlim_t>(bytes, limit.rlim_max);
   if (setrlimit(RLIMIT_AS, &limit) != 0)
     throw std::system_error(errno, std::generic_category(), "cannot limit the memory");
 }

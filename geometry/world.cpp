@@ -7,6 +7,7 @@
 
 #include <taut/geometry/detail/outline.h>
 #include <taut/geometry/detail/polygon_gate.h>
+#include <taut/geometry/detail/room_cut.h>
 #include <taut/geometry/detail/text.h>
 
 namespace taut {
@@ -152,10 +153,12 @@ Box roomy_box(const WorldParts& parts) {
   return wide;
 }
 
-// Does an end lie beyond the box?
+// Does an end lie beyond the box, or a part of a room?
 bool ends_beyond(const WorldParts& parts, const Box& box) {
   const auto beyond = [&](const std::optional<Point>& p) { return p && !box.contains(*p); };
-  return beyond(parts.start) || beyond(parts.goal.point);
+  const std::vector<Box>& room = parts.goal.room;
+  return beyond(parts.start) || beyond(parts.goal.point) ||
+         !std::all_of(room.begin(), room.end(), [&](const Box& b) { return detail::is_within(b, box); });
 }
 
 // The bounding box of the walls, when walls cover at least half its outline; of a box with a bare side only when both
@@ -211,6 +214,7 @@ World::World(WorldParts parts) : parts_(std::move(parts)) {
   implied_area_ = parts_.areas.empty();
   if (implied_area_) imply_area(parts_);
   box_ = box_of(parts_.areas);
+  detail::cut_room(parts_.goal.room, box_, parts_.source);  // no end can widen the box again: see ends_beyond
   if (parts_.boundary != Boundary::limit) return;
   openings_ = detail::open_pieces(detail::outline(parts_.areas), parts_.walls, parts_.areas.size() > 1);
   end_at_openings(parts_, openings_);

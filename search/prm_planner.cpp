@@ -8,6 +8,7 @@
 #include <taut/roadmaps/detail/prm_growth.h>
 #include <taut/search/detail/prm_lazy.h>
 #include <taut/search/detail/room_entries.h>
+#include <taut/search/no_path.h>
 #include <taut/search/query_ends.h>
 
 namespace taut {
@@ -31,29 +32,6 @@ std::vector<Point> goal_points(const FreeSpace& space, const Goal& goal) {
 bool is_in_room(const FreeSpace& space, Point p, const Goal& goal) {
   return !goal.point && std::any_of(goal.room.begin(), goal.room.end(), [&](const Box& box) {
     return box.contains(p) && space.sees(p, detail::middle(box));
-  });
-}
-
-/// The components of the space that a point belongs to: of one on a wall both sides.
-std::vector<std::uint32_t> components_at(const FreeSpace& space, Point p) {
-  const Triangulation& tri = space.triangulation();
-  const Location at = space.locate(p);
-  std::vector<std::uint32_t> result{space.component(at.triangle)};
-  if (at.kind == Location::Kind::side) {
-    const std::uint32_t n = tri.neighbours[at.triangle][at.index];
-    if (n != kNone && tri.free[n]) result.push_back(space.component(n));
-  }
-  if (at.kind == Location::Kind::vertex)
-    for (const Triangulation::Sector& sector : tri.sectors_at(tri.triangles[at.triangle][at.index]))
-      result.push_back(space.component(sector.triangle));
-  return result;
-}
-
-bool is_proven_apart(const FreeSpace& space, Point from, const std::vector<Point>& goals) {
-  const std::vector<std::uint32_t> here = components_at(space, from);
-  return !goals.empty() && std::none_of(goals.begin(), goals.end(), [&](Point goal) {
-    const std::vector<std::uint32_t> there = components_at(space, goal);
-    return std::find_first_of(here.begin(), here.end(), there.begin(), there.end()) != here.end();
   });
 }
 
@@ -178,9 +156,8 @@ PrmResult prm_path(const FreeSpace& space, Point from, const Goal& to, const Prm
     result.search.path.points = {from};
     return result;
   }
-  std::vector<Point> goals = goal_points(space, to);
-  if (is_proven_apart(space, from, goals)) return result;
-  return PrmRun(space, from, std::move(goals), plan).run();
+  if (NoPath(space).holds(from, to)) return result;
+  return PrmRun(space, from, goal_points(space, to), plan).run();
 }
 
 GraphQuery prm_query(const FreeSpace& space, const Roadmap& roadmap, Point from, const Goal& to, double clearance) {

@@ -41,7 +41,15 @@ bool inside_any(Point p, const std::vector<Polygon>& polygons) {
   return std::any_of(polygons.begin(), polygons.end(), [p](const Polygon& polygon) { return inside(p, polygon); });
 }
 
-/// One check in progress: the path's legs, then the legs from its end to the middles of the goal boxes it ends in.
+bool lies_inside(const Box& box, Point p) {
+  return box.min.x < p.x && p.x < box.max.x && box.min.y < p.y && p.y < box.max.y;
+}
+
+Point middle_of(const Box& box) {
+  return {box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
+}
+
+/// One check in progress.
 class Verification {
  public:
   Verification(const Path& path, const FreeSpace& space, const Goal& goal)
@@ -85,7 +93,6 @@ class Verification {
   const Goal& goal_;
   const std::vector<Constraint>& constraints_;
   std::vector<Segment> legs_;
-  std::size_t path_legs_ = 0;
   LegContacts contacts_;
   Verdict verdict_;
 };
@@ -115,24 +122,16 @@ void Verification::lay_legs() {
   const auto& points = path_.points;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) legs_.push_back({points[i], points[i + 1]});
   if (legs_.empty()) legs_.push_back({points[0], points[0]});
-  path_legs_ = legs_.size();
-  const Point end = points.back();
-  if (goal_.point == end) return;
-  for (const Box& box : goal_.room) {
-    const Point middle{(box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2};
-    if (box.contains(end) && readable(middle)) legs_.push_back({end, middle});
-  }
 }
 
 void Verification::measure_clearance() {
-  for (std::size_t leg = 0; leg < path_legs_; ++leg) {
+  for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
     const auto& touching = contacts_.touching[leg];
     verdict_.nearest =
         std::min({verdict_.nearest, contacts_.crossed[leg], touching.empty() ? kNone : touching.front()});
   }
   if (verdict_.nearest != kNone) return;
-  const std::span<const Segment> own(legs_.data(), path_legs_);
-  const auto nearest = detail::LegTree(own, constraints_).nearest();
+  const auto nearest = detail::LegTree(legs_, constraints_).nearest();
   verdict_.clearance = nearest.distance;
   verdict_.nearest = nearest.constraint;
 }
@@ -150,7 +149,7 @@ bool Verification::starts_free(Sectors& sectors) {
 bool Verification::follow() {
   Sectors sectors;
   if (!starts_free(sectors)) return false;
-  for (std::size_t leg = 0; leg < path_legs_; ++leg)
+  for (std::size_t leg = 0; leg < legs_.size(); ++leg)
     if (!follow_leg(leg, sectors)) return false;
   return enters_room(sectors);
 }
@@ -165,13 +164,14 @@ bool Verification::follow_leg(std::size_t leg, Sectors& sectors) {
 }
 
 bool Verification::enters_room(const Sectors& sectors) {
-  if (goal_.point == path_.points.back()) return true;
-  for (std::size_t leg = path_legs_; leg < legs_.size(); ++leg) {
-    if (contacts_.crossed[leg] != kNone) continue;
-    if (!detail::pass(legs_[leg], sectors, constraints_, contacts_.touching[leg]).blocked) return true;
-  }
-  return refuse(last_leg(), "the path ends at " + text(path_.points.back()) +
-                                ", on the rim of the goal room, but cannot enter it from there");
+  const Point end = path_.points.back();
+  if (goal_.point == end) return true;
+  const detail::Star star = detail::star_at(end, constraints_, contacts_.touching.back());
+  for (const Box& box : goal_.room)
+    if (box.contains(end) && (lies_inside(box, end) || star.leave(sectors, middle_of(box)) != detail::kNoSide))
+      return true;
+  return refuse(last_leg(),
+                "the path ends at " + text(end) + ", on the rim of the goal room, but cannot enter it from there");
 }
 
 bool Verification::length_stands() {

@@ -19,7 +19,8 @@ struct Verdict {
   std::uint32_t nearest = kNone;  ///< the constraint where that is
 };
 
-/// Is `path` a path a robot of vanishing radius can follow in `space`, from `from` to `to` (or into the goal room)?
+/// Is `path` a path a robot of vanishing radius can follow in `space`, from `from` to `to` (or into the goal room: to a
+/// point inside one of its boxes, or to one on its rim from which the way towards the middle begins free)?
 ///
 /// Uses the constraints only, never the triangulation: every leg against every constraint (through an r-tree over the
 /// legs), with exact predicates; where the path touches constraints, the side on which it passes is carried along, so

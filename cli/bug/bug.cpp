@@ -85,7 +85,7 @@ int run(const BugOptions& options) {
   if (!options.output.quiet && !options.output.stdout_taken() && options.animation != "-")
     print(fmt::format("{}: {}, {}\n", world.name, fmt::join(bug_facts(world, how, journey), ", "),
                       seconds_text(total.seconds())));
-  return journey.reached ? kFound : kNone;
+  return journey.reached ? kFound : world.is_shut ? kNone : kStopped;
 }
 
 // ---- taut bug compare FILE...
@@ -147,17 +147,17 @@ std::string rows(const BugWorld& world, const CompareOptions& options) {
 int run_compare(const CompareOptions& options) {
   std::string table = fmt::format("{:<24} {:<8} {:>6} {:>8} {:>14} {:>8} {:>14} {:>9}\n", "world", "robot", "range",
                                   "goal", "length", "ratio", "bound", "followed");
-  bool all = true;
+  int code = kFound;
   for (const std::string& file : options.files) {
     WorldOptions one = options.world;
     one.file = file;
     const BugWorld world = read_bug_world(one, options.query);
     table += rows(world, options);
-    all = all && world.shortest;
+    code = std::max<int>(code, world.shortest ? kFound : world.is_shut ? kNone : kStopped);
   }
   finish();
   print(table);
-  return all ? kFound : kNone;
+  return code;
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include <taut/geometry/errors.h>
 #include <taut/io/pictures/svg.h>
 #include <taut/io/results/detail/result_values.h>
+#include <taut/search/no_path.h>
 #include <taut/search/polyanya.h>
 #include <taut/search/verify.h>
 #include <taut/search/voronoi_search.h>
@@ -87,7 +88,9 @@ BugWorld read_bug_world(const WorldOptions& world, const QueryOptions& query) {
   const FreeSpace space(input.world, query.robot);
   const Point start = *input.world.start(), goal = goal_of(space, input);
   begin_stage("shortest");
-  return {input.name, space, start, goal, shortest_length(space, start, goal)};
+  const std::optional<Length> shortest = shortest_length(space, start, goal);
+  const bool is_shut = !shortest && NoPath(space).walls(start, {goal, {}}).has_value();
+  return {input.name, space, start, goal, shortest, is_shut};
 }
 
 Journey checked_journey(const BugWorld& world, const bug::Options& options) {
@@ -140,7 +143,9 @@ std::vector<std::string> bug_facts(const BugWorld& world, const bug::Options& op
   std::vector<std::string> facts{is_tangent ? "tangent bug" : "bug " + name_of(options.algorithm).substr(3)};
   if (is_tangent) facts.push_back("range " + range_text(options.range));
   const std::string length = length_text(journey.path.length);
-  facts.push_back(journey.reached ? "length " + length : "no path, proven after a walk of " + length);
+  facts.push_back(journey.reached ? "length " + length
+                  : world.is_shut ? "no path, proven after a walk of " + length
+                                  : "not reached after a walk of " + length + ", which proves nothing");
   if (const auto ratio = ratio_of(world, journey))
     facts.push_back(fmt::format("{:.3f} times the shortest {}", *ratio, length_text(*world.shortest)));
   facts.push_back(fmt::format("bound {:.6f}", journey.bound.hi));
@@ -175,7 +180,9 @@ std::string bug_json(const BugWorld& world, const bug::Options& options, const J
   nlohmann::ordered_json json{{"program", "taut"},
                               {"version", TAUT_VERSION},
                               {"source", world.name},
-                              {"status", journey.reached ? "found" : "none"},
+                              {"status", journey.reached ? "found"
+                                         : world.is_shut ? "none"
+                                                         : "stopped"},
                               {"algorithm", name_of(options.algorithm)},
                               {"turn", options.turn == bug::Turn::left ? "left" : "right"}};
   if (is_tangent && std::isinf(options.range)) json["range"] = "inf";

@@ -95,26 +95,26 @@ void say_what_it_took(const ChaseRun& run, double read) {
                    peak_memory_text()));
 }
 
-/// Says how far the first planning came when the program is stopped.
+/// Says how far the first planning came when the program is stopped, be it by what was thrown out of run().
 class LastWords {
  public:
-  LastWords(const ChaseMap& map, const ChaseRequest& request, const std::string& json) {
-    on_stop([&map, best = best_, json, planner = std::string(request.planner_name()),
+  LastWords(std::shared_ptr<const ChaseMap> map, const ChaseRequest& request, const std::string& json) {
+    on_stop([map = std::move(map), best = best_, json, planner = std::string(request.planner_name()),
              clock = std::string(name(request.clock))](const Stop& why) {
       const std::lock_guard lock(best->mutex);
       const bool found = best->plan.status == PlanStatus::found;
       if (found)
-        note(fmt::format("the best plan so far costs {}; the least cost is at least {}", map.cost_text(best->plan.cost),
-                         map.cost_text(best->plan.bound)));
+        note(fmt::format("the best plan so far costs {}; the least cost is at least {}",
+                         map->cost_text(best->plan.cost), map->cost_text(best->plan.bound)));
       using Json = nlohmann::ordered_json;
-      const Json answer = {{"file", map.source()},
+      const Json answer = {{"file", map->source()},
                            {"status", "stopped"},
                            {"reason", why.reason},
                            {"stage", why.stage},
                            {"planner", planner},
                            {"clock", clock},
-                           {"plan_cost", found ? Json(map.cost_value(best->plan.cost)) : Json(nullptr)},
-                           {"lower_bound", found ? Json(map.cost_value(best->plan.bound)) : Json(nullptr)}};
+                           {"plan_cost", found ? Json(map->cost_value(best->plan.cost)) : Json(nullptr)},
+                           {"lower_bound", found ? Json(map->cost_value(best->plan.bound)) : Json(nullptr)}};
       write_file(json, answer.dump() + "\n");
     });
   }
@@ -134,10 +134,12 @@ class LastWords {
 int run(const ChaseOptions& options) {
   for (const std::string& file : {options.output.svg, options.output.json, options.animation}) require_writable(file);
   double read = 0, played = 0;
-  const ChaseMap map = timed("read", read, [&] { return read_chase_file(options.file); });
+  const auto kept =
+      timed("read", read, [&] { return std::make_shared<const ChaseMap>(read_chase_file(options.file)); });
+  const ChaseMap& map = *kept;
   if (map.rounded()) note(fmt::format("taut: {}: costs have more digits than fit and were rounded", map.source()));
   const ChaseRequest request = request_of(options);
-  LastWords last_words(map, request, options.output.json);
+  LastWords last_words(kept, request, options.output.json);
   const ChaseRun run =
       timed("chase", played, [&] { return run_chase(map, request, [&](const Plan& plan) { last_words.hear(plan); }); });
   begin_stage("write");

@@ -21,6 +21,7 @@
 #include <taut/io/results/detail/result_values.h>
 #include <taut/io/results/result_json.h>
 #include <taut/robots/car/drive_check.h>
+#include <taut/search/no_path.h>
 #include <taut/search/voronoi_search.h>
 
 namespace taut::cli {
@@ -133,9 +134,13 @@ class Driver {
                             blocked_text(gates, *drive_.barrier, barrier_, query_.start, query_.goals.front(), r));
       return;
     }
-    barrier_.walls = separating_walls(space.space(), query_.start, query_.goals.front());
+    const auto walls = NoPath(space.space()).walls(query_.start, {query_.goals.front(), {}});
+    if (!walls || walls->empty()) return leave_unproven();
+    barrier_.walls = joined_walls(*walls, space.space().world().box());
     reason_ = separation_text(barrier_);
   }
+
+  void leave_unproven() { drive_.status = SearchStatus::stopped; }
 
   std::string given_up_text() const {
     return fmt::format(

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <stdexcept>
 
 #include <taut/cli/exit_code.h>
@@ -25,10 +26,12 @@ std::size_t arcs_of(const ArcPath& path) {
   return count;
 }
 
-/// The walls and gates that leave no way, in words; their segments for the picture.
-std::string barrier_text(const Gates& gates, Point s, Point g, double r, std::vector<Segment>& drawn) {
+/// The walls and gates that leave no way, in words, their segments for the picture; nothing where none prove it.
+std::optional<std::string> barrier_text(const Gates& gates, Point s, Point g, double r, std::vector<Segment>& drawn) {
+  const DiscPassage passage = disc_passage(gates, s, g, r);
+  if (passage.status == PassageStatus::reachable || passage.barrier.empty()) return std::nullopt;
   std::string narrow;
-  for (const BarrierPiece& piece : disc_passage(gates, s, g, r).barrier) {
+  for (const BarrierPiece& piece : passage.barrier) {
     if (piece.gate == taut::kNone) {
       const Constraint& wall = gates.space().constraints()[piece.constraint];
       drawn.push_back({wall.a, wall.b});
@@ -71,14 +74,15 @@ int solve_with_arcs(const WorldOptions& world, const QueryOptions& query, const 
   require_place(result, space, source, s, g);
   const bool found = result.status == ArcStatus::found;
   std::vector<Segment> separation;
-  std::string line;
-  if (!found) line = barrier_text(Gates(space), s, g, r, separation);
+  std::optional<std::string> none;
+  if (!found) none = barrier_text(Gates(space), s, g, r, separation);
+  std::string line = none.value_or("no path found, but no walls and gaps that prove that there is none");
   if (found && verify) {
     const ArcVerdict verdict = timed("verify", check, [&] { return verify_arcs(result.path, Gates(space), s, g); });
     if (!verdict.valid) throw std::logic_error("the path found does not pass its own check: " + verdict.reason);
   }
   const double seconds = total.seconds();
-  std::vector<std::string> facts{"no path", seconds_text(seconds)};
+  std::vector<std::string> facts{none ? "no path" : "not proven", seconds_text(seconds)};
   if (found) {
     facts = {fmt::format("length {:.6f}", result.path.value()), count_text(arcs_of(result.path), "arc"),
              seconds_text(seconds)};
@@ -93,7 +97,8 @@ int solve_with_arcs(const WorldOptions& world, const QueryOptions& query, const 
   picture.goal = input.world.goal();
   const std::string drawing = output.svg.empty() ? "" : svg(space, picture);
   const std::string json =
-      output.json.empty() ? "" : arc_json(result, space, s, g, r, found && verify, source, TAUT_VERSION);
+      output.json.empty() ? ""
+                          : arc_json(result, space, s, g, r, found ? verify : none.has_value(), source, TAUT_VERSION);
   begin_stage("write");
   finish();
   write_file(output.svg, drawing);
@@ -107,7 +112,7 @@ int solve_with_arcs(const WorldOptions& world, const QueryOptions& query, const 
                     "({} expanded), verify {:.4f} s",
                     build, roadmap, graph.corner_count(), graph.point_count(), graph.leg_count(), graph.arc_count(),
                     search, result.expanded, check));
-  return found ? kFound : kNone;
+  return found ? kFound : none ? kNone : kStopped;
 }
 
 }  // namespace taut::cli

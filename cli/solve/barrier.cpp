@@ -107,10 +107,6 @@ Segment wall_near(const FreeSpace& space, std::uint32_t constraint, Point p) {
   return wall_of(space, constraint);
 }
 
-std::vector<Segment> separating_walls(const FreeSpace& space, Point start, Point goal) {
-  return joined_walls(space.separation(start, goal), space.world().box());
-}
-
 std::string separation_text(const Barrier& barrier) {
   return fmt::format("{} start and goal: {}",
                      barrier.walls.size() == 1 ? "this wall separates" : "these walls separate",

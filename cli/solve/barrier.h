@@ -39,9 +39,6 @@ Segment wall_of(const FreeSpace& space, std::uint32_t constraint, const Point* e
 /// Likewise of the piece nearest to p.
 Segment wall_near(const FreeSpace& space, std::uint32_t constraint, Point p);
 
-/// Of ends that not even a point can get between.
-std::vector<Segment> separating_walls(const FreeSpace& space, Point start, Point goal);
-
 /// `these walls separate start and goal: ...`
 std::string separation_text(const Barrier& barrier);
 

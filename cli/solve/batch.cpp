@@ -21,6 +21,7 @@
 #include <taut/geometry/errors.h>
 #include <taut/io/worlds/gzip.h>
 #include <taut/io/worlds/query_lines.h>
+#include <taut/search/no_path.h>
 #include <taut/search/polyanya.h>
 
 namespace taut::cli {
@@ -111,7 +112,7 @@ class Source {
 };
 
 struct Answer {
-  const char* status = "none";  // or found, blocked
+  const char* status = "none";  // proven, or found, blocked, unproven
   double length = 0;
   double seconds = 0;
   std::string blocked{};  // by what
@@ -131,6 +132,7 @@ class Batch {
     begin_stage("mesh");
     Polyanya polyanya(space);
     PolyanyaSearch search(polyanya);
+    const NoPath no_path(space);
     prepared_ = total_.seconds();
     begin_stage("search");
     QueryReader reader(source.name());
@@ -143,7 +145,7 @@ class Batch {
         throw InputError(source.name(), number,
                          fmt::format("is for a map of {} x {} cells, {} has {} x {}", query->map.x, query->map.y,
                                      input.name, box.max.x, box.max.y));
-      answer(space, search, *query, source.name());
+      answer(space, search, no_path, *query, source.name());
       if (out_.size() >= kBlock || source.may_wait()) flush();
       if (!is_worth_landmarks(polyanya)) continue;
       const Stopwatch watch;
@@ -153,20 +155,23 @@ class Batch {
     flush();
     finish();
     totals();
-    return mismatches_ == 0 && unanswered_ == 0 ? kFound : kNone;
+    return unproven_ > 0 ? kStopped : mismatches_ > 0 || unanswered_ > 0 ? kNone : kFound;
   }
 
  private:
-  void answer(const FreeSpace& space, PolyanyaSearch& search, const QueryLine& query, const std::string& source) {
-    const Answer answer = ask(space, search, query);
+  void answer(const FreeSpace& space, PolyanyaSearch& search, const NoPath& no_path, const QueryLine& query,
+              const std::string& source) {
+    Answer answer = ask(space, search, query);
+    if (answer.status[0] == 'n' && !no_path.holds(query.from, {query.to, {}})) answer.status = "unproven";
     ++queries_;
     seconds_ += answer.seconds;
-    const bool found = answer.status[0] == 'f';
+    const bool found = answer.status[0] == 'f', unproven = answer.status[0] == 'u';
     const bool matches =
-        !query.expects ||
+        !query.expects || unproven ||
         (query.expected ? found && std::abs(answer.length - *query.expected) <= query.tolerance : !found);
-    compared_ += query.expects;
-    unanswered_ += !found && !(query.expects && !query.expected);
+    compared_ += query.expects && !unproven;
+    unproven_ += unproven;
+    unanswered_ += !found && !unproven && !(query.expects && !query.expected);
     if (!matches) {
       ++mismatches_;
       complain(fmt::format("{}:{}: expected {}, found {}", source, query.line,
@@ -216,7 +221,7 @@ class Batch {
     if (!answer.blocked.empty()) row["blocked"] = answer.blocked;
     const bool found = answer.status[0] == 'f';
     if (found) row["length"] = answer.length;
-    if (query.expects) {
+    if (query.expects && answer.status[0] != 'u') {
       row["expected"] = query.expected ? nlohmann::ordered_json(*query.expected) : nlohmann::ordered_json("none");
       row["matches"] = matches;
     }
@@ -233,8 +238,9 @@ class Batch {
   }
 
   void totals() const {
-    note(fmt::format("{}, {} without an answer, {} compared, {}; {:.1f} us a query, {} to prepare",
-                     queries_ == 1 ? "1 query" : fmt::format("{} queries", queries_), unanswered_, compared_,
+    note(fmt::format("{}, {} without an answer, {}{} compared, {}; {:.1f} us a query, {} to prepare",
+                     queries_ == 1 ? "1 query" : fmt::format("{} queries", queries_), unanswered_,
+                     unproven_ == 0 ? "" : fmt::format("{} unproven, ", unproven_), compared_,
                      count_text(mismatches_, "mismatch", "mismatches"),
                      queries_ == 0 ? 0 : 1e6 * seconds_ / static_cast<double>(queries_), seconds_text(prepared_)));
   }
@@ -242,7 +248,7 @@ class Batch {
   const BatchOptions& options_;
   Stopwatch total_;
   std::string out_;
-  std::size_t queries_ = 0, unanswered_ = 0, compared_ = 0, mismatches_ = 0;
+  std::size_t queries_ = 0, unanswered_ = 0, unproven_ = 0, compared_ = 0, mismatches_ = 0;
   double seconds_ = 0, prepared_ = 0;
   std::size_t nodes_ = 0;
   double lengths_ = 0, straight_ = 0;

@@ -16,6 +16,7 @@
 #include <taut/cli/solve/clearance_report.h>
 #include <taut/cli/timing.h>
 #include <taut/io/pictures/svg.h>
+#include <taut/search/no_path.h>
 #include <taut/search/query_ends.h>
 #include <taut/search/verify.h>
 #include <taut/search/voronoi_search.h>
@@ -129,7 +130,9 @@ class ClearanceSolver {
   void prove_none() {
     const double r = request_.what.kind == Kind::at_least ? request_.what.clearance : 0;
     if (r == 0) {
-      answer_.barrier.walls = separating_walls(map_->space(), *answer_.start, *answer_.goal);
+      const auto walls = NoPath(map_->space()).walls(*answer_.start, {answer_.goal, {}});
+      if (!walls || walls->empty()) return leave_unproven();
+      answer_.barrier.walls = joined_walls(*walls, map_->space().world().box());
       answer_.reason = separation_text(answer_.barrier);
       return;
     }
@@ -137,6 +140,12 @@ class ClearanceSolver {
     if (passage.status == PassageStatus::reachable) return differ();
     answer_.barrier = barrier_of(*gates_, passage.barrier);
     answer_.reason = blocked_text(*gates_, passage, answer_.barrier, *answer_.start, *answer_.goal, r);
+  }
+
+  void leave_unproven() {
+    answer_.status = SearchStatus::stopped;
+    answer_.stage = "search";
+    answer_.reason = "no way in the diagram, which does not prove that there is none";
   }
 
   void differ() {

@@ -14,6 +14,7 @@
 #include <taut/cli/solve/compare_report.h>
 #include <taut/cli/solve/planners.h>
 #include <taut/cli/timing.h>
+#include <taut/search/no_path.h>
 #include <taut/search/query_ends.h>
 
 namespace taut::cli {
@@ -80,8 +81,7 @@ std::string unfit(const Planner& planner, const FreeSpace& space, bool asked_for
 
 /// The shortest path in the plane: from the list's first planner that finds it, else found here.
 Comparison compare(const CompareOptions& options, const Input& input, const FreeSpace& space) {
-  Comparison comparison{input.name, *input.world.start(), input.world.goal(), options.common.seed, options.runs, {},
-                        {}};
+  Comparison comparison{input.name, *input.world.start(), input.world.goal(), options.common.seed, options.runs};
   const auto run = [&](const Planner& p) {
     return run_planner(
         p, space, comparison.start, comparison.goal, options.common.seed, options.runs,
@@ -101,7 +101,20 @@ Comparison compare(const CompareOptions& options, const Input& input, const Free
   const auto is_optimal = [](const PlannerRuns& runs) { return runs.optimal && !runs.runs.empty(); };
   if (std::none_of(comparison.planners.begin(), comparison.planners.end(), is_optimal))
     if (const PlannerRuns best = run(planners()[0]); best.solved() > 0) comparison.optimum = best.typical().path.length;
+  comparison.is_shut = !comparison.optimum && NoPath(space).walls(comparison.start, comparison.goal).has_value();
   return comparison;
+}
+
+/// A path that fails the check is a defect of its planner, whatever the others found.
+int exit_code(const Comparison& comparison) {
+  if (const PlannerRuns* wrong = comparison.wrong()) {
+    complain(fmt::format("internal error: a path of {} does not pass the check", wrong->planner->name));
+    return kInternal;
+  }
+  if (comparison.optimum) return kFound;
+  if (comparison.is_shut) return kNone;
+  complain("no planner found a path, and no walls prove that there is none");
+  return kStopped;
 }
 
 int run(const CompareOptions& options) {
@@ -127,7 +140,7 @@ int run(const CompareOptions& options) {
   if (options.output.stats)
     note(fmt::format("read {:.4f} s, free space {:.4f} s, total {:.4f} s, peak memory {}", read, build, total.seconds(),
                      peak_memory_text()));
-  return comparison.optimum ? kFound : kNone;
+  return exit_code(comparison);
 }
 
 }  // namespace

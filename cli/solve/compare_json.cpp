@@ -70,6 +70,7 @@ Json planner_json(const PlannerRuns& p, const Comparison& comparison) {
 std::string comparison_json(const Comparison& comparison) {
   Json json{{"program", "taut"}, {"source", comparison.source}, {"seed", comparison.seed}, {"runs", comparison.runs}};
   json["optimum"] = comparison.optimum ? Json(comparison.optimum->value()) : Json(nullptr);
+  json["proven_none"] = comparison.is_shut;
   json["planners"] = Json::array();
   for (const PlannerRuns& p : comparison.planners) json["planners"].push_back(planner_json(p, comparison));
   return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -31,13 +31,14 @@ std::string ratio_text(const Length& length, const std::optional<Length>& optimu
 
 std::string whole_text(double value) { return fmt::format("{:.0f}", value); }
 
+bool passes(const PlannerRun& run) { return !run.solved || run.verified; }
+
 // Four digits, whatever the size.
 std::string brief_seconds(double seconds) { return seconds < 1e-4 ? "<0.0001" : fmt::format("{:.4f}", seconds); }
 
 Row row_of(const PlannerRuns& p, const std::optional<Length>& optimum) {
   const PlannerRun& typical = p.typical();
-  const bool all_verified =
-      std::all_of(p.runs.begin(), p.runs.end(), [](const PlannerRun& r) { return !r.solved || r.verified; });
+  const bool all_verified = std::all_of(p.runs.begin(), p.runs.end(), passes);
   return {p.planner->name,
           solved_text(p),
           typical.solved ? fmt::format("{:.6f}", typical.path.length.value()) : "-",
@@ -71,6 +72,12 @@ std::string picture_of(const PlannerRuns& p, const Comparison& comparison, const
 }
 
 }  // namespace
+
+const PlannerRuns* Comparison::wrong() const {
+  const auto fails = [](const PlannerRuns& p) { return !std::all_of(p.runs.begin(), p.runs.end(), passes); };
+  const auto first = std::find_if(planners.begin(), planners.end(), fails);
+  return first == planners.end() ? nullptr : &*first;
+}
 
 std::string comparison_table(const Comparison& comparison) {
   std::vector<Row> rows{{"planner", "solved", "length", "ratio", "clearance", "vertices", "edges", "build s", "query s",

@@ -17,8 +17,12 @@ struct Comparison {
   Goal goal;
   std::uint64_t seed = 1;
   std::size_t runs = 1;
-  std::vector<PlannerRuns> planners;
-  std::optional<Length> optimum;  ///< of the plane; absent when there is no path, proven
+  std::vector<PlannerRuns> planners{};
+  std::optional<Length> optimum{};  ///< of the plane; absent when no path was found
+  bool is_shut = false;             ///< walls prove that there is none
+
+  /// The first planner of which a path does not pass the check; nullptr when all do.
+  const PlannerRuns* wrong() const;
 };
 
 /// One line a planner, columns aligned: solved (`yes`, `no`, of several runs `18/20`), length, ratio to the optimum
@@ -30,6 +34,7 @@ std::string comparison_table(const Comparison& comparison);
 /// One JSON object; keys are stable:
 ///  program, source, seed, runs
 ///  optimum   the length of the shortest path in the plane, null when there is none
+///  proven_none  true when walls prove that there is no path
 ///  planners  [{name, roadmap, optimal, solved (0 .. 1, the part of the runs), length, ratio, clearance, points,
 ///            vertices, edges, build_seconds, query_seconds, expanded, verified, all_runs: [{seed, solved, length,
 ///            ...}] when there are several}]; of one that did not run {name, roadmap, unfit: why}

@@ -18,6 +18,7 @@
 #include <taut/cli/timing.h>
 #include <taut/io/pictures/svg.h>
 #include <taut/io/results/detail/result_values.h>
+#include <taut/search/no_path.h>
 #include <taut/search/query_ends.h>
 #include <taut/search/voronoi_search.h>
 
@@ -69,7 +70,7 @@ class Answerer {
       note(fmt::format("read {:.4f} s, free space {:.4f} s, gates {:.4f} s ({}), search {:.4f} s, peak memory {}",
                        seconds_.read, seconds_.space, seconds_.roadmap, gates_->gates().size(), seconds_.search,
                        peak_memory_text()));
-    return gets_through() ? kFound : kNone;
+    return gets_through() ? kFound : is_proven() ? kNone : kStopped;
   }
 
  private:
@@ -97,10 +98,14 @@ class Answerer {
     } else if (widest_) {
       barrier_ = barrier_of(*gates_, widest_->barrier);
     } else {
-      barrier_.walls = separating_walls(gates_->space(), start_, goal_);
+      const auto walls = NoPath(gates_->space()).walls(start_, {goal_, {}});
+      if (walls) barrier_.walls = joined_walls(*walls, gates_->space().world().box());
     }
     return true;
   }
+
+  /// A disc that does not get through has a chain of walls and gates in its way.
+  bool is_proven() const { return gets_through() || !barrier_.walls.empty() || !barrier_.gates.empty(); }
 
   bool asks_for_radius() const { return options_.query.robot.kind() == Footprint::Kind::disc; }
   bool gets_through() const { return passage_ ? passage_->status == PassageStatus::reachable : widest_.has_value(); }
@@ -127,6 +132,7 @@ class Answerer {
   }
 
   std::string line() const {
+    if (!is_proven()) return why_not();
     if (!asks_for_radius() && !widest_) return "no path: " + separation_text(barrier_);
     if (!passage_) return fmt::format("{}, {}", widest_text(), seconds_text(seconds_.total));
     const std::string radius = number_text(options_.query.robot.radius());
@@ -137,6 +143,7 @@ class Answerer {
   }
 
   std::string why_not() const {
+    if (!is_proven()) return "no passage was found, and no walls prove that there is none";
     return passage_ ? blocked_text(*gates_, *passage_, barrier_, start_, goal_, options_.query.robot.radius())
                     : separation_text(barrier_);
   }
@@ -165,7 +172,9 @@ class Answerer {
     nlohmann::ordered_json json{{"program", "taut"},
                                 {"version", TAUT_VERSION},
                                 {"source", source},
-                                {"status", gets_through() ? "found" : "none"},
+                                {"status", gets_through() ? "found"
+                                           : is_proven()  ? "none"
+                                                          : "stopped"},
                                 {"start", detail::json_of(start_)},
                                 {"goal", {{"point", detail::json_of(goal_)}}}};
     if (asks_for_radius()) json["radius"] = options_.query.robot.radius();

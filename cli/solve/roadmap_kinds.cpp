@@ -7,6 +7,7 @@
 #include <taut/io/saved/roadmap_file.h>
 #include <taut/io/worlds/read_world.h>
 #include <taut/roadmaps/cell_graph.h>
+#include <taut/roadmaps/roadmap_check.h>
 #include <taut/roadmaps/visibility_graph.h>
 #include <taut/roadmaps/voronoi_legs.h>
 #include <taut/search/cell_search.h>
@@ -46,10 +47,7 @@ RoadmapKind visibility(const char* name, const char* title, VisibilityKind kind)
           [kind](const FreeSpace& space, const BuildRequest&) {
             return planned(std::make_shared<const VisibilityGraph>(space, kind), search_visibility, visibility_query);
           },
-          [kind](const FreeSpace& space, Roadmap roadmap) {
-            return planned(std::make_shared<const VisibilityGraph>(space, kind, std::move(roadmap)), search_visibility,
-                           visibility_query);
-          }};
+          RoadmapKind::Keeping::rebuilt};
 }
 
 RoadmapKind cells(const char* name, const char* title, CellNeighbours neighbours) {
@@ -60,10 +58,7 @@ RoadmapKind cells(const char* name, const char* title, CellNeighbours neighbours
           [neighbours](const FreeSpace& space, const BuildRequest&) {
             return planned(std::make_shared<const CellGraph>(space, neighbours), search_cells, cell_query);
           },
-          [neighbours](const FreeSpace& space, Roadmap roadmap) {
-            return planned(std::make_shared<const CellGraph>(space, neighbours, std::move(roadmap)), search_cells,
-                           cell_query);
-          }};
+          RoadmapKind::Keeping::rebuilt};
 }
 
 PlannedRoadmap planned_prm(const FreeSpace& space, std::shared_ptr<const Roadmap> roadmap, double clearance) {
@@ -97,9 +92,7 @@ RoadmapKind growing_prm(const char* name, const char* title, PrmSampler sampler,
             planned.prm = connectivity;
             return planned;
           },
-          [](const FreeSpace& space, Roadmap roadmap) {
-            return planned_prm(space, std::make_shared<const Roadmap>(std::move(roadmap)), 0);
-          },
+          RoadmapKind::Keeping::as_prm,
           true};
 }
 
@@ -128,6 +121,10 @@ RoadmapKind voronoi() {
           }};
 }
 
+void refuse(const std::string& file, const SavedRoadmap& saved, const std::optional<RoadmapFault>& fault) {
+  if (fault) throw InputError(file, saved.line_of(fault->vertex, fault->is_row), fault->text);
+}
+
 /// A search on the navigation mesh; there is no graph.
 RoadmapKind polyanya() {
   return {"polyanya",
@@ -143,7 +140,7 @@ RoadmapKind polyanya() {
                                     return search->result();
                                   }};
           },
-          {},
+          RoadmapKind::Keeping::none,
           false,
           false};
 }
@@ -190,7 +187,7 @@ void add_roadmap_kind(CommandLine& app, const std::string& option, const Roadmap
 }
 
 void require_savable(const RoadmapKind& kind) {
-  if (!kind.restore)
+  if (kind.keeping == RoadmapKind::Keeping::none)
     throw UsageError(std::string("--save: a roadmap of the kind '") + kind.name +
                      "' cannot be kept in a file; it is built anew each time");
 }
@@ -202,11 +199,18 @@ std::string saved_text(const RoadmapKind& kind, const PlannedRoadmap& planned, c
 PlannedRoadmap load_roadmap(const std::string& file, const FreeSpace& space, const RoadmapKind*& kind) {
   SavedRoadmap saved = read_roadmap_file(read_bytes(file), file, space);
   kind = roadmap_kind(saved.kind);
-  if (!kind || !kind->restore)
+  if (!kind || kind->keeping == RoadmapKind::Keeping::none)
     throw InputError(file, 0,
                      "is a saved roadmap of the kind '" + saved.kind + "', which cannot be loaded; known are " +
                          roadmap_kind_names());
-  PlannedRoadmap planned = kind->restore(space, std::move(saved.roadmap));
+  PlannedRoadmap planned;
+  if (kind->keeping == RoadmapKind::Keeping::rebuilt) {
+    planned = kind->build(space, {});
+    refuse(file, saved, difference(saved.roadmap, *planned.roadmap));
+  } else {
+    refuse(file, saved, fault_of(saved.roadmap, space));
+    planned = planned_prm(space, std::make_shared<const Roadmap>(std::move(saved.roadmap)), 0);
+  }
   planned.how = std::move(saved.how);
   return planned;
 }

@@ -40,14 +40,20 @@ struct BuildRequest {
 };
 
 struct RoadmapKind {
+  /// In files, and how one that is loaded is judged.
+  enum class Keeping {
+    none,     ///< vertices and edges are not all there is to it
+    rebuilt,  ///< it is what the world gives, nothing else: built anew and compared, vertex for vertex, edge for edge
+    as_prm,   ///< any roadmap whose vertices are clear and whose edges are free (fault_of)
+  };
+
   const char* name;   ///< on the command line and in files, one word
   const char* title;  ///< `reduced visibility graph`
   bool optimal;       ///< are its paths the shortest in the plane?
   bool random;        ///< does another seed give another roadmap?
   /// Throws InputError where the world does not suit it.
   std::function<PlannedRoadmap(const FreeSpace&, const BuildRequest&)> build;
-  /// The same from its vertices and edges, read from a file; empty where these are not all there is to it.
-  std::function<PlannedRoadmap(const FreeSpace&, Roadmap)> restore{};
+  Keeping keeping = Keeping::none;
   bool is_prm = false;  ///< heeds BuildRequest::prm
   bool graph = true;    ///< does it make a graph at all, to be shown and saved?
 };
@@ -75,7 +81,8 @@ void require_savable(const RoadmapKind& kind);
 /// The file of a roadmap of that kind (roadmap_file).
 std::string saved_text(const RoadmapKind& kind, const PlannedRoadmap& planned, const FreeSpace& space);
 
-/// Reads a file written from saved_text and says of which kind it is. Throws InputError.
+/// Reads a file written from saved_text and says of which kind it is. Nothing in it is taken on trust (Keeping): what
+/// is returned keeps the promises of its kind. Throws InputError that names the line.
 PlannedRoadmap load_roadmap(const std::string& file, const FreeSpace& space, const RoadmapKind*& kind);
 
 }  // namespace taut::cli

@@ -21,6 +21,7 @@
 #include <taut/io/pictures/svg.h>
 #include <taut/io/results/result_json.h>
 #include <taut/search/funnel.h>
+#include <taut/search/no_path.h>
 #include <taut/search/query_ends.h>
 #include <taut/search/verify.h>
 
@@ -53,8 +54,7 @@ class Solver {
     result_.prm = answer_.planned.prm;
     result_.optimal = answer_.kind->optimal;
     options_.anytime.wanted ? search_anytime() : search(space);
-    if (result_.status == SearchStatus::none) prove_none(space);
-    if (result_.status == SearchStatus::none && options_.query.robot.kind() == Footprint::Kind::disc) name_gates(input);
+    if (result_.status == SearchStatus::none) prove_none(space, input);
     if (result_.status == SearchStatus::found && !options_.no_verify) verify_answer(space);
     result_.seconds.total = total_.seconds();
     begin_stage("write");
@@ -141,14 +141,22 @@ class Solver {
     result_.reason = fmt::format("--max-seconds {}", *most);
   }
 
-  // A roadmap that is not all there is says nothing about the plane: there the walls have to.
-  void prove_none(const FreeSpace& space) {
-    result_.separation = separation(space);
-    if (answer_.kind->optimal || !result_.separation.empty()) return;
+  // That a search found nothing is no proof; the walls are.
+  void prove_none(const FreeSpace& space, const Input& input) {
+    const auto walls = NoPath(space).walls(*result_.start, result_.goal);
+    if (!walls) return leave_unproven();
+    result_.separation = joined_walls(*walls, space.world().box());
+    if (walls->empty()) result_.reason = "no place of the goal is free";
+    if (options_.query.robot.kind() == Footprint::Kind::disc) name_gates(input);
+  }
+
+  void leave_unproven() {
     result_.status = SearchStatus::stopped;
     result_.stage = "search";
     result_.reason =
         fmt::format("no path in the roadmap {}, which does not prove that there is none", answer_.kind->name);
+    if (answer_.kind->optimal && options_.query.robot.kind() == Footprint::Kind::disc)
+      result_.reason = "no path for the polygon around the disc, which does not prove that there is none for the disc";
     if (answer_.planned.prm)
       result_.reason +=
           fmt::format(" ({} samples, {} vertices at the start, {} at the goal)", answer_.planned.prm->counts.drawn,
@@ -178,15 +186,6 @@ class Solver {
     for (const Box& b : result_.goal.room)
       goals.push_back({b.min.x + (b.max.x - b.min.x) / 2, b.min.y + (b.max.y - b.min.y) / 2});
     return goals;
-  }
-
-  std::vector<Segment> separation(const FreeSpace& space) const {
-    for (const Point& goal : goals()) {
-      if (space.locate(goal).kind == Location::Kind::outside) continue;
-      const std::vector<Segment> walls = joined_walls(space.separation(*result_.start, goal), space.world().box());
-      if (!walls.empty()) return walls;
-    }
-    return {};
   }
 
   void write(const FreeSpace& space) {

@@ -31,10 +31,11 @@ void add_path(Json& json, const ArcPath& path, bool verified) {
 std::string arc_json(const ArcSearchResult& result, const FreeSpace& space, Point start, Point goal, double radius,
                      bool verified, const std::string& source, const std::string& version) {
   static constexpr const char* kStatus[] = {"found", "none", "start_blocked", "goal_blocked"};
+  const bool is_unproven = result.status == ArcStatus::none && !verified;
   Json json{{"program", "taut"},
             {"version", version},
             {"source", source},
-            {"status", kStatus[static_cast<int>(result.status)]}};
+            {"status", is_unproven ? "unproven" : kStatus[static_cast<int>(result.status)]}};
   if (result.status == ArcStatus::found) add_path(json, result.path, verified);
   if (result.status == ArcStatus::start_blocked || result.status == ArcStatus::goal_blocked) {
     json["wall"] = nullptr;

@@ -49,6 +49,8 @@ class Reader {
 
   [[noreturn]] void fail(const std::string& why) const { throw InputError(name_, line_, why); }
 
+  int line_number() const { return line_; }
+
   std::string_view line() {
     const std::size_t end = rest_.find('\n');
     if (end == std::string_view::npos) throw InputError(name_, 0, "is cut off");
@@ -161,13 +163,15 @@ SavedRoadmap read_roadmap_file(std::string_view bytes, const std::string& name, 
   require_this_format(bytes, name);
   Reader reader(checked_body(bytes, name), name);
   reader.line();
-  SavedRoadmap saved{reader.value("kind"), reader.value("how"), reader.value("source"), {}};
+  SavedRoadmap saved{reader.value("kind"), reader.value("how"), reader.value("source"), {}, 0, 0};
   require_same_world(reader, saved, name, space);
   std::vector<Point> points(reader.count("vertices"));
+  saved.first_vertex_line = reader.line_number() + 1;
   for (Point& p : points) p = reader.point();
   const std::size_t edge_count = reader.count("edges");
   std::vector<std::pair<Vertex, Vertex>> edges;
   edges.reserve(edge_count);
+  saved.first_row_line = reader.line_number() + 1;
   for (Vertex v = 0; v < points.size(); ++v) reader.row(v, points.size(), edges);
   if (edges.size() != edge_count) reader.fail("there are more or fewer edges than announced");
   saved.roadmap = Roadmap(std::move(points), edges);

@@ -15,6 +15,12 @@ struct SavedRoadmap {
   std::string how;     ///< the builder's settings in one line, may be empty: `samples 500 seed 7`
   std::string source;  ///< the world's file; filled in by roadmap_file
   Roadmap roadmap;
+  int first_vertex_line = 0;  ///< where vertex 0 stands, when read; vertex v stands v lines further on
+  int first_row_line = 0;     ///< likewise its neighbours
+
+  int line_of(Roadmap::Vertex v, bool is_row) const {
+    return (is_row ? first_row_line : first_vertex_line) + static_cast<int>(v);
+  }
 };
 
 /// 32 hexadecimal digits that stand for a world, the same on every machine and in every version that reads file version
@@ -44,7 +50,9 @@ std::string roadmap_file(const SavedRoadmap& saved, const FreeSpace& space);
 
 /// Reads what roadmap_file wrote, for a space of the same world and robot. `name` is the file's, for messages. Throws
 /// InputError, in one line: it is no such file, of another version, cut off, damaged, of another world (naming both) or
-/// for another robot. Whether kind and vertices fit is for the one who uses it to say. O(bytes + E log E).
+/// for another robot. A checksum
+/// protects from accidents only: whether kind, vertices and edges are right is for the one who uses it to ask
+/// (roadmap_check.h). O(bytes + E log E).
 SavedRoadmap read_roadmap_file(std::string_view bytes, const std::string& name, const FreeSpace& space);
 
 }  // namespace taut

@@ -11,6 +11,7 @@
 #include <taut/robots/car/detail/drive_search.h>
 #include <taut/robots/car/detail/geodesic.h>
 #include <taut/robots/car/detail/leg_shortening.h>
+#include <taut/search/no_path.h>
 
 namespace taut::car {
 
@@ -57,7 +58,7 @@ std::optional<DiscPassage> barrier_of(const CarSpace& space, const DriveQuery& q
     if (r > 0) {
       if (!gates) gates.emplace(space.space());
       passage = disc_passage(*gates, query.start, goal, r);
-    } else if (!space.space().separation(query.start, goal).empty()) {
+    } else if (NoPath(space.space()).holds(query.start, {goal, {}})) {
       passage.status = PassageStatus::separated;
     }
     if (passage.status == PassageStatus::reachable) return std::nullopt;

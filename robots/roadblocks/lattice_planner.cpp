@@ -205,7 +205,7 @@ const Plan* LatticePlanner::plan(const Pose& from, RoadblockSet closed) {
 bool LatticePlanner::gave_up(const Pose& from, RoadblockSet closed) {
   const Impl::Answer& answer = impl_->answer(from, closed);
   if (answer.plan) return false;
-  return answer.none == Impl::None::capped || (answer.none == Impl::None::no_disc && impl_->may_reach(from, closed));
+  return answer.none != Impl::None::proven && impl_->may_reach(from, closed);
 }
 
 void LatticePlanner::adopt(const Plan& plan, std::size_t steps, RoadblockSet shut) {

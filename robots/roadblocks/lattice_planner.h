@@ -34,11 +34,11 @@ bool crosses(const Pose& from, const Plan& plan, const Roadblock& block, WallRea
 ///     at most 2 apart in points) there is no way, and none is searched for.
 ///  4. Plans are then shortened by continuous controls (detail/shortcuts.h), which brings them below what the lattice
 ///     has.
-///  5. An absent plan is sure (gave_up() is false) when cells of poses prove that no controls whatever lead to the goal
-///     (detail/pose_cells.h), or when the finest lattice (1/10 and 64 headings) was searched without a rest; the latter
-///     leaves out ways that give the car less play than the lattice needs. Where it was left after 600 000 expansions,
-///     the planner gave up. Precondition: the car can have come to `from` from the course's start; where that has no
-///     way, `from` is not searched in the finest lattice.
+///  5. An absent plan is sure (gave_up() is false) only when cells of poses prove that no controls whatever lead to the
+///     goal (detail/pose_cells.h). Else the planner gave up, also where the finest lattice (1/10 and 64 headings) was
+///     searched without a rest: it leaves out ways that give the car less play than it needs. Otherwise it is left
+///     after 600 000 expansions. Precondition: the car can have come to `from` from the course's start; where that has
+///     no way, `from` is not searched in the finest lattice.
 /// Plans are kept: the same question again costs nothing, nor does one whose answer a kept plan from there is: planned
 /// around fewer closed roadblocks, and clear of all. The estimate for a set of closed roadblocks is repaired from one
 /// with fewer closed. Same questions, same answers.

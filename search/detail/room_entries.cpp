@@ -32,6 +32,25 @@ std::vector<Point> meeting_points(const Segment& side, const Constraint& c) {
   return points;
 }
 
+bool lies_inside(const Box& b, Point p) { return b.min.x < p.x && p.x < b.max.x && b.min.y < p.y && p.y < b.max.y; }
+
+/// Does the free space at p begin in the direction of q?
+bool is_open_towards(const FreeSpace& space, Point p, Point q) {
+  const Triangulation& tri = space.triangulation();
+  const Location at = space.locate(p);
+  if (at.kind == Location::Kind::outside) return false;
+  const auto& corners = tri.triangles[at.triangle];
+  if (at.kind == Location::Kind::vertex) {
+    const auto sectors = tri.sectors_at(corners[at.index]);
+    return std::any_of(sectors.begin(), sectors.end(), [&](const auto& s) { return tri.looks_to(s, q); });
+  }
+  if (at.kind == Location::Kind::triangle) return true;
+  const Point a = tri.points[corners[Triangulation::ccw(at.index)]],
+              b = tri.points[corners[Triangulation::cw(at.index)]];
+  const std::uint32_t across = tri.neighbours[at.triangle][at.index];
+  return orientation(a, b, q) >= 0 || (across != kNone && tri.free[across]);
+}
+
 }  // namespace
 
 Point middle(const Box& box) {
@@ -44,7 +63,9 @@ std::optional<GraphSearchResult> answer_at_start(const FreeSpace& space, Point f
     require_free(space, *to.point, "goal");
     return std::nullopt;
   }
-  const auto is_there = [&](const Box& b) { return b.contains(from) && space.sees(from, middle(b)); };
+  const auto is_there = [&](const Box& b) {
+    return b.contains(from) && (lies_inside(b, from) || is_open_towards(space, from, middle(b)));
+  };
   if (std::none_of(to.room.begin(), to.room.end(), is_there)) return std::nullopt;
   GraphSearchResult result;
   result.status = SearchStatus::found;

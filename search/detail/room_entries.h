@@ -12,7 +12,7 @@ namespace taut::detail {
 Point middle(const Box& box);
 
 /// Throws InputError when an end is no place for the robot (require_free). The answer, a path of one point, when `from`
-/// is in the goal room already: from there the middle of one of its boxes is seen.
+/// is in the goal room already: inside one of its boxes, or on the rim of one with the way towards its middle open.
 std::optional<GraphSearchResult> answer_at_start(const FreeSpace& space, Point from, const Goal& to);
 
 /// The query whose answer is that path: one leg of length 0.

@@ -180,6 +180,31 @@ TEST(World, ChecksStartGoalAndThicknessGivenLater) {
   EXPECT_THROW(world.with_wall_thickness(NAN), InputError);
 }
 
+TEST(World, CutsAGoalRoomThatReachesBeyondItsBoundary) {
+  WorldParts parts;
+  parts.areas = {{{{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {}}, 0}};
+  parts.goal.room = {{{2, 2}, {3, 5}}, {{1, 1}, {2, 2}}, {{-5, 1}, {9, 2}}, {{3, 0}, {4, 1}}, {{7, 7}, {8, 8}}};
+  const Goal goal = World(parts).goal();
+  ASSERT_EQ(goal.room.size(), 3u) << "what only touches the boundary is no place to enter";
+  EXPECT_EQ(goal.room[0].min, (Point{2, 2}));
+  EXPECT_EQ(goal.room[0].max, (Point{3, 3}));
+  EXPECT_EQ(goal.room[1].max, (Point{2, 2}));
+  EXPECT_EQ(goal.room[2].min, (Point{0, 1}));
+  EXPECT_EQ(goal.room[2].max, (Point{3, 2}));
+  parts.goal.room = {{{3, 0}, {4, 1}}};
+  EXPECT_THROW(World{parts}, InputError);
+}
+
+TEST(World, IsOpenWhenARoomReachesBeyondItsBareSide) {
+  WorldParts parts;
+  parts.walls = {{{0, 0}, {3, 0}}, {{3, 0}, {3, 3}}, {{0, 3}, {0, 0}}};
+  parts.start = Point{1, 1};
+  parts.goal.room = {{{1, 2}, {2, 5}}};
+  const World world(parts);
+  EXPECT_EQ(world.boundary(), Boundary::open);
+  EXPECT_EQ(world.goal().room[0].max, (Point{2, 5}));
+}
+
 TEST(World, ReplacesARoomByAGoalPoint) {
   const World world = world_of(std::make_shared<const GridMaze>([] {
                         GridMaze maze(2, 2, false);

@@ -171,11 +171,18 @@ TEST(VerifyRoom, RefusesAnEndOnTheOtherSideOfTheRoomsWall) {
   EXPECT_THAT(verdict.reason, HasSubstr("cannot enter"));
 }
 
-TEST(VerifyRoom, RefusesAnEndFromWhichAWallHidesTheMiddle) {
+TEST(VerifyRoom, AcceptsAnEndOnAnOpenSideThoughAWallInTheRoomHidesItsMiddle) {
   const FreeSpace space = kOneWall.space();
   const Goal room{std::nullopt, {{{4, 2}, {7, 3}}}};
-  EXPECT_FALSE(verify(path_through({{1, 1}, {4, 2.5}}), space, {1, 1}, room).valid);
+  EXPECT_TRUE(verify(path_through({{1, 1}, {4, 2.5}}), space, {1, 1}, room).valid);
+  EXPECT_TRUE(verify(path_through({{1, 1}, {4.5, 2.5}}), space, {1, 1}, room).valid);
   EXPECT_TRUE(verify(path_through({{9, 1}, {7, 2.5}}), space, {9, 1}, room).valid);
+  EXPECT_FALSE(verify(path_through({{1, 1}, {6, 2.5}}), space, {1, 1}, room).valid);
+}
+
+TEST(VerifyRoom, AcceptsAnEndAtTheMiddleOfTheRoomItself) {
+  const Goal room{std::nullopt, {{{6, 2}, {8, 4}}}};
+  EXPECT_TRUE(verify(path_through({{9, 1}, {7, 3}}), kOneWall.space(), {9, 1}, room).valid);
 }
 
 TEST(VerifyClearance, IsTheLeastDistanceToTheNearestDouble) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <random>
+#include <string>
 #include <vector>
 
 #include <taut/robots/roadblocks/detail/pose_cells.h>
@@ -91,6 +92,25 @@ TEST(PoseCells, ProveThatABendWhichTheCarFillsSquarelyIsNoWayForSquares) {
     EXPECT_EQ(planner.plan({6, 22, 0}, 0) != nullptr, open == 5);
     EXPECT_FALSE(planner.gave_up({6, 22, 0}, 0));
   }
+}
+
+TEST(PoseCells, LeaveItUnprovenWhereOnlyTheLatticeHasNoWay) {
+  const std::vector<std::string> rows{"################", "#.#.......#....#", "#...#..........#", "#.#............#",
+                                      "#..........#...#", "#..............#", "#........#.....#", "#...........#..#",
+                                      "#.....#........#", "#...........#..#", "#..............#", "################"};
+  Course course = walled_room(16, 12);
+  for (int y = 1; y <= 12; ++y)
+    for (int x = 1; x <= 16; ++x)
+      course.walls[course.index({x, y})] =
+          rows[static_cast<std::size_t>(12 - y)][static_cast<std::size_t>(x - 1)] == '#';
+  course.start = {4, 4};
+  course.goal = {13, 9};
+  const detail::PoseCells cells(detail::Obstacles(course, 0, WallReading::squares), course.goal);
+  ASSERT_TRUE(cells.reaches({4, 4, 0}));
+  LatticePlanner planner(course, WallReading::squares);
+  ASSERT_EQ(planner.plan({4, 4, 0}, 0), nullptr);
+  ASSERT_LT(planner.expanded(), 600'000U) << "searched to the end";
+  EXPECT_TRUE(planner.gave_up({4, 4, 0}, 0));
 }
 
 TEST(PoseCells, KnowTheWayAroundOutsideOfAGridWithoutBorder) {
