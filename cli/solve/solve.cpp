@@ -183,7 +183,7 @@ class Solver {
   std::vector<Segment> separation(const FreeSpace& space) const {
     for (const Point& goal : goals()) {
       if (space.locate(goal).kind == Location::Kind::outside) continue;
-      const std::vector<Segment> walls = joined_walls(space.separation(*result_.start, goal), space.world().box());
+      std::vector<Segment> walls = joined_walls(space.separation(*result_.start, goal), space.world().box());
       if (!walls.empty()) return walls;
     }
     return {};
