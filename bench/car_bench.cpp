@@ -19,6 +19,8 @@
 #include <taut/robots/roadblocks/peers.h>
 #include <taut/robots/roadblocks/value_iteration.h>
 
+#include "shared_data.h"
+
 namespace {
 
 using namespace taut::car;
@@ -133,8 +135,10 @@ const bool kRegistered = [] {
         ->Unit(benchmark::kSecond)
         ->Iterations(1);
   };
-  for (const char* map : {TAUT_DATA_DIR "/car/lane.txt", TAUT_SHARED_DATA_DIR "/car/map_1.txt",
-                          TAUT_SHARED_DATA_DIR "/car/map_2.txt", TAUT_SHARED_DATA_DIR "/car/map_4.txt"}) {
+  std::vector<std::string> maps{TAUT_DATA_DIR "/car/lane.txt"};
+  for (const char* map : {"car/map_1.txt", "car/map_2.txt", "car/map_4.txt"})
+    if (const auto file = taut::bench::shared_data(map); !file.empty()) maps.push_back(file.string());
+  for (const std::string& map : maps) {
     add("ours", map, nullptr);
     for (const Peer& peer : peers()) add(std::string(peer.name), map, &peer);
   }

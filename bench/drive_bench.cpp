@@ -9,6 +9,8 @@
 #include <taut/robots/roadblocks/drivers.h>
 #include <taut/robots/roadblocks/road_map_generator.h>
 
+#include "shared_data.h"
+
 namespace taut::car {
 namespace {
 
@@ -17,8 +19,8 @@ constexpr WallReading kPoints = WallReading::points;
 /// 1, 2, 4: the course's maps, where they are; else a generated one of the same size.
 std::optional<RoadMap> map_of(std::int64_t which) {
   if (which > 10) return generate_road_map({50, 50, 4, 10, static_cast<std::uint64_t>(which - 10)});
-  const auto file = std::filesystem::path(TAUT_SHARED_DATA_DIR) / "car" / ("map_" + std::to_string(which) + ".txt");
-  if (!std::filesystem::exists(file)) return std::nullopt;
+  const auto file = bench::shared_data("car/map_" + std::to_string(which) + ".txt");
+  if (file.empty()) return std::nullopt;
   std::stringstream text;
   text << std::ifstream(file).rdbuf();
   return read_road_map(text.str(), file.filename().string());

@@ -16,6 +16,8 @@
 #include <taut/robots/micromouse/steps.h>
 #include <taut/robots/micromouse/trial.h>
 
+#include "shared_data.h"
+
 namespace {
 
 using namespace taut;
@@ -68,10 +70,10 @@ bool admitted(const Named& named) {
   }
 }
 
-std::vector<Named> competition_set(const std::string& folder) {
+std::vector<Named> competition_set(const std::filesystem::path& folder) {
   std::vector<Named> set;
   std::vector<std::filesystem::path> files;
-  if (!std::filesystem::exists(folder)) return set;
+  if (folder.empty()) return set;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   for (const auto& file : files) {
@@ -174,6 +176,6 @@ int main(int argc, char** argv) {
     if (s == "gen") table("generated, 38 % walls", generated_set(mazes, first), explorers, verbose);
     if (s == "long") table("long routes, 38 % walls", long_set(mazes, first), explorers, verbose);
     if (s == "comp")
-      table("competition", competition_set(TAUT_SHARED_DATA_DIR "/micromouse/competition"), explorers, verbose);
+      table("competition", competition_set(bench::shared_data("micromouse/competition")), explorers, verbose);
   }
 }

@@ -20,6 +20,7 @@
 #include <taut/search/shortest_path.h>
 
 #include "mazes.h"
+#include "shared_data.h"
 
 namespace {
 
@@ -157,7 +158,7 @@ void BM_CellsQuery(benchmark::State& state) {
 const char* const kMaps[] = {"arena", "brc202d", "maze512-32-0", "maze512-8-0", "maze512-8-0-braid20"};
 
 Case map_case(const std::string& name) {
-  const std::filesystem::path file = std::filesystem::path(TAUT_SHARED_DATA_DIR) / "movingai" / name;
+  const std::filesystem::path file = bench::shared_data("movingai") / name;
   Case made{FreeSpace(read_world_file(file.string() + ".map.gz", {})), {}};
   std::ifstream queries(file.string() + ".queries");
   std::string line;
@@ -168,7 +169,7 @@ Case map_case(const std::string& name) {
 }
 
 void register_maps() {
-  if (!std::filesystem::is_directory(std::filesystem::path(TAUT_SHARED_DATA_DIR) / "movingai")) return;
+  if (bench::shared_data("movingai").empty()) return;
   for (const std::string name : kMaps) {
     const auto on = [name] {
       static std::map<std::string, std::shared_ptr<const Case>> cases;

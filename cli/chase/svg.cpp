@@ -56,6 +56,7 @@ class Shades {
   /// From the least to the greatest, in equal steps of shade.
   std::vector<std::string> scale() const {
     std::vector<std::string> colours;
+    colours.reserve(24);
     const double range = std::log1p(static_cast<double>(most_) - static_cast<double>(least_));
     for (int i = 0; i < 24; ++i) {
       colours.push_back(colour_of(of(least_ + std::expm1(range * i / 23))));

@@ -22,7 +22,7 @@ struct ExactPoint {
   mpq_class y;
 
   explicit ExactPoint(Point p) : x(p.x), y(p.y) {}
-  ExactPoint(mpq_class x_, mpq_class y_) : x(std::move(x_)), y(std::move(y_)) {}
+  ExactPoint(mpq_class abscissa, mpq_class ordinate) : x(std::move(abscissa)), y(std::move(ordinate)) {}
 
   friend bool operator==(const ExactPoint& a, const ExactPoint& b) { return a.x == b.x && a.y == b.y; }
   friend bool operator<(const ExactPoint& a, const ExactPoint& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }

@@ -34,7 +34,7 @@ std::vector<Box> boxes_of(const taut::detail::GateWalls& walls, const std::vecto
 
 }  // namespace
 
-CarSpace::Impl::Impl(FreeSpace free_space, const CarShape& car)
+CarSpace::Impl::Impl(const FreeSpace& free_space, const CarShape& car)
     : walls(free_space), shape(car), openings(openings_of(walls)), opening_boxes(boxes_of(walls, openings)) {}
 
 void CarSpace::Impl::walls_near(const Box& box, Point origin, std::vector<NearWall>& near) const {
@@ -54,7 +54,7 @@ bool CarSpace::Impl::is_clear(const PreparedLeg& leg, const Leg& at, const std::
   return !leaves;
 }
 
-CarSpace::CarSpace(FreeSpace space, const CarShape& shape) : impl_(new Impl(std::move(space), shape)) {}
+CarSpace::CarSpace(const FreeSpace& space, const CarShape& shape) : impl_(new Impl(space, shape)) {}
 CarSpace::~CarSpace() = default;
 CarSpace::CarSpace(CarSpace&&) noexcept = default;
 CarSpace& CarSpace::operator=(CarSpace&&) noexcept = default;

@@ -26,7 +26,7 @@ struct NearWall;
 class CarSpace {
  public:
   /// Precondition: the space's footprint is Footprint::point().
-  CarSpace(FreeSpace space, const CarShape& shape);
+  CarSpace(const FreeSpace& space, const CarShape& shape);
   ~CarSpace();
   CarSpace(CarSpace&&) noexcept;
   CarSpace& operator=(CarSpace&&) noexcept;

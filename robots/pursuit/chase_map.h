@@ -39,7 +39,7 @@ class ChaseMap {
     int decimals = 0;
     Cell start;
     std::vector<Cell> target;    ///< one a second
-    std::string threshold = "";  ///< C as the file writes it; empty: above every cost
+    std::string threshold{};  ///< C as the file writes it; empty: above every cost
     bool rounded = false;
     std::string source;
   };

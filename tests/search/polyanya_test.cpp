@@ -129,9 +129,9 @@ TEST(Polyanya, LooksAtLessWithLandmarksWherePathsWind) {
   EXPECT_LT(expanded_with * 3, expanded_without * 2);
 }
 
-/// Random pairs in a file's world: exactly as long as in the visibility graph, and checked.
-void expect_agreement(const std::filesystem::path& file, std::size_t pairs) {
-  const FreeSpace space(read_world_file(file.string(), {}));
+/// Random pairs in a world: exactly as long as in the visibility graph, and checked.
+void expect_agreement(const World& read, std::size_t pairs, const std::string& file) {
+  const FreeSpace space(read);
   const VisibilityGraph graph(space);
   PolyanyaSearch search{Polyanya(space)};
   const World& world = space.world();
@@ -155,13 +155,16 @@ void expect_agreement(const std::filesystem::path& file, std::size_t pairs) {
     ASSERT_EQ(search.find(from, to), expected.status) << file;
     if (expected.status != SearchStatus::found) continue;
     const Path path = search.result().path;
-    EXPECT_EQ(path.length, expected.path.length)
-        << fmt::format("{}: {} {} to {} {}", file.string(), from.x, from.y, to.x, to.y);
+    EXPECT_EQ(path.length, expected.path.length) << fmt::format("{}: {} {} to {} {}", file, from.x, from.y, to.x, to.y);
     EXPECT_TRUE(n % 8 != 0 || verify(path, space, from, {to, {}}).valid) << file;
   }
 }
 
-TEST(Polyanya, IsAsLongAsInTheVisibilityGraphInAllMazesOfOurs) {
+void expect_agreement(const std::filesystem::path& file, std::size_t pairs) {
+  expect_agreement(read_world_file(file.string(), {}), pairs, file.string());
+}
+
+TEST(Polyanya, IsAsLongAsInTheVisibilityGraphInAllFilesOfOurs) {
   for (const auto& entry : std::filesystem::directory_iterator(test::data_dir())) {
     const std::string kind = entry.path().extension().string();
     const bool world = entry.is_regular_file() && kind != ".md" && kind != ".csv" && kind != ".scen" &&
@@ -170,33 +173,54 @@ TEST(Polyanya, IsAsLongAsInTheVisibilityGraphInAllMazesOfOurs) {
   }
 }
 
-TEST(Polyanya, IsAsLongAsInTheVisibilityGraphInAllMazesOfOthers) {
-  const auto folder = test::shared_data_dir();
-  if (!folder) GTEST_SKIP() << "there is no shared data";
-  for (const char* kind : {"micromouse", "prm"})
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(*folder / kind)) {
-      if (!entry.is_regular_file() || entry.path().extension() == ".md") continue;
-      try {
-        read_world_file(entry.path().string(), {});
-      } catch (const InputError&) {
-        continue;  // readers have tests of their own
-      }
-      expect_agreement(entry.path(), 10);
+/// With loops, and the goal room in the middle.
+GridMaze mouse_maze(int side, std::uint64_t seed) {
+  GridMaze maze = generate_backtracker(side, side, seed);
+  open_walls(maze, 0.12, seed);
+  maze.goal = {{side / 2 - 1, side / 2 - 1}, {side / 2, side / 2 - 1}, {side / 2 - 1, side / 2}, {side / 2, side / 2}};
+  return maze;
+}
+
+TEST(Polyanya, IsAsLongAsInTheVisibilityGraphInManyMouseMazes) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed)
+    expect_agreement(world_of(std::make_shared<GridMaze>(mouse_maze(seed % 2 == 0 ? 16 : 12, seed))), 10,
+                     "seed " + std::to_string(seed));
+  for (const char* folder : {"micromouse", "prm"})
+    for (const auto& file : test::shared_files(folder)) expect_agreement(file, 10);
+}
+
+TEST(Polyanya, IsAsLongAsInTheVisibilityGraphOnGridMaps) {
+  for (const char* file : {"rooms_64x48.map", "random_64x64.map"}) expect_agreement(test::data_dir() / file, 500);
+  if (const auto shared = test::shared_data_dir()) expect_agreement(*shared / "movingai" / "arena.map.gz", 500);
+}
+
+// The reference on our map is a graph of all pairs of corners that see each other, with nothing left out.
+TEST(Polyanya, GivesTheLengthsOfTheFullGraphOnAGridMap) {
+  const FreeSpace space(read_world_file((test::data_dir() / "corridors_41x31.map").string(), {}));
+  const VisibilityGraph full(space, VisibilityKind::full);
+  PolyanyaSearch search{Polyanya(space)};
+  std::mt19937_64 engine(3);
+  std::size_t compared = 0;
+  while (compared < 200) {
+    const auto place = [&] { return Point{engine() % 41 + 0.5, engine() % 31 + 0.5}; };
+    const Point from = place(), to = place();
+    if (space.locate(from).kind == Location::Kind::outside || space.locate(to).kind == Location::Kind::outside)
+      continue;
+    const GraphSearchResult expected = shortest_path(full, from, {to, {}});
+    ASSERT_EQ(search.find(from, to), expected.status);
+    ++compared;
+    if (expected.status == SearchStatus::found) {
+      EXPECT_EQ(search.result().path.length, expected.path.length) << from.x << ' ' << from.y;
     }
+  }
 }
 
-TEST(Polyanya, IsAsLongAsInTheVisibilityGraphOnAGameMap) {
-  const auto folder = test::shared_data_dir();
-  if (!folder) GTEST_SKIP() << "there is no shared data";
-  expect_agreement(*folder / "movingai" / "arena.map.gz", 500);
-}
-
-TEST(Polyanya, GivesTheLengthsOfTheReferenceOnGridMaps) {
-  const auto folder = test::shared_data_dir();
-  if (!folder) GTEST_SKIP() << "there is no shared data";
+TEST(Polyanya, GivesTheLengthsOfTheReferenceOnGridMapsOfOthers) {
+  const auto shared = test::shared_data_dir();
+  if (!shared) return;  // the test above stands for it
   std::size_t compared = 0;
   for (const char* map : {"arena", "brc202d", "maze512-32-0", "maze512-8-0", "maze512-8-0-braid20"}) {
-    const std::filesystem::path file = *folder / "movingai" / map;
+    const std::filesystem::path file = *shared / "movingai" / map;
     PolyanyaSearch search{Polyanya(FreeSpace(read_world_file(file.string() + ".map.gz", {})))};
     std::ifstream queries(file.string() + ".queries");
     std::string line;

@@ -27,11 +27,9 @@ PrmPlan lattice_plan() {
   return plan;
 }
 
-/// The length of a lattice path through a shared maze, once it has passed the check; "" when there is no such file.
-std::string lattice_length(const std::string& name, std::size_t lattice_points) {
-  const auto folder = test::shared_data_dir();
-  if (!folder) return {};
-  const World world = read_world_file((*folder / "prm" / name).string());
+/// The length of a lattice path through a maze, once it has passed the check.
+std::string lattice_length(const std::filesystem::path& file, std::size_t lattice_points) {
+  const World world = read_world_file(file.string());
   const FreeSpace space(world);
   const PrmResult result = prm_path(space, *world.start(), world.goal(), lattice_plan());
   EXPECT_EQ(result.search.status, SearchStatus::found);
@@ -41,28 +39,32 @@ std::string lattice_length(const std::string& name, std::size_t lattice_points) 
   return result.search.path.length.decimals(6);
 }
 
-TEST(PrmPath, SolvesTheHomeworksSmallMazeOnTheLattice) {
-  const std::string length = lattice_length("maze_5x7_s1.txt", 35);
-  if (length.empty()) GTEST_SKIP() << "no shared data";
-  EXPECT_EQ(length, "8.860675");
+TEST(PrmPath, SolvesASmallMazeOnTheLattice) {
+  EXPECT_EQ(lattice_length(test::data_dir() / "maze_5x7.txt", 35), "10.404918");
+  if (const auto shared = test::shared_data_dir()) {
+    EXPECT_EQ(lattice_length(*shared / "prm" / "maze_5x7_s1.txt", 35), "8.860675");
+  }
 }
 
-TEST(PrmPath, SolvesTheHomeworksLargeMazeOnTheLattice) {
-  const std::string length = lattice_length("maze_41x41_s1.txt", 1681);
-  if (length.empty()) GTEST_SKIP() << "no shared data";
-  EXPECT_EQ(length, "88.442817");
+TEST(PrmPath, SolvesALargeMazeOnTheLattice) {
+  EXPECT_EQ(lattice_length(test::data_dir() / "maze_45x45.txt", 2025), "113.610444");
+  if (const auto shared = test::shared_data_dir()) {
+    EXPECT_EQ(lattice_length(*shared / "prm" / "maze_41x41_s1.txt", 1681), "88.442817");
+  }
 }
 
-TEST(PrmPath, IsFoundByTheHomeworksOwnNumbers) {
-  const auto folder = test::shared_data_dir();
-  if (!folder) GTEST_SKIP() << "no shared data";
-  const World world = read_world_file((*folder / "prm" / "maze_5x7_s1.txt").string());
-  const FreeSpace space(world);
-  const Roadmap roadmap = prm(space, {.samples = 500, .seed = 1, .clearance = 0.1});
-  const GraphQuery query = prm_query(space, roadmap, *world.start(), world.goal(), 0.1);
-  const GraphSearchResult result = graph_search(roadmap, query);
-  ASSERT_EQ(result.status, SearchStatus::found);
-  EXPECT_EQ(verify(result.path, space, *world.start(), world.goal()).reason, "");
+TEST(PrmPath, IsFoundByFiveHundredSamplesThatKeepATenthFromTheWalls) {
+  std::vector<std::filesystem::path> files{test::data_dir() / "maze_5x7.txt"};
+  if (const auto shared = test::shared_data_dir()) files.push_back(*shared / "prm" / "maze_5x7_s1.txt");
+  for (const auto& file : files) {
+    const World world = read_world_file(file.string());
+    const FreeSpace space(world);
+    const Roadmap roadmap = prm(space, {.samples = 500, .seed = 1, .clearance = 0.1});
+    const GraphQuery query = prm_query(space, roadmap, *world.start(), world.goal(), 0.1);
+    const GraphSearchResult result = graph_search(roadmap, query);
+    ASSERT_EQ(result.status, SearchStatus::found) << file;
+    EXPECT_EQ(verify(result.path, space, *world.start(), world.goal()).reason, "") << file;
+  }
 }
 
 TEST(PrmPath, IsFoundByUniformSamplesInALargeMaze) {
@@ -79,7 +81,7 @@ TEST(PrmPath, IsFoundByUniformSamplesInALargeMaze) {
   }
 }
 
-// Uniform samples, no lattice; the shared mazes are the course's own, the others come from its generator.
+// Uniform samples, no lattice.
 void expect_all_seeds_to_solve(const World& world, int seeds) {
   const FreeSpace space(world);
   const Length optimum = shortest_path(space, *world.start(), world.goal())->length;
@@ -97,13 +99,9 @@ void expect_all_seeds_to_solve(const World& world, int seeds) {
 TEST(PrmPath, IsFoundWithTwentyOfTwentySeedsAt41And61) {
   for (const int side : {41, 61})
     expect_all_seeds_to_solve(world_of(std::make_shared<GridMaze>(generate_biased_maze(side, side, 1))), 20);
-}
-
-TEST(PrmPath, IsFoundWithTwentyOfTwentySeedsInTheHomeworksLargeMazes) {
-  const auto folder = test::shared_data_dir();
-  if (!folder) GTEST_SKIP() << "no shared data";
-  for (const char* name : {"maze_41x41_s1.txt", "maze_45x45_s1.txt"})
-    expect_all_seeds_to_solve(read_world_file((*folder / "prm" / name).string()), 20);
+  if (const auto shared = test::shared_data_dir())
+    for (const char* name : {"maze_41x41_s1.txt", "maze_45x45_s1.txt"})
+      expect_all_seeds_to_solve(read_world_file((*shared / "prm" / name).string()), 20);
 }
 
 struct Ends {

@@ -1,13 +1,18 @@
 #include <taut/search/shortest_path.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <functional>
 #include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <taut/geometry/maze_generator.h>
 #include <taut/io/worlds/read_world.h>
 #include <taut/search/verify.h>
 
@@ -119,36 +124,46 @@ TEST(ShortestPath, ThrowsWhenAnEndIsNoPlaceToBe) {
   EXPECT_EQ(message({1, 1}, {11, 8}), "goal (11, 8) lies outside the world");
 }
 
-TEST(ShortestPath, HasThePublishedLengthsInTheHomeworkMazes) {
-  const auto folder = test::shared_data_dir();
-  if (!folder) GTEST_SKIP() << "no shared data beside this checkout";
-  const std::pair<const char*, const char*> published[] = {{"maze_5x7_s1.txt", "8.662332"},
-                                                           {"maze_5x7_s2.txt", "9.072510"},
-                                                           {"maze_41x41_s1.txt", "77.262691"},
-                                                           {"maze_45x45_s1.txt", "97.581050"}};
+TEST(ShortestPath, HasThePublishedLengthsInMazesOpenAtTwoCorners) {
+  std::vector<std::pair<std::filesystem::path, const char*>> published{
+      {test::data_dir() / "maze_5x7.txt", "9.321693"}, {test::data_dir() / "maze_45x45.txt", "97.622073"}};
+  if (const auto shared = test::shared_data_dir())
+    for (const auto& [file, length] : {std::pair{"maze_5x7_s1.txt", "8.662332"},
+                                       {"maze_5x7_s2.txt", "9.072510"},
+                                       {"maze_41x41_s1.txt", "77.262691"},
+                                       {"maze_45x45_s1.txt", "97.581050"}})
+      published.emplace_back(*shared / "prm" / file, length);
   for (const auto& [file, length] : published) {
-    const World world = read_world_file((*folder / "prm" / file).string());
+    const World world = read_world_file(file.string());
     const auto path = shortest_path(FreeSpace(world), *world.start(), world.goal());
     ASSERT_TRUE(path) << file;
     EXPECT_EQ(path->length.decimals(6), length) << file;
   }
 }
 
+/// Whether there is a path; it is a valid one then.
+bool finds_a_valid_path(const World& world, const std::string& name) {
+  const FreeSpace space(world);
+  const auto path = shortest_path(space, *world.start(), world.goal());
+  if (!path) return false;
+  const Verdict verdict = verify(*path, space, *world.start(), world.goal());
+  EXPECT_TRUE(verdict.valid) << name << ": " << verdict.reason;
+  return true;
+}
+
 TEST(ShortestPath, IsFoundAndValidInEveryMouseMazeThatConnectsStartAndGoal) {
-  const auto folder = test::shared_data_dir();
-  if (!folder) GTEST_SKIP() << "no shared data beside this checkout";
-  int found = 0;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(*folder / "micromouse")) {
-    if (!entry.is_regular_file()) continue;
-    const World world = read_world_file(entry.path().string());
-    const FreeSpace space(world);
-    const auto path = shortest_path(space, *world.start(), world.goal());
-    if (!path) continue;
-    ++found;
-    const Verdict verdict = verify(*path, space, *world.start(), world.goal());
-    EXPECT_TRUE(verdict.valid) << entry.path() << ": " << verdict.reason;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    auto maze = std::make_shared<GridMaze>(generate_backtracker(8 + 2 * static_cast<int>(seed % 5), 16, seed));
+    open_walls(*maze, 0.01 * static_cast<double>(seed % 30), seed);
+    EXPECT_TRUE(finds_a_valid_path(world_of(std::move(maze)), "seed " + std::to_string(seed)));
   }
-  EXPECT_GE(found, 66);
+  for (const auto& file : test::own_mazes())
+    EXPECT_TRUE(finds_a_valid_path(read_world_file(file.string()), file.string()));
+  const auto shared = test::shared_files("micromouse");
+  EXPECT_GE(
+      std::ranges::count_if(
+          shared, [](const auto& file) { return finds_a_valid_path(read_world_file(file.string()), file.string()); }),
+      shared.empty() ? 0 : 66);
 }
 
 TEST(ShortestPathTree, GivesThePathsOfSingleQueries) {

@@ -1,16 +1,14 @@
 # Compiles a file that only includes HEADER (twice: guarded), as a user would, and looks at what it reaches.
-#   cmake -DCOMPILER=... -DINCLUDE=build/include -DHEADER=geometry/point.h -DSCRATCH=dir -P header_alone.cmake
+#   cmake -DCOMPILER=... -DINCLUDE=include:build/include -DHEADER=geometry/point.h -DSCRATCH=dir [-DBRIDGE=ON] -P header_alone.cmake
 cmake_minimum_required(VERSION 3.25)
-
-# The optional bridges to libraries that the other headers keep out.
-set(bridges geometry/cgal.h search/boost_graph.h)
 
 string(MAKE_C_IDENTIFIER ${HEADER} name)
 set(source ${SCRATCH}/${name}.cpp)
 set(reached ${SCRATCH}/${name}.d)
 file(WRITE ${source} "#include <taut/${HEADER}>\n#include <taut/${HEADER}>\n")
+string(REPLACE ":" ";-I" include -I${INCLUDE})
 execute_process(
-  COMMAND ${COMPILER} -std=c++20 -Wall -Wextra -Wpedantic -Wshadow -Werror -I${INCLUDE} -MD -MF ${reached} -fsyntax-only
+  COMMAND ${COMPILER} -std=c++20 -Wall -Wextra -Wpedantic -Wshadow -Werror ${include} -MD -MF ${reached} -fsyntax-only
     ${source}
   ERROR_VARIABLE errors RESULT_VARIABLE status)
 if(NOT status EQUAL 0)
@@ -19,7 +17,7 @@ endif()
 
 file(READ ${reached} files)
 string(REGEX REPLACE "[\\\\\n ]+" ";" files "${files}")
-if(HEADER IN_LIST bridges)
+if(BRIDGE)  # to a library that the other headers keep out
   return()
 endif()
 foreach(file IN LISTS files)

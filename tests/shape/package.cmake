@@ -29,3 +29,20 @@ run("configuring the consumer" ${CMAKE_COMMAND} -S ${CONSUMER} -B ${SCRATCH}/bui
   -DCMAKE_BUILD_TYPE=${BUILD_TYPE} -DTAUT_EXPECTED_VERSION=${VERSION})
 run("building the consumer" ${CMAKE_COMMAND} --build ${SCRATCH}/build)
 run("running the consumer" ${SCRATCH}/build/consumer)
+
+# The same without CMake, as a page of any tutorial has it. Only where the prefix stands is told.
+find_program(PKG_CONFIG NAMES pkg-config pkgconf)
+if(NOT PKG_CONFIG)
+  message(FATAL_ERROR "no pkg-config: it is one of the packages in cmake/debian-packages.txt")
+endif()
+file(GLOB sources ${CONSUMER}/*.cpp)
+file(GLOB_RECURSE description ${SCRATCH}/prefix/*/taut.pc)
+cmake_path(GET description PARENT_PATH descriptions)
+cmake_path(GET descriptions PARENT_PATH libraries)
+set(ENV{PKG_CONFIG_PATH} ${descriptions})
+set(ENV{LD_LIBRARY_PATH} ${libraries}:$ENV{LD_LIBRARY_PATH})
+list(JOIN sources " " sources)
+run("building with pkg-config" sh -c
+  "${COMPILER} ${FLAGS} ${sources} $(${PKG_CONFIG} --cflags --libs taut) -o ${SCRATCH}/by_pkg_config")
+run("running what pkg-config built" ${SCRATCH}/by_pkg_config)
+run("asking pkg-config for the version" ${PKG_CONFIG} --exact-version=${VERSION} taut)

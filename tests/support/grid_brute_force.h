@@ -3,11 +3,18 @@
 
 #include <cstdint>
 #include <optional>
+#include <ostream>
 #include <vector>
 
 #include <taut/geometry/detail/draws.h>
 #include <taut/geometry/occupancy_grid.h>
 #include <taut/search/grid/grid_moves.h>
+
+namespace taut {
+
+inline void PrintTo(GridMoves moves, std::ostream* out) { *out << name(moves); }
+
+}  // namespace taut
 
 namespace taut::test {
 

@@ -26,4 +26,17 @@ inline std::size_t count(std::string_view text, std::string_view part) {
   return n;
 }
 
+/// The text's letters and digits, what is between them as one `_`: a name for a test.
+inline std::string words(std::string_view text) {
+  std::string name;
+  bool apart = false;
+  for (const char c : text) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (letter && apart && !name.empty()) name += '_';
+    if (letter) name += c;
+    apart = !letter;
+  }
+  return name;
+}
+
 }  // namespace taut::test

@@ -11,7 +11,7 @@
 namespace taut::car {
 
 struct CarSpace::Impl {
-  Impl(FreeSpace free_space, const CarShape& car);
+  Impl(const FreeSpace& free_space, const CarShape& car);
 
   /// The walls whose boxes meet `box`, relative to `origin`.
   void walls_near(const Box& box, Point origin, std::vector<detail::NearWall>& near) const;

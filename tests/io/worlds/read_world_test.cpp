@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "support/paths.h"
 #include "support/refusal.h"
 
 namespace taut {
@@ -182,21 +183,20 @@ TEST(BadCorpus, StaysCalmWhenFilesAreCutOrDamaged) {
   }
 }
 
-TEST(SharedFiles, AllRead) {
-  const std::filesystem::path folder = TAUT_SHARED_DATA_DIR;
-  if (!std::filesystem::exists(folder / "micromouse")) GTEST_SKIP() << "no shared data in " << folder;
-  std::size_t mazes = 0;
-  for (const char* part : {"micromouse", "prm"})
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / part)) {
-      if (!entry.is_regular_file()) continue;
-      SCOPED_TRACE(entry.path());
-      const World world = read_world_file(entry.path().string());
-      EXPECT_TRUE(world.start());
-      EXPECT_TRUE(world.goal().point || !world.goal().room.empty());
-      EXPECT_EQ(world.openings().size(), world.grid() ? 0U : 2U);
-      ++mazes;
-    }
-  EXPECT_GE(mazes, 74U);
+TEST(MazeFiles, AllReadWithStartGoalAndOpenings) {
+  const auto expect_maze = [](const std::filesystem::path& file) {
+    SCOPED_TRACE(file);
+    const World world = read_world_file(file.string());
+    EXPECT_TRUE(world.start());
+    EXPECT_TRUE(world.goal().point || !world.goal().room.empty());
+    const bool open = !world.grid() && file.filename().string().starts_with("maze_");
+    EXPECT_EQ(world.openings().size(), open ? 2U : 0U);
+  };
+  const auto own = test::own_mazes();
+  EXPECT_GE(own.size(), 11U);
+  for (const auto& file : own) expect_maze(file);
+  for (const char* folder : {"micromouse", "prm"})
+    for (const auto& file : test::shared_files(folder)) expect_maze(file);
 }
 
 }  // namespace

@@ -122,10 +122,11 @@ TEST(Benchmarks, AreTheProposals) {
   EXPECT_FALSE(absolute_floor(GridMaze(6, 6, true)));
 }
 
-TEST(Benchmarks, TheFloorOfTheFirstMazeOfTheCourseIs17Point6) {
-  const auto file = shared_mazes() / "test_maze_01.txt";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no shared data";
-  EXPECT_DOUBLE_EQ(*absolute_floor(*read_world_file(file.string()).grid()), 17.6);
+TEST(Benchmarks, HaveTheOptimumByBothRunsForAFloor) {
+  EXPECT_DOUBLE_EQ(*absolute_floor(maze_in(test::data_dir() / "mouse_16.maz")), 13 + 14 / 30.0);
+  if (const auto maze = first_of_the_course()) {
+    EXPECT_DOUBLE_EQ(*absolute_floor(*maze), 17.6);
+  }
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <deque>
 #include <map>
 
@@ -52,11 +53,17 @@ TEST(Optimum, IsAtLeastOneStep) {
   EXPECT_EQ(optimum(passages_of(maze), task_of(maze)), 1);
 }
 
-TEST(Optimum, OfTheFirstMazeOfTheCourseIs17) {
-  const auto file = shared_mazes() / "test_maze_01.txt";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no shared data";
-  const auto grid = read_world_file(file.string()).grid();
-  EXPECT_EQ(optimum(passages_of(*grid), task_of(*grid)), 17);
+TEST(Optimum, IsThatOfAQueueInMazesOfFiles) {
+  for (const char* file : {"mouse_12.cells", "mouse_16.maz", "mouse_16.num", "mouse_32.maze"}) {
+    const GridMaze maze = maze_in(test::data_dir() / file);
+    const auto steps = by_queue(maze, {0, 0});
+    int least = 1'000'000;
+    for (const Cell goal : maze.goal) least = std::min(least, steps.at(goal));
+    EXPECT_EQ(optimum(passages_of(maze), task_of(maze)), least) << file;
+  }
+  if (const auto maze = first_of_the_course()) {
+    EXPECT_EQ(optimum(passages_of(*maze), task_of(*maze)), 17);
+  }
 }
 
 TEST(ActionTowards, GoesBackwardsOnlyToWhatLiesBehind) {

@@ -1,9 +1,9 @@
 // Mazes for the micromouse tests.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +12,8 @@
 #include <taut/io/worlds/read_world.h>
 #include <taut/robots/micromouse/contest_maze.h>
 #include <taut/robots/micromouse/steps.h>
+
+#include "support/paths.h"
 
 namespace taut::micromouse {
 
@@ -35,15 +37,17 @@ inline std::vector<GridMaze> contest_mazes(int count, std::uint64_t first) {
   return mazes;
 }
 
-inline std::filesystem::path shared_mazes() { return std::filesystem::path(TAUT_SHARED_DATA_DIR) / "micromouse"; }
+inline GridMaze maze_in(const std::filesystem::path& file) { return *read_world_file(file.string()).grid(); }
 
-/// The competition mazes of 16 x 16 and less that have a route; every `nth` of them.
+/// The first maze of the course, where the shared data are.
+inline std::optional<GridMaze> first_of_the_course() {
+  if (const auto shared = test::shared_data_dir()) return maze_in(*shared / "micromouse" / "test_maze_01.txt");
+  return std::nullopt;
+}
+
+/// Of the shared mazes of competitions, those of 16 x 16 and less that have a route; every `nth` of them.
 inline std::vector<GridMaze> competition(std::size_t nth = 1) {
-  std::vector<std::filesystem::path> files;
-  if (!std::filesystem::exists(shared_mazes() / "competition")) return {};
-  for (const auto& entry : std::filesystem::directory_iterator(shared_mazes() / "competition"))
-    files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
+  const auto files = test::shared_files("micromouse/competition");
   std::vector<GridMaze> mazes;
   for (std::size_t i = 0; i < files.size(); i += nth) {
     try {

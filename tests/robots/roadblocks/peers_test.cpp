@@ -12,7 +12,9 @@
 #include <taut/robots/roadblocks/replanning_driver.h>
 
 #include "support/car_drawing.h"
+#include "support/paths.h"
 #include "support/second_car.h"
+#include "support/text.h"
 
 namespace taut::car {
 namespace {
@@ -71,16 +73,23 @@ TEST_P(EveryPeer, TouchesNoSolidSquareOnTheWholeStep) {
     ASSERT_FALSE(collides(run.poses[i], run.controls[i], map.course, 0, WallReading::squares));
 }
 
-TEST(TreeDrivers, OfRrtStarGrowOnWithoutJointsWhereThoseGiveNoPlan) {
-  const auto file = std::filesystem::path(TAUT_SHARED_DATA_DIR) / "car" / "map_2.txt";
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
+RoadMap map_in(const std::filesystem::path& file) {
   std::stringstream text;
   text << std::ifstream(file).rdbuf();
-  const RoadMap map = read_road_map(text.str(), "map_2.txt");
-  const Drive run = driven(map, *peer_named("rrt-star"), 0, 2);  // gave up with 40 000 samples that all had joints
-  ASSERT_EQ(run.outcome, Outcome::reached);
-  EXPECT_TRUE(test::replay(map.course, 0, run.controls).reached);
-  EXPECT_FALSE(test::replay(map.course, 0, run.controls).collided);
+  return read_road_map(text.str(), file.string());
+}
+
+// On the shared map it gave up with 40 000 samples that all had joints.
+TEST(TreeDrivers, OfRrtStarGrowOnWithoutJointsWhereThoseGiveNoPlan) {
+  std::vector<std::filesystem::path> files{test::data_dir() / "car" / "lane.txt"};
+  if (const auto shared = test::shared_data_dir()) files.push_back(*shared / "car" / "map_2.txt");
+  for (const auto& file : files) {
+    const RoadMap map = map_in(file);
+    const Drive run = driven(map, *peer_named("rrt-star"), 0, 2);
+    ASSERT_EQ(run.outcome, Outcome::reached) << file;
+    EXPECT_TRUE(test::replay(map.course, 0, run.controls).reached);
+    EXPECT_FALSE(test::replay(map.course, 0, run.controls).collided);
+  }
 }
 
 TEST_P(EveryPeer, SaysNoRouteWhereNotEvenADiscGetsThrough) {
@@ -97,7 +106,8 @@ TEST_P(EveryPeer, SaysNoRouteWhereNotEvenADiscGetsThrough) {
   EXPECT_LT(run.controls.size(), 2000U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Peers, EveryPeer, testing::Range<std::size_t>(0, peers().size()));
+INSTANTIATE_TEST_SUITE_P(Peers, EveryPeer, testing::Range<std::size_t>(0, peers().size()),
+                         [](const auto& which) { return test::words(peers()[which.param].name); });
 
 TEST(ReplanningDriver, SaysNoRouteOnlyWhenThatIsProven) {
   const RoadMap map = rooms();
@@ -108,21 +118,21 @@ TEST(ReplanningDriver, SaysNoRouteOnlyWhenThatIsProven) {
   }
 }
 
-// Steps of the report's value iteration, by map and roadblocks.
-TEST(ValueIterationDriver, TakesFewerStepsThanTheReportsOnItsMaps) {
-  const std::map<std::string, std::vector<std::pair<std::string, std::size_t>>> report{
-      {"map_1.txt", {{"0", 1907}, {"1", 777}}},
-      {"map_2.txt", {{"111", 1374}, {"010", 1374}, {"101", 4128}, {"000", 8641}}}};
-  for (const auto& [name, bounds] : report) {
-    const auto file = std::filesystem::path(TAUT_SHARED_DATA_DIR) / "car" / name;
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
-    std::stringstream text;
-    text << std::ifstream(file).rdbuf();
-    const RoadMap map = read_road_map(text.str(), name);
+// By map and roadblocks: steps of another value iteration on the shared maps, of this one on ours.
+TEST(ValueIterationDriver, TakesNoMoreStepsThanIsKnownOfItsMaps) {
+  std::map<std::filesystem::path, std::vector<std::pair<std::string, std::size_t>>> known{
+      {test::data_dir() / "car" / "lane.txt", {{"1", 401}, {"0", 1466}}},
+      {test::data_dir() / "car" / "rooms_31x31.txt", {{"111", 519}, {"100", 708}, {"101", 1158}}}};
+  if (const auto shared = test::shared_data_dir()) {
+    known[*shared / "car" / "map_1.txt"] = {{"0", 1907}, {"1", 777}};
+    known[*shared / "car" / "map_2.txt"] = {{"111", 1374}, {"010", 1374}, {"101", 4128}, {"000", 8641}};
+  }
+  for (const auto& [file, bounds] : known) {
+    const RoadMap map = map_in(file);
     for (const auto& [bits, steps] : bounds) {
       const RoadblockSet open = roadblocks_of(bits, map.course);
       const Drive run = driven(map, *peer_named("value-iteration"), open);
-      ASSERT_EQ(run.outcome, Outcome::reached) << name << " " << bits;
+      ASSERT_EQ(run.outcome, Outcome::reached) << file << " " << bits;
       EXPECT_LE(run.controls.size(), steps);
       EXPECT_TRUE(test::replay(map.course, open, run.controls).reached);
       EXPECT_FALSE(test::replay(map.course, open, run.controls).collided);

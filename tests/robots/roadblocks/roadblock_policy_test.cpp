@@ -55,7 +55,8 @@ TEST_P(GeneratedPolicy, KeepsItsPromiseOverAllOutcomes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, GeneratedPolicy, testing::Values(2, 5, 9, 12, 15, 23));
+INSTANTIATE_TEST_SUITE_P(Seeds, GeneratedPolicy, testing::Values(2, 5, 9, 12, 15, 23),
+                         [](const auto& seed) { return "Seed" + std::to_string(seed.param); });
 
 /// Two lanes to the goal: the short one with a roadblock far inside, the long one open.
 RoadMap two_lanes(const std::string& p) {

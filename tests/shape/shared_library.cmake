@@ -1,0 +1,48 @@
+# What a shared taut shows: all that public sources define outside detail, nothing of other libraries, and little that is private.
+#   cmake -DNM=nm -DLIBRARY=libtaut.so -DOBJECTS=a.o:b.o -P shared_library.cmake
+cmake_minimum_required(VERSION 3.25)
+
+# symbols(OUT FLAGS FILES...): demangled names of defined functions and data, one of each.
+function(symbols out flags)
+  execute_process(COMMAND ${NM} -C --defined-only ${flags} ${ARGN} OUTPUT_VARIABLE text RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    message(FATAL_ERROR "nm does not read ${ARGN}")
+  endif()
+  string(REGEX REPLACE "[][;]" "_" text "${text}")
+  string(REGEX MATCHALL "[0-9a-f]+ [TDBRVWu] [^\n]+" lines "${text}")
+  list(TRANSFORM lines REPLACE "^[0-9a-f]+ ([A-Zu]) " "\\1 ")
+  list(REMOVE_DUPLICATES lines)
+  set(${out} "${lines}" PARENT_SCOPE)
+endfunction()
+
+symbols(shown -D ${LIBRARY})
+set(foreign ${shown})
+list(FILTER foreign EXCLUDE REGEX "^. ([a-z ]+ for )?taut::")
+# Templates of taut's own carry what they return before their name.
+list(FILTER foreign EXCLUDE REGEX "^W .* taut::")
+if(foreign)
+  list(JOIN foreign "\n  " foreign)
+  message(FATAL_ERROR "symbols that are not taut's:\n  ${foreign}")
+endif()
+
+string(REPLACE ":" ";" OBJECTS "${OBJECTS}")
+symbols(defined -g ${OBJECTS})
+set(private ${defined})
+list(FILTER defined INCLUDE REGEX "^T taut::")
+list(FILTER defined EXCLUDE REGEX "^T taut::([a-z_]+::)*detail::")
+list(REMOVE_ITEM defined ${shown})
+if(defined)
+  list(JOIN defined "\n  " defined)
+  message(FATAL_ERROR "public, but a shared taut hides them (the source lies in detail/?):\n  ${defined}")
+endif()
+
+list(FILTER private INCLUDE REGEX "^T taut::([a-z_]+::)*detail::")
+list(LENGTH private all)
+list(FILTER shown INCLUDE REGEX "^T taut::([a-z_]+::)*detail::")
+list(LENGTH shown left)
+math(EXPR percent "100 * ${left} / (${all} + 1)")
+message(STATUS "${left} of ${all} private functions are shown")
+if(percent GREATER 15)
+  list(JOIN shown "\n  " shown)
+  message(FATAL_ERROR "private, but shown:\n  ${shown}")
+endif()
