@@ -38,8 +38,8 @@ class ChaseMap {
     std::vector<std::uint32_t> costs;
     int decimals = 0;
     Cell start;
-    std::vector<Cell> target;    ///< one a second
-    std::string threshold{};  ///< C as the file writes it; empty: above every cost
+    std::vector<Cell> target;  ///< one a second
+    std::string threshold{};   ///< C as the file writes it; empty: above every cost
     bool rounded = false;
     std::string source;
   };
