@@ -107,9 +107,9 @@ void expect_legal_in_the_course_only(const std::string& file) {
 TEST_F(MouseCheck, AcceptsMazesByTheRulesThatTheyWereMadeFor) {
   expect_legal(data_file("mouse_32.maze"));
   const std::string perfect = in_folder("perfect.maz"), small = in_folder("small.cells");
-  ASSERT_EQ(run_taut("generate --kind backtracker --size 16 --seed 1 --format maz -o " + perfect).code, 0);
+  ASSERT_EQ(run_taut("generate --kind backtracker --size 16 --seed 1 --as maz -o " + perfect).code, 0);
   expect_legal(perfect);
-  ASSERT_EQ(run_taut("generate --kind backtracker --size 12 --seed 1 --format cells -o " + small).code, 0);
+  ASSERT_EQ(run_taut("generate --kind backtracker --size 12 --seed 1 --as cells -o " + small).code, 0);
   expect_legal_in_the_course_only(small);
   if (const auto shared = shared_data_dir()) {
     for (const char* name : {"japan2008ef.maz", "us96.maz", "apec2013.txt", "32MM2016HX.maze", "uk2012f.maz"})
