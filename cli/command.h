@@ -27,6 +27,7 @@ Command compare_command(CommandLine& app);
 Command passage_command(CommandLine& app);
 Command generate_command(CommandLine& app);
 Command convert_command(CommandLine& app);
+Command space_command(CommandLine& app);
 Command batch_command(CommandLine& app);
 /// The group `grid`.
 std::vector<Command> grid_commands(CommandLine& app);

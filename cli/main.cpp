@@ -105,6 +105,7 @@ std::vector<Command> all_commands(CommandLine& app) {
   commands.push_back(passage_command(app));
   commands.push_back(generate_command(app));
   commands.push_back(convert_command(app));
+  commands.push_back(space_command(app));
   commands.push_back(batch_command(app));
   for (Command& command : grid_commands(app)) commands.push_back(std::move(command));
   commands.push_back(diff_command(app));

@@ -146,7 +146,11 @@ void add_query_options(CommandLine& app, QueryOptions& options) {
       .type_name("X,Y")
       .group("Query");
   add(app, "--to", options.to, parse_point, "Go here instead of where FILE says").type_name("X,Y").group("Query");
-  add(app, "--robot", options.robot, footprint_of, "Who moves: point (default), disc:R, or square:R of half side R")
+  add_robot_option(app, options.robot);
+}
+
+void add_robot_option(CommandLine& app, Footprint& robot) {
+  add(app, "--robot", robot, footprint_of, "Who moves: point (default), disc:R, or square:R of half side R")
       .type_name("SHAPE")
       .group("Query");
 }

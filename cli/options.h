@@ -52,6 +52,7 @@ struct CommonOptions {
 /// Gives FILE.
 Option add_world_options(CommandLine& app, WorldOptions& options);
 void add_query_options(CommandLine& app, QueryOptions& options);
+void add_robot_option(CommandLine& app, Footprint& robot);  ///< that one of the query options alone
 void add_output_options(CommandLine& app, OutputOptions& options);
 void add_result_options(CommandLine& app, CommonOptions& options);
 void add_common_options(CommandLine& app, CommonOptions& options);

@@ -1,11 +1,15 @@
 // Points and polygons to and from CGAL, for users who live there. Optional: this header includes CGAL.
 #pragma once
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Point_2.h>
 #include <CGAL/Polygon_2.h>
 #include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/Segment_2.h>
 
+#include <vector>
+
+#include <taut/geometry/free_space.h>
 #include <taut/geometry/point.h>
 
 namespace taut {
@@ -61,6 +65,28 @@ Polygon from_cgal(const CGAL::Polygon_with_holes_2<Kernel, Container>& polygon) 
   Polygon result{from_cgal(polygon.outer_boundary()), {}};
   for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole) result.holes.push_back(from_cgal(*hole));
   return result;
+}
+
+/// The free space as CGAL's polygons with holes: FreeSpace::polygons(), in their order, outer boundaries
+/// counter-clockwise, holes clockwise, every coordinate the double it is. Walls of zero thickness are in none of them
+/// (FreeSpace::constraints). Their area is what the free triangles of FreeSpace::triangulation() have together.
+template <class Kernel = CGAL::Exact_predicates_inexact_constructions_kernel>
+std::vector<CGAL::Polygon_with_holes_2<Kernel>> cgal_polygons(const FreeSpace& space) {
+  std::vector<CGAL::Polygon_with_holes_2<Kernel>> polygons;
+  polygons.reserve(space.polygons().size());
+  for (const Polygon& polygon : space.polygons()) polygons.push_back(to_cgal<Kernel>(polygon));
+  return polygons;
+}
+
+/// Outer boundaries minus holes, in the kernel's numbers: exact where those are.
+template <class Kernel>
+typename Kernel::FT cgal_area(const std::vector<CGAL::Polygon_with_holes_2<Kernel>>& polygons) {
+  typename Kernel::FT area = 0;
+  for (const auto& polygon : polygons) {
+    area += polygon.outer_boundary().area();
+    for (const auto& hole : polygon.holes()) area += hole.area();  // clockwise: negative
+  }
+  return area;
 }
 
 }  // namespace taut

@@ -45,10 +45,10 @@ GraphQuery cell_query(const CellGraph& graph, Point from, const Goal& to) {
   return query_of(graph, from, to);
 }
 
-GraphSearchResult cell_search(const CellGraph& graph, Point from, const Goal& to, GraphAlgorithm algorithm,
+GraphSearchResult cell_search(const CellGraph& graph, Point from, const Goal& to, GraphMethod method,
                               const SearchLimits& limits) {
   if (auto answer = detail::answer_at_start(graph.space(), from, to)) return *answer;
-  return graph_search(graph.roadmap(), query_of(graph, from, to), algorithm, limits);
+  return graph_search(graph.roadmap(), query_of(graph, from, to), method, limits);
 }
 
 }  // namespace taut

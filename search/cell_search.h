@@ -12,8 +12,8 @@ namespace taut {
 /// at a right angle. It is optimal among these ways, not in the plane; `none` says that the graph has no way, which
 /// proves nothing about the plane (FreeSpace::separation does). Throws InputError when `from` or the goal is no place
 /// for the robot.
-GraphSearchResult cell_search(const CellGraph& graph, Point from, const Goal& to,
-                              GraphAlgorithm algorithm = GraphAlgorithm::astar, const SearchLimits& limits = {});
+GraphSearchResult cell_search(const CellGraph& graph, Point from, const Goal& to, GraphMethod method = {},
+                              const SearchLimits& limits = {});
 
 /// The query that cell_search asks of graph.roadmap(), for other searches.
 /// From within the goal room it is one leg of length 0.

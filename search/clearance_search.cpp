@@ -2,34 +2,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <queue>
 #include <span>
 #include <tuple>
 #include <utility>
 
 #include <taut/geometry/detail/segment_distance.h>
 #include <taut/roadmaps/detail/voronoi_geometry.h>
+#include <taut/search/detail/clearance_net.h>
 
 namespace taut {
 
 namespace {
 
-constexpr double kFar = HUGE_VAL;
+using detail::Arc;
+using detail::ArcTree;
 
 detail::Bezier bezier(const VoronoiCurve& c) { return {c.from, c.control, c.to}; }
 VoronoiCurve reversed(const VoronoiCurve& c) { return {c.to, c.control, c.from}; }
 VoronoiCurve straight(Point p, Point q) { return {p, {p.x + (q.x - p.x) / 2, p.y + (q.y - p.y) / 2}, q}; }
-
-/// A way between two nodes; `rank` is its gate's, kNone when it has none.
-struct Arc {
-  std::uint32_t from;
-  std::uint32_t to;
-  std::uint32_t edge;  ///< kNone: a leg
-  std::uint32_t rank;
-  double length;
-  VoronoiCurve curve;
-};
 
 /// Where an end of the query cuts an edge.
 struct Cut {
@@ -59,30 +49,24 @@ Point doubled(Point p) { return {2 * p.x, 2 * p.y}; }
 }  // namespace
 
 struct ClearanceSearch::Impl {
-  /// A way through the net: arcs as the search came by, last first.
-  struct Tree {
-    std::vector<std::uint32_t> arc;
-    std::vector<double> length;
-  };
-
   Impl(VoronoiRoadmap map_, Point start, Point goal) : map(std::move(map_)) {
     start_node = static_cast<std::uint32_t>(map.vertices().size());
     goal_node = start_node + 1;
-    nodes = start_node + 2;
+    net.nodes = start_node + 2;
     for (const Point p : {start, goal}) {
       const Clearance c = map.space().clearance(p);
       ends.push_back({p, c, segment(map.space().constraints()[c.constraint]), map.first_rank(p, c.constraint)});
       join(p, static_cast<std::uint32_t>(start_node + ends.size() - 1));
     }
     cut_edges();
-    index_arcs();
+    net.index();
   }
 
   void join(Point p, std::uint32_t node) {
     for (const VoronoiJunction& j : map.join(p)) {
-      const std::uint32_t at = nodes++;
+      const std::uint32_t at = net.nodes++;
       cuts.push_back({j.edge, j.parameter, j.at, at});
-      arcs.push_back({node, at, kNone, kNone, std::hypot(j.at.x - p.x, j.at.y - p.y), straight(p, j.at)});
+      net.arcs.push_back({node, at, kNone, kNone, std::hypot(j.at.x - p.x, j.at.y - p.y), straight(p, j.at)});
     }
   }
 
@@ -101,107 +85,48 @@ struct ClearanceSearch::Impl {
   /// The edge in the pieces the cuts make of it.
   void add_edge(std::uint32_t index, std::span<const Cut> edge_cuts) {
     const VoronoiEdge& e = map.edges()[index];
-    if (edge_cuts.empty()) return arcs.push_back({e.from, e.to, index, e.rank, e.length, map.curve(e)});
+    if (edge_cuts.empty()) return net.arcs.push_back({e.from, e.to, index, e.rank, e.length, map.curve(e)});
     double t = 0;
     std::uint32_t node = e.from;
     const auto add = [&](double until, std::uint32_t to) {
       const bool gate = e.gate == VoronoiEdge::Gate::parallel || (t <= e.foot && e.foot <= until);
       const detail::Bezier part = bezier(map.curve(e)).part(t, until);
-      arcs.push_back({node, to, index, gate ? e.rank : kNone, part.length(), {part.from, part.control, part.to}});
+      net.arcs.push_back({node, to, index, gate ? e.rank : kNone, part.length(), {part.from, part.control, part.to}});
       std::tie(t, node) = std::tuple(until, to);
     };
     for (const Cut& c : edge_cuts) add(c.parameter, c.node);
     add(1, e.to);
   }
 
-  void index_arcs() {
-    offsets.assign(nodes + 1, 0);
-    for (const Arc& a : arcs)
-      for (const std::uint32_t v : {a.from, a.to}) ++offsets[v + 1];
-    for (std::uint32_t v = 0; v < nodes; ++v) offsets[v + 1] += offsets[v];
-    arcs_at.resize(2 * arcs.size());
-    std::vector<std::uint32_t> next(offsets.begin(), offsets.end() - 1);
-    for (std::uint32_t a = 0; a < arcs.size(); ++a)
-      for (const std::uint32_t v : {arcs[a].from, arcs[a].to}) arcs_at[next[v]++] = a;
-  }
-
-  /// Calls visit(arc, other end) for the arcs at v whose gate is at least as wide as `rank`.
-  template <class Visit>
-  void each_arc(std::uint32_t v, std::uint32_t rank, Visit visit) const {
-    for (std::uint32_t i = offsets[v]; i < offsets[v + 1]; ++i) {
-      const Arc& a = arcs[arcs_at[i]];
-      if (a.rank >= rank) visit(arcs_at[i], a.from == v ? a.to : a.from);
-    }
-  }
-
-  /// Dijkstra among gates at least as wide as `rank`.
+  /// Among gates at least as wide as `rank`.
   std::optional<Found> shortest_from(std::uint32_t rank) const {
-    using Open = std::pair<double, std::uint32_t>;
-    Tree tree{std::vector<std::uint32_t>(nodes, kNone), std::vector<double>(nodes, kFar)};
-    std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
-    std::size_t expanded = 0;
-    tree.length[start_node] = 0;
-    open.push({0, start_node});
-    while (!open.empty()) {
-      const double length = open.top().first;
-      const std::uint32_t v = open.top().second;
-      open.pop();
-      if (v == goal_node) return found(tree, expanded);
-      if (length > tree.length[v]) continue;
-      ++expanded;
-      each_arc(v, rank, [&](std::uint32_t a, std::uint32_t w) {
-        if (length + arcs[a].length >= tree.length[w]) return;
-        tree.length[w] = length + arcs[a].length;
-        tree.arc[w] = a;
-        open.push({tree.length[w], w});
-      });
-    }
-    return std::nullopt;
+    const ArcTree tree = shortest_ways(detail::WideArcs(net, rank), start_node, goal_node);
+    if (!tree.reached) return std::nullopt;
+    return found(tree);
   }
 
-  /// The widest bottleneck as a rank; kNone when no gate is passed, nothing when not connected.
-  std::optional<std::uint32_t> bottleneck() const {
-    using Open = std::pair<std::uint32_t, std::uint32_t>;
-    std::vector<std::uint32_t> best(nodes, 0);
-    std::vector<char> reached(nodes, 0);
-    std::priority_queue<Open> open;
-    open.push({kNone, start_node});
-    while (!open.empty()) {
-      const auto [rank, v] = open.top();
-      open.pop();
-      if (v == goal_node) return rank;
-      if (std::exchange(reached[v], 1)) continue;
-      each_arc(v, 0, [&, through = rank](std::uint32_t a, std::uint32_t w) {
-        const std::uint32_t least = std::min(through, arcs[a].rank);
-        if (reached[w] || (least < best[w])) return;
-        best[w] = least;
-        open.push({least, w});
-      });
-    }
-    return std::nullopt;
-  }
-
-  Found found(const Tree& tree, std::size_t expanded) const {
+  Found found(const ArcTree& tree) const {
     ClearancePath result;
-    result.expanded = expanded;
+    result.expanded = tree.expanded;
     result.length = tree.length[goal_node];
     std::uint32_t narrowest = kNone;
     for (std::uint32_t v = goal_node; v != start_node;) {
-      const Arc& a = arcs[tree.arc[v]];
+      const Arc& a = net.arcs[tree.arc[v]];
       if (a.curve.from != a.curve.to) result.curves.push_back(a.to == v ? a.curve : reversed(a.curve));
-      if (a.rank != kNone && (narrowest == kNone || a.rank <= arcs[narrowest].rank)) narrowest = tree.arc[v];
+      if (a.rank != kNone && (narrowest == kNone || a.rank <= net.arcs[narrowest].rank)) narrowest = tree.arc[v];
       v = a.to == v ? a.from : a.to;
     }
     std::reverse(result.curves.begin(), result.curves.end());
     result.pinch = pinch(narrowest);
-    return {std::move(result), narrowest == kNone ? kNone : arcs[narrowest].rank};
+    return {std::move(result), narrowest == kNone ? kNone : net.arcs[narrowest].rank};
   }
 
   Pinch pinch(std::uint32_t arc) const {
     const int last = detail::compare_segment_distances({ends[1].at, ends[1].at}, ends[1].wall, {ends[0].at, ends[0].at},
                                                        ends[0].wall) < 0;
     const End& end = ends[last];
-    if (arc != kNone && compare(map.edges()[arcs[arc].edge], end) <= 0) return gate(map.edges()[arcs[arc].edge]);
+    if (arc != kNone && compare(map.edges()[net.arcs[arc].edge], end) <= 0)
+      return gate(map.edges()[net.arcs[arc].edge]);
     return {last ? Pinch::Where::goal : Pinch::Where::start,
             end.clearance.distance,
             {end.clearance.constraint, kNone},
@@ -230,11 +155,10 @@ struct ClearanceSearch::Impl {
   std::uint32_t end_rank() const { return std::min(ends[0].rank, ends[1].rank); }
 
   VoronoiRoadmap map;
-  std::uint32_t start_node = 0, goal_node = 0, nodes = 0;
+  detail::ClearanceNet net;
+  std::uint32_t start_node = 0, goal_node = 0;
   std::vector<End> ends;
   std::vector<Cut> cuts;
-  std::vector<Arc> arcs;
-  std::vector<std::uint32_t> offsets, arcs_at;
 };
 
 ClearanceSearch::ClearanceSearch(VoronoiRoadmap roadmap, Point start, Point goal)
@@ -247,7 +171,7 @@ std::optional<ClearancePath> ClearanceSearch::shortest(double c) const {
 }
 
 std::optional<ClearancePath> ClearanceSearch::widest() const {
-  const auto rank = impl_->bottleneck();
+  const auto rank = widest_bottleneck(impl_->net, impl_->start_node, impl_->goal_node);
   if (!rank) return std::nullopt;
   return std::move(impl_->shortest_from(std::min(*rank, impl_->end_rank()))->path);
 }

@@ -9,16 +9,14 @@
 #include <vector>
 
 #include <taut/roadmaps/roadmap.h>
+#include <taut/search/graph_method.h>
 #include <taut/search/path.h>
 
 namespace taut {
 
-/// Both are exact; A* looks at fewer vertices.
-enum class GraphAlgorithm { astar, dijkstra };
-
 /// How a search ended.
 enum class SearchStatus {
-  found,    ///< the answer is optimal in the graph, proven
+  found,    ///< there is a path; that it is the shortest in the graph is proven where `optimal` says so
   none,     ///< the whole reachable part was searched: there is no path
   stopped,  ///< a limit was reached first
 };
@@ -43,6 +41,15 @@ struct GraphQuery {
   std::vector<std::size_t> direct;
 };
 
+/// An estimate above the true cost, at a vertex or at the start: so A* can miss the shortest path.
+struct GraphOverestimate {
+  Point at;
+  double estimate = 0;  ///< to the nearest double
+  double cost = 0;  ///< of a way from there to a goal, the shortest but for rounding; proven to be below the estimate
+
+  friend bool operator==(const GraphOverestimate&, const GraphOverestimate&) = default;
+};
+
 /// The answer, and what it took.
 struct GraphSearchResult {
   SearchStatus status = SearchStatus::none;
@@ -50,18 +57,26 @@ struct GraphSearchResult {
   std::size_t goal = 0;       ///< which goal it ends in, when found
   std::size_t expanded = 0;   ///< vertices taken from the queue and looked around from, the start included, goals not
   std::size_t generated = 0;  ///< vertices that ever got a length, start and goals included
+  bool optimal = true;        ///< when found: it is the shortest in the graph, proven
+  /// Of A* with an estimate that is not admissible: where that shows
+  std::optional<GraphOverestimate> overestimate{};
 };
 
-/// The shortest way through the graph, exactly: labels are intervals; two that overlap are compared as the exact sums
-/// of square roots they stand for (compare_lengths); equal ones keep the predecessor found first. The search goes on
-/// until no open vertex could still improve the goal, so rounding decides nothing.
-///  - astar: boost::astar_search_no_init, heuristic: distance to the nearest goal point, rounded down. Early exit.
-///  - dijkstra: boost::dijkstra_shortest_paths_no_init (early exit as well).
-/// Among goals equally far, the first of those reached. Precondition: V + goals < 2^32 - 1.
-/// O((V + E) log V) in the part reached, the heuristic O(goals); memory 16 bytes a vertex, touched only in the part
-/// reached, and 32 bytes each time a vertex gets a shorter way.
-GraphSearchResult graph_search(const Roadmap& roadmap, const GraphQuery& query,
-                               GraphAlgorithm algorithm = GraphAlgorithm::astar, const SearchLimits& limits = {});
+/// A way through the graph. Lengths are exact: labels are intervals; two that overlap are compared as the exact sums of
+/// square roots they stand for (compare_lengths); equal ones keep the predecessor found first. Each search ends when it
+/// takes a goal from its queue.
+///  - astar: boost::astar_search_no_init. Estimates are to the nearest goal, rounded down. Where they are admissible the
+///    search goes on until no open vertex could still improve the goal, so rounding decides nothing and the path is the
+///    shortest: `optimal`. Manhattan and octile are admissible on few graphs (heuristic_verdict): elsewhere the path is
+///    not called optimal, also when it happens to be, and `overestimate` is the witness.
+///  - dijkstra: boost::dijkstra_shortest_paths_no_init. The shortest.
+///  - bfs: boost::breadth_first_visit, dfs: boost::depth_first_visit, greedy: boost::astar_search_no_init ordered by the
+///    estimate alone. Some path, never called optimal; bfs has the fewest legs, those of the ends included.
+/// All search the whole reachable part before they say `none`. Among goals equally far, the first of those reached.
+/// Precondition: V + goals < 2^32 - 1. O((V + E) log V) in the part reached, the heuristic O(goals); memory 16 bytes a
+/// vertex, touched only in the part reached, and 32 bytes each time a vertex gets a shorter way.
+GraphSearchResult graph_search(const Roadmap& roadmap, const GraphQuery& query, GraphMethod method = {},
+                               const SearchLimits& limits = {});
 
 /// All shortest paths from one terminal (boost::dijkstra_shortest_paths), kept for many goals.
 class GraphShortestPaths {

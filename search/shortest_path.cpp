@@ -48,10 +48,10 @@ GraphQuery visibility_query(const VisibilityGraph& graph, Point from, const Goal
   return query_of(graph, from, to);
 }
 
-GraphSearchResult shortest_path(const VisibilityGraph& graph, Point from, const Goal& to, GraphAlgorithm algorithm,
+GraphSearchResult shortest_path(const VisibilityGraph& graph, Point from, const Goal& to, GraphMethod method,
                                 const SearchLimits& limits) {
   if (auto answer = detail::answer_at_start(graph.space(), from, to)) return *answer;
-  return graph_search(graph.roadmap(), query_of(graph, from, to), algorithm, limits);
+  return graph_search(graph.roadmap(), query_of(graph, from, to), method, limits);
 }
 
 std::optional<Path> shortest_path(const FreeSpace& space, Point from, const Goal& to) {

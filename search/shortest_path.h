@@ -17,9 +17,10 @@ namespace taut {
 std::optional<Path> shortest_path(const FreeSpace& space, Point from, const Goal& to);
 std::optional<Path> shortest_path(const FreeSpace& space, Point from, Point to);
 
-/// The same length on a finished visibility graph, with counts and limits.
-GraphSearchResult shortest_path(const VisibilityGraph& graph, Point from, const Goal& to,
-                                GraphAlgorithm algorithm = GraphAlgorithm::astar, const SearchLimits& limits = {});
+/// The same length on a finished visibility graph, with counts and limits; another path where the method is not one
+/// that finds the shortest (`optimal`).
+GraphSearchResult shortest_path(const VisibilityGraph& graph, Point from, const Goal& to, GraphMethod method = {},
+                                const SearchLimits& limits = {});
 
 /// The query that shortest_path asks of graph.roadmap(), for other searches.
 /// From within the goal room it is one leg of length 0.

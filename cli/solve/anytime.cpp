@@ -42,11 +42,11 @@ void add_anytime_options(CommandLine& app, AnytimeOptions& options) {
       .group("Query");
 }
 
-void require_anytime_fits(const AnytimeOptions& options, const RoadmapKind* kind, GraphAlgorithm algorithm) {
+void require_anytime_fits(const AnytimeOptions& options, const RoadmapKind* kind, bool method_given) {
   if (options.epsilon && !options.wanted) throw UsageError("--epsilon makes no sense without --anytime");
   if (!options.wanted) return;
-  if (algorithm == GraphAlgorithm::dijkstra)
-    throw UsageError("--anytime makes no sense with --algorithm dijkstra: it has a search of its own");
+  if (method_given)
+    throw UsageError("--anytime makes no sense with --algorithm or --heuristic: it has a search of its own");
   if (kind && (!kind->graph || kind == roadmap_kind("voronoi")))
     throw UsageError(
         fmt::format("--anytime makes no sense with the roadmap {}, which is no graph of "

@@ -19,9 +19,9 @@ struct AnytimeOptions {
 /// --anytime, --epsilon E.
 void add_anytime_options(CommandLine& app, AnytimeOptions& options);
 
-/// Throws UsageError: --epsilon needs --anytime, and that a roadmap which is a graph. `kind` is the one asked
-/// for, if any.
-void require_anytime_fits(const AnytimeOptions& options, const RoadmapKind* kind, GraphAlgorithm algorithm);
+/// Throws UsageError: --epsilon needs --anytime, and that a roadmap which is a graph and no other search. `kind` is the
+/// one asked for, if any; `method_given`: there is --algorithm or --heuristic.
+void require_anytime_fits(const AnytimeOptions& options, const RoadmapKind* kind, bool method_given);
 
 struct AnytimeAnswer {
   GraphSearchResult result;

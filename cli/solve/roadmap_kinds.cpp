@@ -24,19 +24,16 @@ namespace {
 template <typename Graph, typename Search, typename Query>
 PlannedRoadmap planned(std::shared_ptr<const Graph> graph, Search search, Query query) {
   return {std::shared_ptr<const Roadmap>(graph, &graph->roadmap()),
-          [graph, search](Point from, const Goal& to, GraphAlgorithm algorithm) {
-            return search(*graph, from, to, algorithm);
-          },
+          [graph, search](Point from, const Goal& to, GraphMethod method) { return search(*graph, from, to, method); },
           [graph, query](Point from, const Goal& to) { return query(*graph, from, to); }};
 }
 
-GraphSearchResult search_visibility(const VisibilityGraph& graph, Point from, const Goal& to,
-                                    GraphAlgorithm algorithm) {
-  return shortest_path(graph, from, to, algorithm);
+GraphSearchResult search_visibility(const VisibilityGraph& graph, Point from, const Goal& to, GraphMethod method) {
+  return shortest_path(graph, from, to, method);
 }
 
-GraphSearchResult search_cells(const CellGraph& graph, Point from, const Goal& to, GraphAlgorithm algorithm) {
-  return cell_search(graph, from, to, algorithm);
+GraphSearchResult search_cells(const CellGraph& graph, Point from, const Goal& to, GraphMethod method) {
+  return cell_search(graph, from, to, method);
 }
 
 RoadmapKind visibility(const char* name, const char* title, VisibilityKind kind) {
@@ -63,8 +60,8 @@ RoadmapKind cells(const char* name, const char* title, CellNeighbours neighbours
 
 PlannedRoadmap planned_prm(const FreeSpace& space, std::shared_ptr<const Roadmap> roadmap, double clearance) {
   return {roadmap,
-          [space, roadmap, clearance](Point from, const Goal& to, GraphAlgorithm algorithm) {
-            return graph_search(*roadmap, prm_query(space, *roadmap, from, to, clearance), algorithm);
+          [space, roadmap, clearance](Point from, const Goal& to, GraphMethod method) {
+            return graph_search(*roadmap, prm_query(space, *roadmap, from, to, clearance), method);
           },
           [space, roadmap, clearance](Point from, const Goal& to) {
             return prm_query(space, *roadmap, from, to, clearance);
@@ -113,7 +110,7 @@ RoadmapKind voronoi() {
             const double tolerance = corridor_width(space) * kArcTolerance;
             const auto map = std::make_shared<const VoronoiRoadmap>(space);
             PlannedRoadmap planned{std::make_shared<const Roadmap>(voronoi_legs(*map, tolerance)),
-                                   [map, tolerance](Point from, const Goal& to, GraphAlgorithm) {
+                                   [map, tolerance](Point from, const Goal& to, GraphMethod) {
                                      return voronoi_search(*map, from, to, tolerance);
                                    }};
             planned.diagram = map;
@@ -134,8 +131,7 @@ RoadmapKind polyanya() {
           [](const FreeSpace& space, const BuildRequest& request) {
             const auto search = std::make_shared<PolyanyaSearch>(
                 Polyanya(space, request.from ? navmesh_between(space, *request.from, request.to) : navmesh(space)));
-            return PlannedRoadmap{std::make_shared<const Roadmap>(),
-                                  [search](Point from, const Goal& to, GraphAlgorithm) {
+            return PlannedRoadmap{std::make_shared<const Roadmap>(), [search](Point from, const Goal& to, GraphMethod) {
                                     search->find(from, to);
                                     return search->result();
                                   }};

@@ -21,7 +21,7 @@ namespace taut::cli {
 /// A finished roadmap, and how it answers: from a start to a goal.
 struct PlannedRoadmap {
   std::shared_ptr<const Roadmap> roadmap;  ///< empty where there is no graph
-  std::function<GraphSearchResult(Point, const Goal&, GraphAlgorithm)> search;
+  std::function<GraphSearchResult(Point, const Goal&, GraphMethod)> search;
   std::function<GraphQuery(Point, const Goal&)> query{};  ///< what `search` asks; empty where that is no graph search
   std::string how{};                                      ///< the settings it was built with, for saved files
   std::shared_ptr<const VoronoiRoadmap> diagram{};        ///< when `roadmap` only stands for it

@@ -94,8 +94,7 @@ class Solver {
 
   PlannedRoadmap build_or_load(const FreeSpace& space) {
     if (options_.load.empty()) {
-      const bool graph =
-          !options_.save.empty() || options_.anytime.wanted || options_.algorithm == GraphAlgorithm::dijkstra;
+      const bool graph = !options_.save.empty() || options_.anytime.wanted || options_.method_given();
       answer_.kind = options_.kind ? options_.kind : roadmap_kind(graph ? "visibility" : "polyanya");
       return answer_.kind->build(space,
                                  {options_.common.seed, result_.start, result_.goal, options_.prm,
@@ -111,12 +110,16 @@ class Solver {
 
   void search(const FreeSpace& space) {
     GraphSearchResult found = timed("search", result_.seconds.search, [&] {
-      return answer_.planned.search(*result_.start, result_.goal, options_.algorithm);
+      return answer_.planned.search(*result_.start, result_.goal, options_.method());
     });
     result_.status = found.status;
     result_.path = std::move(found.path);
     result_.expanded = found.expanded;
-    if (!options_.shorten || result_.status != SearchStatus::found || answer_.kind->optimal) return;
+    if (answer_.planned.query) result_.method = options_.method();
+    result_.shortest_in_roadmap = found.optimal;
+    result_.optimal = answer_.kind->optimal && found.optimal;
+    result_.overestimate = found.overestimate;
+    if (!options_.shorten || result_.status != SearchStatus::found || result_.optimal) return;
     result_.unpulled = result_.path.length;
     result_.path = shortened(space, result_.path).value();
   }

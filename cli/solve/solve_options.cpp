@@ -7,6 +7,53 @@ namespace taut::cli {
 
 namespace {
 
+void add_method_options(CommandLine& app, SolveOptions& options) {
+  app.add_option_function(
+         "--algorithm",
+         [&options](const std::string& text) {
+           options.algorithm = graph_algorithm_named(text);
+           if (!options.algorithm) throw UsageError("'" + text + "' is not one of " + graph_algorithm_names());
+         },
+         "How a graph is searched: " + graph_algorithm_names() + " (default: astar)")
+      .type_name("NAME")
+      .group("Query");
+  app.add_option_function(
+         "--heuristic",
+         [&options](const std::string& text) {
+           options.heuristic = graph_heuristic_named(text);
+           if (!options.heuristic) throw UsageError("'" + text + "' is not one of " + graph_heuristic_names());
+         },
+         "What astar and greedy believe is left: " + graph_heuristic_names() + " (default: euclidean)")
+      .type_name("NAME")
+      .group("Query");
+  app.explain("Algorithms", {{"astar", "the shortest path of the graph, unless the heuristic overestimates"},
+                             {"dijkstra", "the shortest path of the graph, without a heuristic"},
+                             {"bfs", "a path with the fewest legs"},
+                             {"dfs", "some path: on along the first leg, back where it ends"},
+                             {"greedy", "some path: always to what looks nearest the goal"}});
+  app.explain("Heuristics",
+              {{"euclidean", "the straight distance"},
+               {"manhattan", "dx + dy; overestimates where legs do not follow the axes"},
+               {"octile", "dx + dy less (2 - sqrt 2) min(dx, dy); where they are not at 45 degrees either"},
+               {"chebyshev", "max(dx, dy)"},
+               {"zero", "0: astar is dijkstra then"}});
+}
+
+// --algorithm and --heuristic, with what they do not go with.
+void require_method_fits(const SolveOptions& options) {
+  if (!options.method_given()) return;
+  const std::string given =
+      options.algorithm ? fmt::format("--algorithm {}", name(*options.algorithm)) : std::string("--heuristic");
+  if (options.heuristic && !uses_heuristic(options.method().algorithm))
+    throw UsageError(fmt::format("--heuristic makes no sense with {}, which has none", given));
+  if (options.kind && !options.kind->graph)
+    throw UsageError(fmt::format("--roadmap {} makes no graph for {}", options.kind->name, given));
+  if (options.arcs) throw UsageError(fmt::format("--arcs makes no sense with {}: it has its own search", given));
+  const bool diagram = options.clearance.kind != ClearanceQuery::Kind::none || options.kind == roadmap_kind("voronoi");
+  if (diagram && options.algorithm != GraphAlgorithm::dijkstra)
+    throw UsageError(fmt::format("the Voronoi diagram is searched with dijkstra alone, not with {}", given));
+}
+
 // Options that exclude each other. Throws UsageError.
 void require_consistent(const SolveOptions& options) {
   if (options.clearance.kind != ClearanceQuery::Kind::none) {
@@ -22,7 +69,7 @@ void require_consistent(const SolveOptions& options) {
   if (!options.load.empty() && !options.prm.first().empty())
     throw UsageError(options.prm.first() + " makes no sense with --load: that roadmap is built already");
   require_prm_options_fit(options.prm, kind);
-  if (options.shorten && kind.optimal && options.load.empty())
+  if (options.shorten && kind.optimal && options.load.empty() && optimal_everywhere(options.method()))
     throw UsageError(
         fmt::format("--shorten makes no sense with the roadmap {}: its paths are the shortest", kind.name));
   if (options.shorten && options.prm.clearance.value_or(0) > 0)
@@ -34,14 +81,13 @@ void require_consistent(const SolveOptions& options) {
     throw UsageError("--arcs has a roadmap of its own: not with --roadmap, --save, --load or --clearance");
   if (options.arcs && options.query.robot.kind() != Footprint::Kind::disc)
     throw UsageError("--arcs needs --robot disc:R");
-  require_anytime_fits(options.anytime, options.kind, options.algorithm);
+  require_method_fits(options);
+  require_anytime_fits(options.anytime, options.kind, options.method_given());
   if (options.anytime.wanted &&
       (options.shorten || options.arcs || options.clearance.kind != ClearanceQuery::Kind::none))
     throw UsageError("--anytime makes no sense with --shorten, --arcs, --clearance, --widest or --tradeoff");
   if (options.load == "-" && options.world.file == "-")
     throw UsageError("FILE and --load cannot both come from standard input");
-  if (options.kind && !options.kind->graph && options.algorithm == GraphAlgorithm::dijkstra)
-    throw UsageError(fmt::format("--roadmap {} makes no graph for --algorithm dijkstra", options.kind->name));
 }
 
 }  // namespace
@@ -49,18 +95,9 @@ void require_consistent(const SolveOptions& options) {
 void add_solve_options(CommandLine& app, SolveOptions& options) {
   add_world_options(app, options.world);
   add_query_options(app, options.query);
-  app.add_option_function(
-         "--algorithm",
-         [&options](const std::string& text) {
-           if (text != "astar" && text != "dijkstra")
-             throw UsageError("--algorithm: '" + text + "' is not astar or dijkstra");
-           options.algorithm = text == "astar" ? GraphAlgorithm::astar : GraphAlgorithm::dijkstra;
-         },
-         "astar (default) or dijkstra; the path is the same length")
-      .type_name("NAME")
-      .group("Query");
+  add_method_options(app, options);
   add_roadmap_kind(app, "--roadmap", options.kind, "Roadmap",
-                   "polyanya; visibility with --algorithm dijkstra, --save or --load");
+                   "polyanya; visibility with --algorithm, --heuristic, --save or --load");
   app.add_option("--save", options.save, "Keep the roadmap for --load; - is standard output")
       .type_name("FILE")
       .group("Roadmap");

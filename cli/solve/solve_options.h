@@ -1,6 +1,7 @@
 // The options of `taut solve`.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include <taut/cli/command_line.h>
@@ -18,7 +19,8 @@ struct SolveOptions {
   QueryOptions query;
   OutputOptions output;
   CommonOptions common;
-  GraphAlgorithm algorithm = GraphAlgorithm::astar;
+  std::optional<GraphAlgorithm> algorithm;
+  std::optional<GraphHeuristic> heuristic;
   AnytimeOptions anytime;
   ClearanceQuery clearance;
   bool no_verify = false;
@@ -31,6 +33,11 @@ struct SolveOptions {
   std::string load;
 
   ClearanceRequest clearance_request() const { return {world, query, output, clearance, !no_verify, path}; }
+  /// Was one asked for that works on a graph?
+  bool method_given() const { return algorithm || heuristic; }
+  GraphMethod method() const {
+    return {algorithm.value_or(GraphAlgorithm::astar), heuristic.value_or(GraphHeuristic::euclidean)};
+  }
   bool stdout_taken() const { return output.stdout_taken() || save == "-"; }
 };
 

@@ -12,19 +12,33 @@ namespace {
 constexpr std::size_t kWallsNamed = 4;
 constexpr std::size_t kEdgesInBackground = 20'000;  // more would hide the path; `taut roadmap --svg` shows them
 
+/// `manhattan says 9.5 at (1, 2), where 7.1 is left`
+std::string overestimate_text(const GraphOverestimate& over, GraphHeuristic heuristic) {
+  return fmt::format("{} says {:.6g} at ({}, {}), where {:.6g} is left", name(heuristic), over.estimate, over.at.x,
+                     over.at.y, over.cost);
+}
+
+/// What is known of a path besides its length; empty when it is the shortest in the plane.
+std::string claim(const PlanResult& result, const RoadmapKind& kind) {
+  if (result.unpulled)
+    return fmt::format(" (pulled taut from {} in the roadmap {}; not proven optimal)", length_text(*result.unpulled),
+                       kind.name);
+  if (!result.shortest_in_roadmap)
+    return fmt::format(
+        " ({} in the roadmap {}; not proven optimal{})", name(*result.method), kind.name,
+        result.overestimate ? ": " + overestimate_text(*result.overestimate, result.method->heuristic) : "");
+  if (kind.optimal) return "";
+  if (result.bound > 1.0) return fmt::format(" (in the roadmap {})", kind.name);
+  return fmt::format(" (shortest in the roadmap {}; not proven optimal)", kind.name);
+}
+
 std::vector<std::string> facts(const SolveAnswer& answer) {
   const PlanResult& result = answer.result;
   const RoadmapKind* kind = answer.kind;
   if (result.status == SearchStatus::none) return {"no path", seconds_text(result.seconds.total)};
   if (result.status == SearchStatus::stopped) return {result.reason, seconds_text(result.seconds.total)};
   const std::size_t points = result.path.points.size();
-  const std::string claim = kind->optimal        ? ""
-                            : result.bound > 1.0 ? fmt::format(" (in the roadmap {})", kind->name)
-                            : result.unpulled
-                                ? fmt::format(" (pulled taut from {} in the roadmap {}; not proven optimal)",
-                                              length_text(*result.unpulled), kind->name)
-                                : fmt::format(" (shortest in the roadmap {}; not proven optimal)", kind->name);
-  std::vector<std::string> facts{"length " + length_text(result.path.length) + claim};
+  std::vector<std::string> facts{"length " + length_text(result.path.length) + claim(result, *kind)};
   if (result.bound) facts.push_back("bound " + bound_text(*result.bound));
   facts.push_back(count_text(points > 2 ? points - 2 : 0, "corner"));
   facts.push_back(seconds_text(result.seconds.total));
@@ -81,10 +95,9 @@ void note_stages(const SolveAnswer& answer, const SolveOptions& options, const F
   if (answer.planned.prm) note(connectivity_text(*answer.planned.prm));
   note_stage("search", s.search,
              fmt::format("{} expanded ({})", result.expanded,
-                         options.anytime.wanted                       ? "anytime"
-                         : !kind->graph                               ? kind->name
-                         : options.algorithm == GraphAlgorithm::astar ? "astar"
-                                                                      : "dijkstra"));
+                         options.anytime.wanted ? "anytime"
+                         : result.method        ? name(*result.method)
+                                                : kind->name));
   note_stage("verify", s.verify,
              result.verified ? fmt::format("valid, clearance {:.6g}", result.clearance.value_or(0)) : "not done");
   note_stage("total", s.total, "peak memory " + peak_memory_text());

@@ -84,6 +84,12 @@ std::string result_json(const PlanResult& result) {
   json["wall_thickness"] = result.wall_thickness;
   json["displacement"] = result.displacement;
   json["expanded"] = result.expanded;
+  if (result.method) {
+    json["algorithm"] = name(result.method->algorithm);
+    if (uses_heuristic(result.method->algorithm)) json["heuristic"] = name(result.method->heuristic);
+  }
+  if (const auto& over = result.overestimate)
+    json["overestimate"] = {{"at", json_of(over->at)}, {"estimate", over->estimate}, {"cost", over->cost}};
   if (result.unpulled) json["length_in_roadmap"] = result.unpulled->value();
   if (result.prm) json["prm"] = json_of(*result.prm);
   if (result.bound) {

@@ -44,9 +44,12 @@ struct PlanResult {
   double wall_thickness = 0;           ///< the largest of the world
   double displacement = 0;             ///< FreeSpaceReport
   std::size_t expanded = 0;
-  std::optional<Length> unpulled;      ///< the length before the path was pulled taut, if it was
-  std::optional<PrmConnectivity> prm;  ///< of a PRM that was grown for the query
-  std::optional<double> bound;         ///< of an anytime search that found a path
+  std::optional<GraphMethod> method;              ///< of a search in a graph of straight legs
+  bool shortest_in_roadmap = true;                ///< is the path found the shortest there, proven?
+  std::optional<GraphOverestimate> overestimate;  ///< why A* may have missed that
+  std::optional<Length> unpulled;                 ///< the length before the path was pulled taut, if it was
+  std::optional<PrmConnectivity> prm;             ///< of a PRM that was grown for the query
+  std::optional<double> bound;                    ///< of an anytime search that found a path
   std::vector<AnytimeImprovement> improvements;
   StageSeconds seconds;
 };
@@ -84,6 +87,10 @@ struct PlanResult {
 ///  wall_thickness  the largest thickness of a wall
 ///  displacement    how far rounding moved any constructed point at most
 ///  expanded        vertices the search took from its queue for good
+///  algorithm       of a search in a graph: "astar", "dijkstra", "bfs", "dfs", "greedy"
+///  heuristic       with "astar" and "greedy": "euclidean", "manhattan", ...
+///  overestimate    of A* whose heuristic is not admissible: {"at": [x, y], "estimate", "cost"}, a place where it says
+///                  more than is left; the path found is then not called optimal
 ///  length_in_roadmap  of the path in the roadmap, when it was pulled taut after that (--shorten)
 ///  prm             of a probabilistic roadmap: {"samples", "vertices", "edges", "edges_tested", "components",
 ///                  "start_part", "goal_part"}; the parts are the vertices that hang together with an end

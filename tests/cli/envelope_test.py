@@ -37,6 +37,8 @@ def cases(data):
     world = {"room": ROOM, "sealed": SEALED, "slit": SLIT, "wrong": WRONG, "queries": QUERIES, "through": PATH_THROUGH_WALL}
     yield "solve room", world, "found"
     yield "solve room --roadmap visibility --algorithm dijkstra", world, "found"
+    yield "solve room --algorithm bfs", world, "found"
+    yield "solve room --heuristic manhattan", world, "found"
     yield "solve room --widest", world, "found"
     yield "solve room --tradeoff", world, "found"
     yield "solve room --clearance 0.3", world, "found"
@@ -67,6 +69,8 @@ def cases(data):
     yield "compare wrong", world, "refused"
     yield "convert room out --as geojson", world, "done"
     yield "convert wrong out --as geojson", world, "refused"
+    yield "space room --robot disc:0.1 -o out --as wkt", world, "done"
+    yield "space wrong -o out --as svg", world, "refused"
     yield "generate --size 5 -o out", world, "done"
     yield "bug room", world, "found"
     yield "bug sealed", world, "none"

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "support/bellman_ford.h"
+#include "support/graph_case.h"
 
 namespace taut {
 namespace {
@@ -14,44 +15,11 @@ namespace {
 using test::bellman_ford;
 using test::plus_leg;
 using Vertex = Roadmap::Vertex;
-using Edges = std::vector<std::pair<Vertex, Vertex>>;
 
 constexpr GraphAlgorithm kBoth[] = {GraphAlgorithm::astar, GraphAlgorithm::dijkstra};
 
-struct Case {
-  Roadmap map;
-  GraphQuery query;
-};
-
-/// Few lattice points, many of them equal, so that nearly everything is tied.
-Case any_case() {
-  const auto n = *rc::gen::inRange<Vertex>(1, 14);
-  const int range = *rc::gen::inRange(1, 6);
-  const double unit = *rc::gen::element(1.0, 0.1, 0x1p-20);
-  const auto point = [&] {
-    const int x = *rc::gen::inRange(0, range), y = *rc::gen::inRange(0, range);
-    return Point{x * unit, y * unit};
-  };
-  std::vector<Point> points;
-  for (Vertex v = 0; v < n; ++v) points.push_back(point());
-  const auto vertex = rc::gen::inRange<Vertex>(0, n);
-  const auto edges =
-      *rc::gen::container<Edges>(*rc::gen::inRange<std::size_t>(0, 3 * n), rc::gen::pair(vertex, vertex));
-  const auto terminal = [&] {
-    const Point p = point();
-    return Terminal{p, *rc::gen::container<std::vector<Vertex>>(*rc::gen::inRange<std::size_t>(0, 4), vertex)};
-  };
-  Case c{.map = Roadmap(points, edges), .query = {.start = terminal(), .goals = {}, .direct = {}}};
-  const auto goals = *rc::gen::inRange<std::size_t>(0, 4);
-  for (std::size_t i = 0; i < goals; ++i) {
-    c.query.goals.push_back(terminal());
-    if (*rc::gen::inRange(0, 8) == 0) c.query.direct.push_back(i);
-  }
-  return c;
-}
-
 RC_GTEST_PROP(GraphSearch, AgreesWithBellmanFord, ()) {
-  const Case c = any_case();
+  const test::GraphCase c = test::any_graph_case();
   const auto lengths = bellman_ford(c.map, c.query);
   std::optional<Length> expected;
   for (std::size_t i = c.map.vertex_count(); i < lengths.size(); ++i)
@@ -70,7 +38,7 @@ RC_GTEST_PROP(GraphSearch, AgreesWithBellmanFord, ()) {
 }
 
 RC_GTEST_PROP(GraphShortestPaths, AgreesWithBellmanFordOnEveryGoal, ()) {
-  const Case c = any_case();
+  const test::GraphCase c = test::any_graph_case();
   const auto lengths = bellman_ford(c.map, c.query);
   const GraphShortestPaths paths(std::make_shared<Roadmap>(c.map), c.query.start);
   for (std::size_t i = 0; i < c.query.goals.size(); ++i) {

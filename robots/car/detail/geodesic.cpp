@@ -1,11 +1,11 @@
 #include <taut/robots/car/detail/geodesic.h>
 
+#include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
-#include <queue>
-#include <utility>
+
+#include <taut/search/roadmap_distances.h>
 
 namespace taut::car::detail {
 
@@ -31,28 +31,15 @@ Footprint polygon_inside(double radius) {
 }  // namespace
 
 Geodesic::Geodesic(const World& world, double radius, const std::vector<Point>& goals)
-    : graph_(std::make_unique<VisibilityGraph>(FreeSpace(world, polygon_inside(radius)))),
-      length_(graph_->roadmap().vertex_count(), kInfinite) {
+    : graph_(std::make_unique<VisibilityGraph>(FreeSpace(world, polygon_inside(radius)))) {
   const Roadmap& roadmap = graph_->roadmap();
-  using Entry = std::pair<double, Roadmap::Vertex>;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
-  const auto reach = [&](Roadmap::Vertex v, double length) {
-    if (length >= length_[v]) return;
-    length_[v] = length;
-    open.emplace(length, v);
-  };
+  std::vector<RoadmapSource> seen;
   for (const Point goal : goals) {
     if (graph_->space().locate(goal).kind == Location::Kind::outside) continue;
     goals_.push_back(goal);
-    for (const Roadmap::Vertex v : graph_->visible_from(goal)) reach(v, distance(roadmap.point(v), goal));
+    for (const Roadmap::Vertex v : graph_->visible_from(goal)) seen.push_back({v, distance(roadmap.point(v), goal)});
   }
-  while (!open.empty()) {
-    const auto [length, v] = open.top();
-    open.pop();
-    if (length > length_[v]) continue;
-    for (const Roadmap::Vertex w : roadmap.neighbours(v))
-      reach(w, length + distance(roadmap.point(v), roadmap.point(w)));
-  }
+  length_ = roadmap_distances(roadmap, seen).length;
 }
 
 double Geodesic::from(Point p) const {
