@@ -1,16 +1,19 @@
 #include <taut/roadmaps/detail/voronoi_diagram.h>
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
+#include <CGAL/Gmpq.h>
 #include <CGAL/Handle_hash_function.h>
+#include <CGAL/Mpzf.h>
 #include <CGAL/Segment_Delaunay_graph_2.h>
 #include <CGAL/Segment_Delaunay_graph_filtered_traits_2.h>
-#include <CGAL/Segment_Delaunay_graph_traits_2.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 #include <unordered_map>
 
 #include <taut/geometry/detail/segment_distance.h>
@@ -20,8 +23,45 @@ namespace taut::detail {
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
-using Traits = CGAL::Segment_Delaunay_graph_filtered_traits_without_intersections_2<Kernel, CGAL::Field_with_sqrt_tag>;
+/// What the filter cannot decide, numbers of any length do that know no division and no root: signs of a + b sqrt(c) and
+/// the like, by squaring.
+#ifdef CGAL_HAS_MPZF
+using Exact = CGAL::Simple_cartesian<CGAL::Mpzf>;
+#else
+using Exact = CGAL::Simple_cartesian<CGAL::Gmpq>;
+#endif
+/// A type of our own, so that what follows concerns nobody else's graphs.
+struct Traits
+    : CGAL::Segment_Delaunay_graph_filtered_traits_without_intersections_2<Kernel, CGAL::Field_with_sqrt_tag, Exact> {};
 using Graph = CGAL::Segment_Delaunay_graph_2<Traits>;
+
+}  // namespace
+
+}  // namespace taut::detail
+
+/// CGAL prints that pieces cross, and goes on without them.
+template <>
+void CGAL::Segment_Delaunay_graph_2<taut::detail::Traits>::print_error_message() const {
+  throw std::logic_error("two pieces of a Voronoi diagram cross");
+}
+
+namespace taut::detail {
+
+namespace {
+
+/// The doubles in their order, numbered from 0.
+double nth_double(std::int64_t n) { return n < 0 ? -std::bit_cast<double>(-n) : std::bit_cast<double>(n); }
+std::int64_t number_of(double v) {
+  return v < 0 ? -std::bit_cast<std::int64_t>(-v) : std::bit_cast<std::int64_t>(std::abs(v));
+}
+
+/// 1e200, beyond what a diagram's doubles can tell from infinity.
+constexpr auto kFarthest = std::bit_cast<std::int64_t>(1e200);
+std::int64_t doubled(std::int64_t step) { return std::min(step, std::int64_t{1} << 61) * 2; }
+std::int64_t stepped(std::int64_t n, std::int64_t step) {
+  if (step < 0) return n < -kFarthest - step ? -kFarthest : n + step;
+  return n > kFarthest - step ? kFarthest : n + step;
+}
 
 class Builder {
  public:
@@ -79,12 +119,13 @@ class Builder {
     std::iota(cluster_.begin(), cluster_.end(), 0u);
   }
 
-  /// Nearly parallel sites can leave doubles without any answer; exact numbers have one.
+  /// Nearly parallel sites, or coordinates much larger than what they differ by, can leave doubles without an answer that
+  /// is proven; exact predicates have one.
   VoronoiPoint point(const std::array<Segment, 3>& sites, Graph::Face_handle f) const {
     if (joint(sites)) return voronoi_point(sites, {});
     const VoronoiPoint found = voronoi_point(sites, guess(f));
-    if (is_known(found)) return found;
-    return exact_point(sites).value_or(found);
+    if (is_known(found) && std::isfinite(found.error)) return found;
+    return exact_point(sites, f, is_known(found) ? found.at : sites[0].a).value_or(found);
   }
 
   static bool is_known(const VoronoiPoint& p) {
@@ -92,26 +133,48 @@ class Builder {
   }
 
   /// Nothing where CGAL has no formula: two sites on one line.
-  static std::optional<VoronoiPoint> exact_point(const std::array<Segment, 3>& sites) try {
-    const Point at = exact_vertex(sites);
-    if (!std::isfinite(at.x + at.y)) return std::nullopt;
-    const VoronoiPoint again = voronoi_point(sites, at);
-    if (is_known(again) && std::isfinite(again.error)) return again;
-    return VoronoiPoint{at, segment_distance({at, at}, sites[0]), 0x1p-50 * (std::abs(at.x) + std::abs(at.y))};
+  std::optional<VoronoiPoint> exact_point(const std::array<Segment, 3>& sites, Graph::Face_handle f, Point near) const
+      try {
+    const auto x = around(f, {1, 0}, near.x), y = around(f, {0, 1}, near.y);
+    if (!x || !y) return std::nullopt;
+    const Point at{x->lo, y->lo};
+    const double error = 1.0001 * std::hypot(x->hi - x->lo, y->hi - y->lo);
+    VoronoiPoint again = voronoi_point(sites, at);
+    const double apart = std::hypot(again.at.x - at.x, again.at.y - at.y);
+    if (!is_known(again) || apart > error) return VoronoiPoint{at, segment_distance({at, at}, sites[0]), error};
+    again.error = std::min(again.error, apart + error);
+    return again;
   } catch (const CGAL::Failure_exception&) {
     return std::nullopt;
   }
 
-  static Point exact_vertex(const std::array<Segment, 3>& sites) {
-    using Exact = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt;
-    using ExactTraits = CGAL::Segment_Delaunay_graph_traits_without_intersections_2<Exact, CGAL::Field_with_sqrt_tag>;
-    const auto exact = [](Point p) { return Exact::Point_2(p.x, p.y); };
-    const auto site = [&](const Segment& s) {
-      return s.a == s.b ? ExactTraits::Site_2::construct_site_2(exact(s.a))
-                        : ExactTraits::Site_2::construct_site_2(exact(s.a), exact(s.b));
+  struct Around {
+    double lo, hi;
+  };
+
+  /// The neighbouring doubles around a coordinate of the vertex: steps that grow, from `near` on, until it lies between
+  /// two, then halving. On which side of a double it lies is one of CGAL's predicates, exact and without a root.
+  std::optional<Around> around(Graph::Face_handle f, Point axis, double near) const {
+    using Site = Traits::Site_2;
+    const auto predicate = graph_.geom_traits().oriented_side_2_object();
+    const Site along = Site::construct_site_2(Kernel::Point_2(0, 0), Kernel::Point_2(axis.x, axis.y));
+    const auto side = [&](std::int64_t n) {
+      const double v = nth_double(n);
+      const Site here = Site::construct_site_2(Kernel::Point_2(v * axis.x, v * axis.y));
+      return int(predicate(f->vertex(0)->site(), f->vertex(1)->site(), f->vertex(2)->site(), along, here));
     };
-    const auto p = ExactTraits().construct_svd_vertex_2_object()(site(sites[0]), site(sites[1]), site(sites[2]));
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
+    std::int64_t lo = std::clamp(number_of(near), -kFarthest, kFarthest), hi = lo;
+    for (std::int64_t step = 1; side(lo) > 0; step = doubled(step), lo = stepped(lo, -step))
+      if (lo == -kFarthest) return std::nullopt;
+    for (std::int64_t step = 1; side(hi) < 0; step = doubled(step), hi = stepped(hi, step))
+      if (hi == kFarthest) return std::nullopt;
+    while (lo + 1 < hi) {
+      const std::int64_t middle = std::midpoint(lo, hi);
+      const int s = side(middle);
+      if (s >= 0) hi = middle;
+      if (s <= 0) lo = middle;
+    }
+    return Around{nth_double(lo), nth_double(hi)};
   }
 
   /// CGAL divides by zero when two of the sites are on one line; then voronoi_point has to do without.
@@ -181,8 +244,28 @@ class Builder {
   std::vector<std::uint32_t> cluster_;
 };
 
+/// The largest coordinate is below 2 to this. Measured in that unit, products of coordinates, which go up to the 16th
+/// degree, stay where doubles are good guesses, in a world of any size.
+int exponent(std::span<const Constraint> pieces) {
+  double largest = 0;
+  for (const Constraint& c : pieces)
+    for (const double v : {c.a.x, c.a.y, c.b.x, c.b.y}) largest = std::max(largest, std::abs(v));
+  return std::ilogb(std::max(largest, std::numeric_limits<double>::min())) + 1;
+}
+
+Point scaled(Point p, int exponent) { return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)}; }
+
 }  // namespace
 
-VoronoiDiagram voronoi_diagram(std::span<const Constraint> pieces) { return Builder(pieces).build(); }
+VoronoiDiagram voronoi_diagram(std::span<const Constraint> pieces) {
+  const int unit = exponent(pieces);
+  std::vector<Constraint> in_unit(pieces.begin(), pieces.end());
+  for (Constraint& c : in_unit) c.a = scaled(c.a, -unit), c.b = scaled(c.b, -unit);
+  VoronoiDiagram diagram = Builder(in_unit).build();
+  for (Segment& s : diagram.sites) s = {scaled(s.a, unit), scaled(s.b, unit)};
+  for (VoronoiPoint& v : diagram.vertices)
+    v = {scaled(v.at, unit), std::ldexp(v.clearance, unit), std::ldexp(v.error, unit)};
+  return diagram;
+}
 
 }  // namespace taut::detail
