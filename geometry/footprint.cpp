@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string>
 
+#include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/predicates.h>
 #include <taut/geometry/world.h>
@@ -13,8 +14,8 @@ namespace taut {
 namespace {
 
 double checked_radius(double r) {
-  if (!(r > 0) || r > World::kLargest)
-    throw InputError({}, 0, "a robot's radius must be positive and finite, not " + std::to_string(r));
+  if (!(r >= World::kSmallest && r <= World::kLargest))
+    throw InputError({}, 0, "a robot's radius must be from 1e-75 to 1e75, not " + detail::text(r));
   return r;
 }
 

@@ -23,6 +23,7 @@ class Gate {
 
   void admit(double value) const {
     if (!(std::abs(value) <= World::kLargest)) refuse(value);
+    if (value != 0 && std::abs(value) < World::kSmallest) refuse_small(value);
   }
   void admit(Point p) const {
     admit(p.x);
@@ -45,6 +46,12 @@ class Gate {
     const char* why = std::isfinite(value) ? " is beyond " : " is not a finite number";
     throw InputError(source_, line_,
                      "coordinate " + text(value) + why + (std::isfinite(value) ? text(World::kLargest) : ""));
+  }
+
+  [[noreturn]] void refuse_small(double value) const {
+    throw InputError(source_, line_,
+                     "coordinate " + text(value) + " is nearer to 0 than " + text(World::kSmallest) +
+                         ": write the world in a smaller unit");
   }
 
   const std::string& source_;

@@ -57,7 +57,7 @@ struct WorldParts {
 /// An immutable, checked world.
 ///
 /// Guarantees after construction:
-///  1. every coordinate and thickness is finite, of magnitude <= kLargest, thicknesses are >= 0;
+///  1. every coordinate and thickness is 0 or of magnitude kSmallest to kLargest, thicknesses are >= 0;
 ///  2. every ring has at least 3 distinct vertices, non-zero area, no two sides cross or overlap, no vertex lies on
 ///     another side; repeated consecutive vertices are dropped; outer rings are counter-clockwise, holes clockwise;
 ///  3. `areas` is not empty. Where the input gave none it is one box: if the walls cover at least half the outline of
@@ -73,6 +73,9 @@ class World {
  public:
   /// Coordinates up to this magnitude are read; beyond it products would leave the range of double.
   static constexpr double kLargest = 1e75;
+  /// Nearer to 0 only 0 itself is: products of four coordinates, and the squares of what such coordinates differ by,
+  /// keep all their digits. A world that is smaller altogether is written in a smaller unit.
+  static constexpr double kSmallest = 1e-75;
 
   explicit World(WorldParts parts);
 

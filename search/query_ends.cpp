@@ -44,6 +44,10 @@ void require_free(const FreeSpace& space, Point p, std::string_view role) {
   const World& world = space.world();
   if (!(std::abs(p.x) <= World::kLargest && std::abs(p.y) <= World::kLargest))
     throw InputError(world.source(), 0, fmt::format("{} ({}, {}) is not a point", role, p.x, p.y));
+  const auto is_small = [](double v) { return v != 0 && std::abs(v) < World::kSmallest; };
+  if (is_small(p.x) || is_small(p.y))
+    throw InputError(world.source(), 0,
+                     fmt::format("{} ({}, {}) has a coordinate nearer to 0 than {}", role, p.x, p.y, World::kSmallest));
   if (space.locate(p).kind != Location::Kind::outside) return;
   if (!in_world(world, p))
     throw InputError(world.source(), 0, fmt::format("{} ({}, {}) lies outside the world", role, p.x, p.y));

@@ -23,8 +23,8 @@ namespace taut::detail {
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
-/// What the filter cannot decide, numbers of any length do that know no division and no root: signs of a + b sqrt(c) and
-/// the like, by squaring.
+/// What the filter cannot decide, numbers of any length do that know no division and no root: signs of a + b sqrt(c)
+/// and the like, by squaring.
 #ifdef CGAL_HAS_MPZF
 using Exact = CGAL::Simple_cartesian<CGAL::Mpzf>;
 #else
@@ -119,8 +119,8 @@ class Builder {
     std::iota(cluster_.begin(), cluster_.end(), 0u);
   }
 
-  /// Nearly parallel sites, or coordinates much larger than what they differ by, can leave doubles without an answer that
-  /// is proven; exact predicates have one.
+  /// Nearly parallel sites, or coordinates much larger than what they differ by, can leave doubles without an answer
+  /// that is proven; exact predicates have one.
   VoronoiPoint point(const std::array<Segment, 3>& sites, Graph::Face_handle f) const {
     if (joint(sites)) return voronoi_point(sites, {});
     const VoronoiPoint found = voronoi_point(sites, guess(f));

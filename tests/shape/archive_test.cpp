@@ -1,4 +1,5 @@
-// What the library's object code refers to: it never prints, logs or exits, and nothing that it stands on does so for it.
+// What the library's object code refers to: it never prints, logs or exits, and nothing that it stands on does so for
+// it.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -63,7 +64,7 @@ std::vector<std::string> references(const std::string& object) {
 /// CGAL's failed assertions print and end the program only where they were told to; by default they throw.
 bool is_assertion_code(const std::string& reference) {
   static const std::regex handlers(
-      R"re(^CGAL::(assertion_fail|precondition_fail|postcondition_fail|\(anonymous namespace\)::_standard_error_handler)\()re");
+      R"re(^CGAL::((assertion|precondition|postcondition)_fail|\(anonymous namespace\)::_standard_error_handler)\()re");
   return std::regex_search(reference, handlers);
 }
 
