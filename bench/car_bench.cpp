@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include <taut/io/worlds/road_map.h>
 #include <taut/robots/roadblocks/drivers.h>
 #include <taut/robots/roadblocks/peers.h>
 #include <taut/robots/roadblocks/value_iteration.h>
@@ -23,7 +24,7 @@
 
 namespace {
 
-using namespace taut::car;
+using namespace taut::roadblocks;
 
 std::optional<RoadMap> map_in(const std::string& file) {
   if (!std::filesystem::exists(file)) return std::nullopt;
@@ -93,7 +94,7 @@ Drive driven(const RoadMap& map, const Sample& sample, const Peer* peer) {
   }
   LatticePlanner planner(map.course,
                          WallReading::points);  // anew, as for the others: nothing kept from sample to sample
-  return drive(map.course, sample.open, *make_driver(DriverKind::ours, planner), WallReading::points);
+  return drive(map.course, sample.open, *make_driver(DriverKind::policy, planner), WallReading::points);
 }
 
 /// At most this many samples of each set of open roadblocks; the trees draw anew for each.
@@ -139,7 +140,7 @@ const bool kRegistered = [] {
   for (const char* map : {"car/map_1.txt", "car/map_2.txt", "car/map_4.txt"})
     if (const auto file = taut::bench::shared_data(map); !file.empty()) maps.push_back(file.string());
   for (const std::string& map : maps) {
-    add("ours", map, nullptr);
+    add("policy", map, nullptr);
     for (const Peer& peer : peers()) add(std::string(peer.name), map, &peer);
   }
   return true;

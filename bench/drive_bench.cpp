@@ -5,13 +5,14 @@
 #include <fstream>
 #include <sstream>
 
+#include <taut/io/worlds/road_map.h>
 #include <taut/robots/roadblocks/detail/pose_distance.h>
 #include <taut/robots/roadblocks/drivers.h>
 #include <taut/robots/roadblocks/road_map_generator.h>
 
 #include "shared_data.h"
 
-namespace taut::car {
+namespace taut::roadblocks {
 namespace {
 
 constexpr WallReading kPoints = WallReading::points;
@@ -77,7 +78,7 @@ void all_samples(benchmark::State& state) {
     LatticePlanner planner(map->course, kPoints);
     steps = bound = 0;
     for (const Sample& sample : map->samples) {
-      const Drive run = drive(map->course, sample.open, *make_driver(DriverKind::ours, planner), kPoints);
+      const Drive run = drive(map->course, sample.open, *make_driver(DriverKind::policy, planner), kPoints);
       state.PauseTiming();
       const Drive best =
           drive(map->course, sample.open, *make_driver(DriverKind::clairvoyant, planner, sample.open), kPoints);
@@ -113,4 +114,4 @@ BENCHMARK_CAPTURE(estimates, repaired, true)
 BENCHMARK(all_samples)->Arg(1)->Arg(2)->Arg(4)->Arg(13)->Arg(17)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -7,6 +7,7 @@
 
 #include <taut/cli/command_line.h>
 #include <taut/cli/options.h>
+#include <taut/cli/run.h>
 #include <taut/robots/car/car_planner.h>
 
 namespace taut::cli {
@@ -28,14 +29,11 @@ struct WorldDriveOptions {
 /// FILE, --car, --from, --to, --weight and those of a world.
 void add_world_drive_options(CommandLine& app, WorldDriveOptions& options);
 
-/// What `taut drive` writes, whatever it drives in.
+/// The pictures of `taut drive`, whatever it drives in.
 struct DriveOutput {
-  std::string svg, animation, json;
-  bool quiet = false;
+  std::string svg, animation;
 
   bool draws() const { return !svg.empty() || !animation.empty(); }
-  /// Something else goes to stdout, so the table or line must not.
-  bool stdout_taken() const { return svg == "-" || animation == "-" || json == "-"; }
 };
 
 /// Throws InputError, with what helps, when these bytes are no roadblock map but a world that a general car could drive
@@ -43,8 +41,8 @@ struct DriveOutput {
 /// `roadblock`.
 void require_road_map(std::string_view bytes, const std::string& name);
 
-/// Plans, checks independently, writes. Gives the exit code.
-int drive_in_world(const WorldDriveOptions& options, std::string_view bytes, const std::string& name,
-                   const DriveOutput& output);
+/// Plans, checks independently, ends the run. Gives the exit code.
+int drive_in_world(const WorldDriveOptions& options, const DriveOutput& output, std::string_view bytes,
+                   const std::string& name, Run& run);
 
 }  // namespace taut::cli

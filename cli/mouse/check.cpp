@@ -1,24 +1,19 @@
 // taut mouse check: is it a legal competition maze? With --certificate: does this file prove what it says about the
 // maze?
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <taut/cli/command_line.h>
-#include <taut/cli/exit_code.h>
 #include <taut/cli/mouse/mouse.h>
-#include <taut/cli/output.h>
 #include <taut/cli/report.h>
-#include <taut/cli/stop.h>
+#include <taut/cli/run.h>
 #include <taut/geometry/errors.h>
-#include <taut/io/results/detail/result_values.h>
-#include <taut/robots/micromouse/certificate_file.h>
+#include <taut/io/worlds/certificate_file.h>
 #include <taut/robots/micromouse/legality.h>
 
 namespace taut::cli {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using micromouse::MazeRules;
 
 struct CheckOptions {
@@ -26,62 +21,63 @@ struct CheckOptions {
   CommonOptions common;
   MazeRules rules = MazeRules::competition;
   std::string certificate;
-  std::string json;
 };
+
+MazeRules rules_of(const std::string& word) {
+  if (word == "competition") return MazeRules::competition;
+  if (word == "free-posts") return MazeRules::free_posts;
+  if (word == "course") throw UsageError("'course' is free-posts here; did you mean `--rules free-posts`?");
+  throw UsageError("'" + word + "' is not competition or free-posts");
+}
 
 void add_options(CommandLine& app, CheckOptions& options) {
   add_maze_options(app, options.maze);
-  const auto rules = [&options](const std::string& word) {
-    if (word != "competition" && word != "course")
-      throw UsageError("--rules: '" + word + "' is not competition or course");
-    options.rules = word == "course" ? MazeRules::course : MazeRules::competition;
-  };
   app.add_option_function(
-         "--rules", rules,
-         "competition (default): 16 x 16 or 32 x 32, all posts carry walls; course: 12, 14 or 16 a side, free posts")
+         "--rules", [&options](const std::string& word) { options.rules = rules_of(word); },
+         "Whose rules (default: competition)")
       .type_name("NAME");
   app.add_option("--certificate", options.certificate, "Check this file of `taut mouse run --certificate` instead")
       .type_name("FILE");
-  app.add_option("--json", options.json, "Write the finding as JSON; - is standard output")
-      .type_name("FILE")
-      .group("Output");
+  app.callback([&options] {
+    if (options.certificate == "-" && options.maze.file == "-")
+      throw UsageError("MAZE and --certificate cannot both be standard input");
+  });
+  app.explain("Rules", {{"competition", "16 x 16 or 32 x 32; up to 16 a side every post carries a wall"},
+                        {"free-posts", "12, 14 or 16 a side; posts may stand free"}});
+  app.example("taut mouse check maze.maz --certificate proof.json");
 }
 
-int tell(const CheckOptions& options, const MouseMaze& read, const char* yes, const char* no, const std::string& remark,
+/// `yes` is the word for what it should be; `remark` goes with it.
+int tell(Run& run, const std::string& source, const char* yes, const std::string& remark,
          const std::vector<std::string>& faults) {
-  const Json json{{"program", "taut"}, {"source", read.name}, {yes, faults.empty()}, {"faults", faults}};
-  finish();
-  write_file(options.json, options.json.empty() ? "" : detail::json_text(json));
-  if (options.json == "-") return faults.empty() ? kFound : ExitCode::kNone;
-  std::string out = faults.empty() ? fmt::format("{}: {}{}\n", read.name, yes, remark) : "";
-  for (const std::string& fault : faults) out += fmt::format("{}: {}: {}\n", read.name, no, fault);
-  print(out);
-  return faults.empty() ? kFound : ExitCode::kNone;
+  std::string line = faults.empty() ? fmt::format("{}: {}{}\n", source, yes, remark) : "";
+  for (const std::string& fault : faults) line += fmt::format("{}: not {}: {}\n", source, yes, fault);
+  return run.end({.outcome = faults.empty() ? Outcome::done : Outcome::invalid,
+                  .reason = faults.empty() ? "" : faults.front(),
+                  .result = {{yes, faults.empty()}, {"faults", faults}},
+                  .line = std::move(line)});
 }
 
-int check_proof(const CheckOptions& options, const MouseMaze& read) {
-  if (options.certificate == "-" && options.maze.file == "-")
-    throw InputError("<stdin>", 0, "cannot be both the maze and the certificate");
+int check_proof(const CheckOptions& options, Run& run) {
+  const MouseMaze read = run.stage("read", [&] { return read_mouse_maze(options.maze.file, options.maze.format); });
   const std::string name = options.certificate == "-" ? "<stdin>" : options.certificate;
-  const auto file = micromouse::read_certificate(read_bytes(options.certificate), name);
-  const micromouse::Finding finding = check_certificate(file, read.maze);
-  const std::string remark = fmt::format(": no run 2 has fewer than {}, and this one needs no more ({} named)",
-                                         count_text(static_cast<std::size_t>(file.certificate.steps), "step"),
-                                         count_text(file.certificate.walls.size(), "wall"));
-  return tell(options, read, "valid", "not valid", remark,
+  const auto certified = read_certificate(read_bytes(options.certificate), name);
+  const micromouse::Finding finding = run.stage("check", [&] { return check_certificate(certified, read.maze); });
+  const micromouse::Certificate& proof = certified.certificate;
+  const std::string remark =
+      fmt::format(": no run 2 has fewer than {}, and this one needs no more ({} named)",
+                  count_text(static_cast<std::size_t>(proof.steps), "step"), count_text(proof.walls.size(), "wall"));
+  return tell(run, read.name, "valid", remark,
               finding ? std::vector<std::string>{} : std::vector<std::string>{finding.reason});
 }
 
-int run(const CheckOptions& options) {
-  require_writable(options.json);
-  begin_stage("check");
-  if (!options.certificate.empty())
-    return check_proof(options, read_mouse_maze(options.maze.file, options.maze.format));
-  const MouseMaze read = read_grid_maze(options.maze.file, options.maze.format);
-  std::vector<std::string> faults = micromouse::violations(read.maze, options.rules);
+int run(const CheckOptions& options, Run& run) {
+  run.source(options.maze.file);
+  if (!options.certificate.empty()) return check_proof(options, run);
+  const MouseMaze read = run.stage("read", [&] { return read_grid_maze(options.maze.file, options.maze.format); });
+  auto faults = run.stage("check", [&] { return micromouse::violations(read.maze, options.rules); });
   if (read.unknown_walls > 0) faults.push_back(count_text(read.unknown_walls, "wall") + " of the drawing unknown");
-  return tell(options, read, "legal", "not legal", fmt::format(", {} x {}", read.maze.width(), read.maze.height()),
-              faults);
+  return tell(run, read.name, "legal", fmt::format(", {} x {}", read.maze.width(), read.maze.height()), faults);
 }
 
 }  // namespace

@@ -6,9 +6,9 @@
 #include <array>
 #include <optional>
 
-#include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/report.h>
+#include <taut/cli/run.h>
 #include <taut/geometry/errors.h>
 
 namespace taut::cli {
@@ -49,19 +49,30 @@ void add_maze_options(CommandLine& app, MazeOptions& options, const char* name) 
       .group("World");
 }
 
+void add_max_steps_option(CommandLine& app, int& max_steps) {
+  app.add_option("--max-steps", max_steps, "Of both runs together (default: 1000)")
+      .type_name("N")
+      .range(1, 1'000'000)
+      .group("Robot");
+}
+
 void add_explorer_options(CommandLine& app, Explorer& explorer) {
   const auto take = [&explorer](const std::string& word) { explorer = explorer_of(word, "--explorer"); };
-  app.add_option_function("--explorer", take, "How run 1 explores: " + explorer_names() + " (default)")
-      .type_name("NAME")
-      .group("Robot");
-  const auto mode = [&explorer](const std::string& word) {
-    if (word != "prove" && word != "score") throw UsageError("--mode: '" + word + "' is not prove or score");
-    explorer = explorer_of(word, "--mode");
-  };
-  app.add_option_function("--mode", mode, "Of our own explorer: prove (until the optimum is certain) or score")
-      .type_name("NAME")
-      .excludes("--explorer")
-      .group("Robot");
+  app.add_option_function("--explorer", take, "How run 1 explores (default: score)").type_name("NAME").group("Robot");
+  app.renamed("--mode", "--explorer");
+  explain_explorers(app);
+}
+
+void explain_explorers(CommandLine& app) {
+  app.explain("Explorers", {{"random", "an open direction and 1 to 3 cells, drawn (--seed)"},
+                            {"wall", "keeps the wall to its left; may circle for ever"},
+                            {"dfs", "into a cell not yet visited, the one nearer to the goal first, else back"},
+                            {"bfs", "to the nearest unvisited cell, until none is left or the steps get short"},
+                            {"flood", "along the fewest steps to the goal, unknown walls taken for open"},
+                            {"astar", "the same by the fewest cells, from where it stands"},
+                            {"plain-prove", "flood, then to the nearest cell beside an unknown wall of the best route"},
+                            {"prove", "where a look most likely cuts a shorter plan, until the optimum is proven"},
+                            {"score", "the same, until knowing more no longer pays its thirtieths"}});
 }
 
 Explorer explorer_of(const std::string& word, const char* option) {
@@ -114,9 +125,10 @@ const char* side_name(Side side) {
 
 std::string wall_text(const micromouse::CellSide& wall) { return cell_text(wall.cell) + " " + side_name(wall.side); }
 
-int no_route(const std::string& name) {
-  complain(name + ": the maze has no way from the start to the goal");
-  return ExitCode::kNone;
+int no_route(const std::string& name, Run& run) {
+  const std::string why = "the maze has no way from the start to the goal";
+  complain(name + ": " + why);
+  return run.end({.outcome = Outcome::none, .reason = why});
 }
 
 std::vector<Command> mouse_commands(CommandLine& app) {

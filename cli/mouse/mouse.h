@@ -27,7 +27,10 @@ struct MouseMaze {
 };
 
 void add_maze_options(CommandLine& app, MazeOptions& options, const char* name = "MAZE");
+void add_max_steps_option(CommandLine& app, int& max_steps);
+/// And the lines that say what each explorer does.
 void add_explorer_options(CommandLine& app, micromouse::Explorer& explorer);
+void explain_explorers(CommandLine& app);
 
 /// `flood`, or a UsageError that says what there is.
 micromouse::Explorer explorer_of(const std::string& word, const char* option);
@@ -47,8 +50,8 @@ std::string cell_text(Cell cell);
 std::string wall_text(const micromouse::CellSide& wall);
 const char* side_name(Side side);
 
-/// Says on stderr that the maze has no way to the goal; exit code 1.
-int no_route(const std::string& name);
+/// Says on stderr that the maze has no way to the goal, and ends the run: exit code 1.
+int no_route(const std::string& name, Run& run);
 
 Command mouse_run_command(CommandLine& group);
 Command mouse_compare_command(CommandLine& group);

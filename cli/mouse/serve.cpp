@@ -11,13 +11,12 @@
 #include <string_view>
 
 #include <taut/cli/command_line.h>
-#include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/mouse/mouse.h>
 #include <taut/cli/output.h>
-#include <taut/cli/stop.h>
+#include <taut/cli/run.h>
 #include <taut/geometry/errors.h>
-#include <taut/robots/micromouse/trial.h>
+#include <taut/io/results/mouse_json.h>
 
 namespace taut::cli {
 
@@ -32,8 +31,7 @@ constexpr const char* kFooter =
     "The robot reads `left front right` (open cells up to the next wall), answers `rotation movement` (-90, 0 or 90;\n"
     "-3 to 3, negative backwards) or `reset`, and so on. Lines of its own that begin with # are skipped. In the end it "
     "reads\n`score S run1 N run2 M`, or `failed REASON`. Other numbers are taken as the rules say, with a note on "
-    "standard error;\nanything else ends the trial with exit code 3.\n\n"
-    "  mkfifo back; taut mouse serve maze.txt < back | robot > back\n";
+    "standard error;\nanything else ends the trial with exit code 3.\n";
 
 struct ServeOptions {
   MazeOptions maze;
@@ -44,12 +42,14 @@ struct ServeOptions {
 
 void add_options(CommandLine& app, ServeOptions& options) {
   add_maze_options(app, options.maze);
-  app.add_option("--max-steps", options.max_steps, "Of both runs together (default: 1000)")
-      .type_name("N")
-      .range(1, 1'000'000);
+  add_max_steps_option(app, options.max_steps);
   app.add_flag("--hello", options.hello,
                "First write a line `maze WIDTH HEIGHT START-X START-Y MAX-STEPS`, then `goal X Y X Y ...`");
+  app.callback([&options] {
+    if (options.common.json == "-") throw UsageError("--json: standard output is the robot's");
+  });
   app.footer(kFooter);
+  app.example("mkfifo back; taut mouse serve maze.txt < back | robot > back");
 }
 
 /// Standard input line by line, read as it comes.
@@ -142,7 +142,12 @@ std::string goal_line(const micromouse::Task& task) {
   return out + "\n";
 }
 
-Record serve(const MouseMaze& read, const ServeOptions& options) {
+/// What is known of a trial that is not over.
+Json counts_of(const Record& record) {
+  return {{"run1", record.run1}, {"run2", record.run2}, {"goal_at", record.goal_at}};
+}
+
+Record serve(const MouseMaze& read, const ServeOptions& options, Run& run) {
   micromouse::Trial trial(read.maze, options.max_steps);
   const micromouse::Task& task = trial.task();
   if (options.hello && !trial.over())
@@ -153,24 +158,29 @@ Record serve(const MouseMaze& read, const ServeOptions& options) {
     const micromouse::Step& step = trial.act(robot.next(trial.sight()));
     if (step.offence != micromouse::Offence::none)
       note(fmt::format("taut: <stdin>:{}: {}; it counts as a step", robot.line(), name(step.offence)));
+    run.so_far(counts_of(trial.record()));
   }
   return trial.record();
 }
 
-int run(const ServeOptions& options) {
+int run(const ServeOptions& options, Run& run) {
   if (options.maze.file == "-") throw InputError("<stdin>", 0, "cannot be the maze, it is the robot");
   std::signal(SIGPIPE, SIG_IGN);  // a robot that has gone is a line and an exit code
-  begin_stage("serve");
-  const MouseMaze read = read_mouse_maze(options.maze.file, options.maze.format);
-  const Record record = serve(read, options);
-  finish();
-  if (record.status == TrialStatus::no_route) return no_route(read.name);
-  if (record.status == TrialStatus::finished) {
-    print(fmt::format("score {:.3f} run1 {} run2 {}\n", *record.score(), record.run1, record.run2));
-    return kFound;
-  }
-  print(fmt::format("failed {}\n", name(record.status)));
-  return kStopped;
+  run.source(options.maze.file);
+  const MouseMaze read = run.stage("read", [&] { return read_mouse_maze(options.maze.file, options.maze.format); });
+  const auto yardsticks = run.stage("optimum", [&] { return micromouse::yardsticks(read.maze); });
+  if (!yardsticks) return no_route(read.name, run);
+  MouseTrial trial{run.stage("serve", [&] { return serve(read, options, run); }), *yardsticks};
+  const Record& record = trial.record;
+  trial.certificate = micromouse::certificate(record);
+  const bool finished = record.status == TrialStatus::finished;
+  const std::string last =
+      finished ? fmt::format("score {:.3f} run1 {} run2 {}\n", *record.score(), record.run1, record.run2)
+               : fmt::format("failed {}\n", name(record.status));
+  return run.end({.outcome = finished ? Outcome::found : Outcome::unproven,
+                  .reason = finished ? "" : std::string(name(record.status)),
+                  .result = mouse_trial_json(trial),
+                  .listing = last});
 }
 
 }  // namespace

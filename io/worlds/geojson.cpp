@@ -22,10 +22,10 @@ class GeoJson {
   explicit GeoJson(const ReadOptions& options) : source_(options.source), shapes_(options) {}
 
   WorldParts read(std::string_view bytes) {
-    const Json root = parse_json(bytes, source_);
+    const JsonTree root = parse_json(bytes, source_);
     const std::string type = type_of(root);
     if (type == "FeatureCollection") {
-      for (const Json& feature : array(root, "features")) read_feature(feature);
+      for (const JsonTree& feature : array(root, "features")) read_feature(feature);
     } else if (type == "Feature") {
       read_feature(root);
     } else {
@@ -35,42 +35,42 @@ class GeoJson {
   }
 
  private:
-  [[noreturn]] void fail(const Json& at, const std::string& message) const { Place{source_, at.line}.fail(message); }
+  [[noreturn]] void fail(const JsonTree& at, const std::string& message) const { Place{source_, at.line}.fail(message); }
 
-  std::string type_of(const Json& value) const {
-    if (value.kind != Json::Kind::object) fail(value, "a GeoJSON object is expected");
-    const Json* type = value.find("type");
-    if (!type || type->kind != Json::Kind::string) fail(value, "a GeoJSON object without \"type\"");
+  std::string type_of(const JsonTree& value) const {
+    if (value.kind != JsonTree::Kind::object) fail(value, "a GeoJSON object is expected");
+    const JsonTree* type = value.find("type");
+    if (!type || type->kind != JsonTree::Kind::string) fail(value, "a GeoJSON object without \"type\"");
     return type->string;
   }
 
-  const std::vector<Json>& array(const Json& object, const char* key) const {
-    const Json* value = object.find(key);
-    if (!value || value->kind != Json::Kind::array) fail(object, std::string("\"") + key + "\" is missing or no array");
+  const std::vector<JsonTree>& array(const JsonTree& object, const char* key) const {
+    const JsonTree* value = object.find(key);
+    if (!value || value->kind != JsonTree::Kind::array) fail(object, std::string("\"") + key + "\" is missing or no array");
     return value->items;
   }
 
-  void read_feature(const Json& feature) {
+  void read_feature(const JsonTree& feature) {
     const std::string type = type_of(feature);
     if (type != "Feature") fail(feature, "a Feature is expected, not " + quoted(type));
-    const Json* geometry = feature.find("geometry");
-    if (!geometry || geometry->kind == Json::Kind::null) return;
+    const JsonTree* geometry = feature.find("geometry");
+    if (!geometry || geometry->kind == JsonTree::Kind::null) return;
     read_geometry(*geometry, properties_of(feature));
   }
 
-  Properties properties_of(const Json& feature) {
+  Properties properties_of(const JsonTree& feature) {
     Properties result;
-    const Json* properties = feature.find("properties");
+    const JsonTree* properties = feature.find("properties");
     if (!properties) return result;
-    if (const Json* role = properties->find("role")) result.role = role_of(*role);
-    if (const Json* thickness = properties->find("thickness")) result.thickness = thickness_of(*thickness);
-    if (const Json* boundary = properties->find("boundary")) read_boundary(*boundary);
+    if (const JsonTree* role = properties->find("role")) result.role = role_of(*role);
+    if (const JsonTree* thickness = properties->find("thickness")) result.thickness = thickness_of(*thickness);
+    if (const JsonTree* boundary = properties->find("boundary")) read_boundary(*boundary);
     return result;
   }
 
-  Role role_of(const Json& value) const {
+  Role role_of(const JsonTree& value) const {
     const std::string& role = value.string;
-    if (value.kind == Json::Kind::null) return Role::none;
+    if (value.kind == JsonTree::Kind::null) return Role::none;
     if (role == "free") return Role::free;
     if (role == "obstacle") return Role::obstacle;
     if (role == "wall") return Role::wall;
@@ -79,43 +79,43 @@ class GeoJson {
     fail(value, "role " + quoted(role) + " is not free, obstacle, wall, start or goal");
   }
 
-  double thickness_of(const Json& value) const {
+  double thickness_of(const JsonTree& value) const {
     const double t = number(value);
     if (t < 0) fail(value, "wall thickness " + text(t) + " is negative");
     return t;
   }
 
-  void read_boundary(const Json& value) {
+  void read_boundary(const JsonTree& value) {
     if (value.string != "walled" && value.string != "limit")
       fail(value, "boundary " + quoted(value.string) + " is not walled or limit");
     shapes_.set_boundary(value.string == "limit" ? Boundary::limit : Boundary::walled);
   }
 
-  void read_geometry(const Json& geometry, const Properties& p) {
+  void read_geometry(const JsonTree& geometry, const Properties& p) {
     const std::string type = type_of(geometry);
     const int line = geometry.line;
     if (type == "GeometryCollection") {
-      for (const Json& member : array(geometry, "geometries")) read_geometry(member, p);
+      for (const JsonTree& member : array(geometry, "geometries")) read_geometry(member, p);
       return;
     }
     const bool known = type == "Point" || type == "MultiPoint" || type == "LineString" || type == "MultiLineString" ||
                        type == "Polygon" || type == "MultiPolygon";
     if (!known) fail(geometry, "GeoJSON type " + quoted(type) + " is not supported");
-    const Json* coordinates = geometry.find("coordinates");
-    if (!coordinates || coordinates->kind != Json::Kind::array) fail(geometry, type + " without \"coordinates\"");
-    const std::vector<Json>& items = coordinates->items;
+    const JsonTree* coordinates = geometry.find("coordinates");
+    if (!coordinates || coordinates->kind != JsonTree::Kind::array) fail(geometry, type + " without \"coordinates\"");
+    const std::vector<JsonTree>& items = coordinates->items;
     if (items.empty()) return;
     if (type == "Point") return add_point(*coordinates, p, line);
     if (type == "LineString") return add_line(*coordinates, p, line);
     if (type == "Polygon") return add_polygon(*coordinates, p, line);
-    for (const Json& item : items) {
+    for (const JsonTree& item : items) {
       if (type == "MultiPoint") add_point(item, p, item.line);
       if (type == "MultiLineString") add_line(item, p, item.line);
       if (type == "MultiPolygon") add_polygon(item, p, item.line);
     }
   }
 
-  void add_point(const Json& value, const Properties& p, int line) {
+  void add_point(const JsonTree& value, const Properties& p, int line) {
     const Point at = position(value);
     if (p.role == Role::start) return shapes_.set_start(at, line);
     if (p.role == Role::goal) return shapes_.set_goal(at, line);
@@ -123,12 +123,12 @@ class GeoJson {
     shapes_.add_point(at, line);
   }
 
-  void add_line(const Json& value, const Properties& p, int line) {
+  void add_line(const JsonTree& value, const Properties& p, int line) {
     if (p.role != Role::none && p.role != Role::wall) fail(value, "a line can only have the role wall");
     shapes_.add_walls(chain(value), p.thickness, line);
   }
 
-  void add_polygon(const Json& value, const Properties& p, int line) {
+  void add_polygon(const JsonTree& value, const Properties& p, int line) {
     Polygon polygon = rings(value);
     switch (p.role) {
       case Role::none: return shapes_.add_polygon(std::move(polygon), line);
@@ -148,11 +148,11 @@ class GeoJson {
     }
   }
 
-  Polygon rings(const Json& value) const {
-    if (value.kind != Json::Kind::array || value.items.empty())
+  Polygon rings(const JsonTree& value) const {
+    if (value.kind != JsonTree::Kind::array || value.items.empty())
       fail(value, "the coordinates of a polygon are an array of rings");
     Polygon result;
-    for (const Json& item : value.items) {
+    for (const JsonTree& item : value.items) {
       Ring ring = chain(item);
       open_up(ring, {source_, item.line});
       if (&item == &value.items.front())
@@ -163,22 +163,22 @@ class GeoJson {
     return result;
   }
 
-  Ring chain(const Json& value) const {
-    if (value.kind != Json::Kind::array) fail(value, "an array of positions is expected");
+  Ring chain(const JsonTree& value) const {
+    if (value.kind != JsonTree::Kind::array) fail(value, "an array of positions is expected");
     Ring result;
-    for (const Json& item : value.items) result.push_back(position(item));
+    for (const JsonTree& item : value.items) result.push_back(position(item));
     return result;
   }
 
-  Point position(const Json& value) const {
-    if (value.kind != Json::Kind::array || value.items.size() < 2) fail(value, "a position [x, y] is expected");
+  Point position(const JsonTree& value) const {
+    if (value.kind != JsonTree::Kind::array || value.items.size() < 2) fail(value, "a position [x, y] is expected");
     return {number(value.items[0], value), number(value.items[1], value)};
   }
 
-  double number(const Json& value) const { return number(value, value); }
+  double number(const JsonTree& value) const { return number(value, value); }
 
-  double number(const Json& value, const Json& at) const {
-    if (value.kind != Json::Kind::number) fail(at, "a number is expected");
+  double number(const JsonTree& value, const JsonTree& at) const {
+    if (value.kind != JsonTree::Kind::number) fail(at, "a number is expected");
     if (!(std::abs(value.number) <= World::kLargest))
       fail(at, text(value.number) + " is beyond the largest coordinate, " + text(World::kLargest));
     return value.number + 0.0;

@@ -58,17 +58,17 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   Builder(const std::string& source, std::string_view bytes, const int& line)
       : source_(source), bytes_(bytes), line_(line) {}
 
-  Json take() { return std::move(root_); }
+  JsonTree take() { return std::move(root_); }
 
-  bool null() override { return add(Json::Kind::null), true; }
-  bool boolean(bool value) override { return add(Json::Kind::boolean).number = value, true; }
+  bool null() override { return add(JsonTree::Kind::null), true; }
+  bool boolean(bool value) override { return add(JsonTree::Kind::boolean).number = value, true; }
   bool number_integer(number_integer_t value) override { return number(static_cast<double>(value)); }
   bool number_unsigned(number_unsigned_t value) override { return number(static_cast<double>(value)); }
   bool number_float(number_float_t value, const string_t&) override { return number(value); }
-  bool string(string_t& value) override { return add(Json::Kind::string).string = std::move(value), true; }
+  bool string(string_t& value) override { return add(JsonTree::Kind::string).string = std::move(value), true; }
   bool binary(binary_t&) override { return false; }
-  bool start_object(std::size_t) override { return open(Json::Kind::object); }
-  bool start_array(std::size_t) override { return open(Json::Kind::array); }
+  bool start_object(std::size_t) override { return open(JsonTree::Kind::object); }
+  bool start_array(std::size_t) override { return open(JsonTree::Kind::array); }
   bool end_object() override { return open_.pop_back(), true; }
   bool end_array() override { return open_.pop_back(), true; }
   bool key(string_t& value) override {
@@ -84,11 +84,11 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
  private:
   bool number(double value) {
-    add(Json::Kind::number).number = value;
+    add(JsonTree::Kind::number).number = value;
     return true;
   }
 
-  bool open(Json::Kind kind) {
+  bool open(JsonTree::Kind kind) {
     if (open_.size() == kDeepest)
       Place{source_, line_}.fail("JSON is nested more than " + std::to_string(kDeepest) + " deep");
     open_.push_back(&add(kind));
@@ -96,32 +96,32 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   }
 
   // Only the innermost open value grows, so pointers to the open ones stay good.
-  Json& add(Json::Kind kind) {
-    Json value;
+  JsonTree& add(JsonTree::Kind kind) {
+    JsonTree value;
     value.kind = kind;
     value.line = line_;
     if (open_.empty()) return root_ = std::move(value);
-    Json& parent = *open_.back();
-    if (parent.kind == Json::Kind::object) parent.keys.push_back(std::move(key_));
+    JsonTree& parent = *open_.back();
+    if (parent.kind == JsonTree::Kind::object) parent.keys.push_back(std::move(key_));
     return parent.items.emplace_back(std::move(value));
   }
 
   const std::string& source_;
   std::string_view bytes_;
   const int& line_;
-  Json root_;
-  std::vector<Json*> open_;
+  JsonTree root_;
+  std::vector<JsonTree*> open_;
   std::string key_;
 };
 
 }  // namespace
 
-const Json* Json::find(std::string_view key) const {
+const JsonTree* JsonTree::find(std::string_view key) const {
   const auto at = std::find(keys.rbegin(), keys.rend(), key);
   return at == keys.rend() ? nullptr : &items[static_cast<std::size_t>(keys.rend() - at - 1)];
 }
 
-Json parse_json(std::string_view bytes, const std::string& source) {
+JsonTree parse_json(std::string_view bytes, const std::string& source) {
   const std::string_view content = stripped(bytes);
   int line = 1;
   Builder builder(source, content, line);

@@ -10,30 +10,30 @@ namespace taut {
 
 namespace {
 
-using detail::Json;
+using detail::JsonTree;
 using detail::Place;
 
-double coordinate_of(const Json& json, const std::string& source) {
+double coordinate_of(const JsonTree& json, const std::string& source) {
   const Place place{source, json.line};
-  if (json.kind != Json::Kind::number) place.fail("a coordinate is no number");
+  if (json.kind != JsonTree::Kind::number) place.fail("a coordinate is no number");
   if (!(std::abs(json.number) <= World::kLargest)) place.fail("a coordinate is beyond 1e+75");
   return json.number;
 }
 
-Point point_of(const Json& json, const std::string& source) {
-  if (json.kind != Json::Kind::array || json.items.size() != 2)
+Point point_of(const JsonTree& json, const std::string& source) {
+  if (json.kind != JsonTree::Kind::array || json.items.size() != 2)
     Place{source, json.line}.fail("a point is not written as [x, y]");
   return {coordinate_of(json.items[0], source), coordinate_of(json.items[1], source)};
 }
 
 ClaimedPath read_json(std::string_view bytes, const std::string& source) {
-  const Json json = detail::parse_json(bytes, source);
-  const Json* points = json.kind == Json::Kind::object ? json.find("points") : &json;
+  const JsonTree json = detail::parse_json(bytes, source);
+  const JsonTree* points = json.kind == JsonTree::Kind::object ? json.find("points") : &json;
   if (!points) Place{source, json.line}.fail("holds no path: there are no \"points\"");
-  if (points->kind != Json::Kind::array) Place{source, points->line}.fail("the points are not a list");
+  if (points->kind != JsonTree::Kind::array) Place{source, points->line}.fail("the points are not a list");
   ClaimedPath path;
-  for (const Json& item : points->items) path.points.push_back(point_of(item, source));
-  if (const Json* length = json.find("length"); length && length->kind == Json::Kind::number)
+  for (const JsonTree& item : points->items) path.points.push_back(point_of(item, source));
+  if (const JsonTree* length = json.find("length"); length && length->kind == JsonTree::Kind::number)
     path.length = length->number;
   return path;
 }

@@ -67,6 +67,12 @@ LegCurve curve_of(const Leg& leg) {
           std::atan2(static_cast<double>(turn.sine), static_cast<double>(turn.cosine)), geometry.after.v};
 }
 
+std::size_t reversals_of(const std::vector<Leg>& legs) {
+  std::size_t count = 0;
+  for (std::size_t i = 1; i < legs.size(); ++i) count += legs[i].backward != legs[i - 1].backward ? 1U : 0U;
+  return count;
+}
+
 Pose pose_on(const Leg& leg, double along) {
   const double start = heading_angle(leg.from.heading), gear = leg.backward ? -1 : 1;
   if (along <= 0) return {leg.from.at.x, leg.from.at.y, start};

@@ -1,8 +1,10 @@
 // A general car and the pieces its drives are made of: exact, for ever.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <taut/geometry/point.h>
 #include <taut/robots/car/heading.h>
@@ -63,6 +65,9 @@ struct LegCurve {
 ///  3. the arc's radius, a rational number, is at least shape.radius;
 ///  4. `backward` only where shape.reverse.
 std::optional<std::string> fault_of(const Leg& leg, const CarShape& shape);
+
+/// How often the car changes between forward and back.
+std::size_t reversals_of(const std::vector<Leg>& legs);
 
 /// Precondition: the leg has no fault but 3 or 4.
 LegCurve curve_of(const Leg& leg);

@@ -1,4 +1,4 @@
-// Mazes as in a course's contest: many loops, and yet a long way to the goal.
+// Mazes as in a contest: many loops, and yet a long way to the goal.
 #pragma once
 
 #include <cstdint>

@@ -22,8 +22,8 @@ namespace taut::micromouse {
 ///  a_star         the same by the fewest cells, from where it stands; reset at the goal
 ///  plain_prove    flood_fill, then to the nearest cell beside an unknown wall of the shortest optimistic route, until
 ///                 that route is wholly known
-///  prove          ours: until the optimum is proven (lo = hi)
-///  score          ours: until knowing more no longer pays its thirtieths
+///  prove          where the look most likely cuts a shorter plan, until the optimum is proven (lo = hi)
+///  score          the same, until knowing more no longer pays its thirtieths
 enum class Explorer {
   random,
   wall_follower,
@@ -42,7 +42,7 @@ std::string_view name(Explorer explorer);
 /// Nothing for any other word.
 std::optional<Explorer> explorer_named(std::string_view word);
 
-/// A robot for this task. The seed matters for `random` alone; ours draw their sampled mazes from a fixed one.
+/// A robot for this task. The seed matters for `random` alone; `prove` and `score` draw their sampled mazes from a fixed one.
 std::unique_ptr<Robot> make_explorer(Explorer explorer, const Task& task, std::uint64_t seed = 1);
 
 }  // namespace taut::micromouse

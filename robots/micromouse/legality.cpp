@@ -45,10 +45,10 @@ class Inspection {
 
   void size() {
     const int w = maze_.width(), h = maze_.height();
-    const std::set<int> sides = rules_ == MazeRules::course ? std::set{12, 14, 16} : std::set{16, 32};
+    const std::set<int> sides = rules_ == MazeRules::free_posts ? std::set{12, 14, 16} : std::set{16, 32};
     if (w == h && sides.contains(w)) return;
     fault("size " + std::to_string(w) + " x " + std::to_string(h) + ", which is not " +
-          (rules_ == MazeRules::course ? "12 x 12, 14 x 14 or 16 x 16" : "16 x 16 or 32 x 32"));
+          (rules_ == MazeRules::free_posts ? "12 x 12, 14 x 14 or 16 x 16" : "16 x 16 or 32 x 32"));
   }
 
   void border() {

@@ -11,11 +11,11 @@ namespace taut::micromouse {
 /// Whose rules a maze is held against.
 enum class MazeRules {
   competition,  ///< of the classic and the half-size contest
-  course,       ///< of the course: 12, 14 or 16 a side; posts may stand free
+  free_posts,   ///< 12, 14 or 16 a side; posts may stand free
 };
 
 /// What a maze breaks of the rules, one line each, in this order; nothing of a legal one.
-///  1. Size: 16 x 16 or 32 x 32 (course: 12, 14 or 16 a side).
+///  1. Size: 16 x 16 or 32 x 32 (free_posts: 12, 14 or 16 a side).
 ///  2. The border is closed: each opening is named.
 ///  3. The start is a corner, closed on three sides and open to the north; the wall on its right, between it and the
 ///     next cell, among them.

@@ -30,7 +30,7 @@ std::optional<ProofBound> proof_bound(const GridMaze& maze, const OracleLimits& 
 /// S* + (S* + 1) / 30: a robot that knows the maze goes to the goal, resets and goes there again.
 std::optional<double> absolute_floor(const GridMaze& maze);
 
-/// Benchmarks of the course's proposal.
+/// Two easier yardsticks.
 ///  1. S* + n^2 / 30 with n^2 the number of cells: run 1 sees every cell once.
 std::optional<double> benchmark_every_cell(const GridMaze& maze);
 ///  2. The mean score of the first ten random walkers, seeds from 1 on, that finish both runs; nothing when of 1000

@@ -1,101 +1,10 @@
 #include <taut/robots/micromouse/speed_model.h>
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
-
-#include <taut/geometry/errors.h>
-#include <taut/robots/micromouse/detail/json_file.h>
 
 namespace taut::micromouse {
-
-namespace {
-
-using Json = nlohmann::json;
-
-constexpr int kDeepest = 4;
-constexpr double kLargest = 1e6;
-
-class ModelReader {
- public:
-  ModelReader(std::string_view text, std::string source)
-      : source_(std::move(source)), json_(detail::parse_json(text, source_, "speed model", kDeepest)) {}
-
-  SpeedModel model() const {
-    SpeedModel model;
-    allow(json_, "the model", {"comment", "cell", "straight", "diagonal", "turns", "pivot_90", "pivot_180"});
-    take(json_, "cell", model.cell);
-    take(json_, "pivot_90", model.pivot_90);
-    take(json_, "pivot_180", model.pivot_180);
-    ramp("straight", model.straight);
-    ramp("diagonal", model.diagonal);
-    turns(model);
-    require_order(model);
-    return model;
-  }
-
- private:
-  [[noreturn]] void refuse(const std::string& what) const { throw InputError(source_, 0, what); }
-
-  void allow(const Json& object, const std::string& what, const std::vector<std::string_view>& names) const {
-    if (!object.is_object()) refuse(what + " is not an object {...}");
-    for (const auto& [key, value] : object.items())
-      if (std::find(names.begin(), names.end(), key) == names.end()) refuse("unknown name '" + key + "' in " + what);
-  }
-
-  void take(const Json& object, const std::string& key, double& value) const {
-    if (!object.contains(key)) return;
-    const Json& number = object.at(key);
-    if (!number.is_number() || !(number.get<double>() > 0) || number.get<double>() > kLargest)
-      refuse("'" + key + "' is not a number above 0 and up to 1000000");
-    value = number.get<double>();
-  }
-
-  void ramp(const std::string& key, Ramp& ramp) const {
-    if (!json_.contains(key)) return;
-    const Json& object = json_.at(key);
-    allow(object, "'" + key + "'", {"acceleration", "deceleration", "top_speed"});
-    take(object, "acceleration", ramp.acceleration);
-    take(object, "deceleration", ramp.deceleration);
-    take(object, "top_speed", ramp.top_speed);
-  }
-
-  void turns(SpeedModel& model) const {
-    if (!json_.contains("turns")) return;
-    const Json& turns = json_.at("turns");
-    std::vector<std::string_view> names;
-    for (const Turn turn : kAllTurns) names.push_back(name(turn));
-    allow(turns, "'turns'", names);
-    for (const Turn turn : kAllTurns) {
-      const std::string key(name(turn));
-      if (!turns.contains(key)) continue;
-      Pace& pace = model.turns[static_cast<std::size_t>(turn)];
-      allow(turns.at(key), "'" + key + "'", {"speed", "time"});
-      take(turns.at(key), "speed", pace.speed);
-      double time = 0;
-      take(turns.at(key), "time", time);
-      if (time > 0) pace.time = time;
-    }
-  }
-
-  void require_order(const SpeedModel& model) const {
-    for (const Turn turn : kAllTurns) {
-      const bool orthogonal = turn != Turn::diagonal_90;
-      const bool diagonal = turn == Turn::turn_45 || turn == Turn::turn_135 || turn == Turn::diagonal_90;
-      const double speed = model.pace(turn).speed;
-      if ((orthogonal && speed > model.straight.top_speed) || (diagonal && speed > model.diagonal.top_speed))
-        refuse("'" + std::string(name(turn)) + "' is faster than the top speed of what it joins");
-    }
-  }
-
-  std::string source_;
-  Json json_;
-};
-
-}  // namespace
 
 std::string_view name(Turn turn) {
   switch (turn) {
@@ -126,10 +35,6 @@ double length(Turn turn) {
 double SpeedModel::seconds(Turn turn) const {
   const Pace& p = pace(turn);
   return p.time ? *p.time : length(turn) * cell / 2 / p.speed;
-}
-
-SpeedModel read_speed_model(std::string_view text, const std::string& source) {
-  return ModelReader(text, source).model();
 }
 
 double peak_speed(const Ramp& ramp, double from, double to, double metres) {

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <optional>
-#include <string>
 #include <string_view>
 
 namespace taut::micromouse {
@@ -55,12 +54,6 @@ struct SpeedModel {
   double seconds(Turn turn) const;
   friend bool operator==(const SpeedModel&, const SpeedModel&) = default;
 };
-
-/// Reads JSON: numbers `cell`, `pivot_90`, `pivot_180`; objects `straight` and `diagonal` with `acceleration`,
-/// `deceleration`, `top_speed`; object `turns` with an object `{"speed": v, "time": t}` a turn, by name, `time`
-/// optional; a string `comment`. What is left out is as in the default. Throws InputError: no JSON (with the line),
-/// unknown names, values that are not numbers > 0 up to 10^6, turns faster than the straights they join.
-SpeedModel read_speed_model(std::string_view text, const std::string& source = {});
 
 /// The least time in s for a straight of `metres` from speed `from` to speed `to`: up, along at top speed if there is
 /// time for it, down. Nothing when it is too short for the change of speed. Precondition: 0 <= from, to <= top speed;

@@ -119,6 +119,15 @@ void Trial::close(const Step& step) {
                                        : TrialStatus::no_goal;
 }
 
+WallMap known_after_run1(const Record& record) {
+  WallMap map(record.task);
+  for (const Step& s : record.steps)
+    for (const auto* news : {&s.seen, &s.felt})
+      for (const WallSeen& w : *news)
+        if (s.run == 1) map.learn(w.wall.cell, w.wall.side, w.closed);
+  return map;
+}
+
 Record run_trial(const GridMaze& maze, Robot& robot, int max_steps) {
   Trial trial(maze, max_steps);
   while (!trial.over()) trial.act(robot.next(trial.sight()));

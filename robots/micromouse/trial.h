@@ -99,6 +99,9 @@ class Trial {
   int run_ = 1;
 };
 
+/// What run 1 of a record told of the walls.
+WallMap known_after_run1(const Record& record);
+
 /// Lets a robot run the whole trial.
 Record run_trial(const GridMaze& maze, Robot& robot, int max_steps = kMaxSteps);
 

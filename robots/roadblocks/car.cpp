@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 namespace {
 
@@ -163,4 +163,4 @@ bool Step::meets(Cell cell, WallReading reading, double slack) const {
   return sweeps(from_, control_, cell, slack);
 }
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -8,7 +8,9 @@
 #include <taut/geometry/point.h>
 #include <taut/robots/car/pose.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
+
+using car::Pose;
 
 inline constexpr double kHalfLength = 1.5;
 inline constexpr double kHalfWidth = 1.0;
@@ -31,7 +33,7 @@ std::array<Point, 4> corners(const Pose& pose);
 
 /// What a closed cell is, and when the car meets it.
 enum class WallReading : std::uint8_t {
-  points,  ///< the cell's centre point, in or on the rectangle at the end of a step: the course's rule
+  points,  ///< the cell's centre point, in or on the rectangle at the end of a step
   squares  ///< the closed unit square around it, touched anywhere on the step: the physical one
 };
 
@@ -60,4 +62,4 @@ class Step {
   Point ahead_;   ///< the heading there
 };
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -6,7 +6,7 @@
 #include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 namespace {
 
@@ -105,4 +105,4 @@ Drive drive(const Course& course, RoadblockSet open, Driver& driver, WallReading
   return run;
 }
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -10,7 +11,7 @@
 #include <taut/robots/roadblocks/car.h>
 #include <taut/robots/roadblocks/road_map.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 /// What the car has seen so far: walls are known beforehand, roadblocks are unknown until a cell of theirs is seen. It
 /// does not know the sample.
@@ -88,7 +89,7 @@ struct Drive {
 
 /// Drives from course.start with heading 0 until the goal is reached (0 steps when it is there already), the car
 /// collides, the driver sees no route or gives up, or kLongestDrive steps are done. After each step: collision, then
-/// sight, then goal, as the course rules. Precondition: require_start_free.
+/// sight, then goal. Precondition: require_start_free.
 Drive drive(const Course& course, RoadblockSet open, Driver& driver, WallReading reading);
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -4,11 +4,11 @@
 #include <array>
 #include <cstddef>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 namespace {
 
-constexpr std::array<std::string_view, 4> kNames{"ours", "optimist", "pessimist", "clairvoyant"};
+constexpr std::array<std::string_view, 4> kNames{"policy", "optimist", "pessimist", "clairvoyant"};
 
 /// A plan and how far it has been followed.
 class PlannedDriver : public Driver {
@@ -124,8 +124,8 @@ std::optional<DriverKind> driver_named(std::string_view word) {
 }
 
 std::unique_ptr<Driver> make_driver(DriverKind kind, LatticePlanner& planner, RoadblockSet told, Aim aim) {
-  if (kind == DriverKind::ours) return std::make_unique<PolicyDriver>(planner, aim);
+  if (kind == DriverKind::policy) return std::make_unique<PolicyDriver>(planner, aim);
   return std::make_unique<BelievingDriver>(kind, planner, told);
 }
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -9,22 +9,22 @@
 #include <taut/robots/roadblocks/lattice_planner.h>
 #include <taut/robots/roadblocks/roadblock_policy.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
-///  ours         follows a RoadblockPolicy: the fewest steps to be expected, or in the worst case
+///  policy       follows a RoadblockPolicy: the fewest steps to be expected, or in the worst case
 ///  optimist     takes unknown roadblocks for open until it sees otherwise
 ///  pessimist    takes unknown roadblocks for closed while there is another way
 ///  clairvoyant  is told the sample: the bound that no honest driver is asked to reach
-enum class DriverKind : std::uint8_t { ours, optimist, pessimist, clairvoyant };
+enum class DriverKind : std::uint8_t { policy, optimist, pessimist, clairvoyant };
 
 std::string_view name(DriverKind kind);
 std::optional<DriverKind> driver_named(std::string_view word);
 
-/// A driver along `planner`'s plans. `ours` decides whenever a roadblock shows, the others replan when a roadblock of
+/// A driver along `planner`'s plans. `policy` decides whenever a roadblock shows, the others replan when a roadblock of
 /// their way shows closed and when one that they avoided shows open.
-/// `told` is what a clairvoyant knows: the open roadblocks. `aim` is for `ours`. `planner` must outlive the driver and
+/// `told` is what a clairvoyant knows: the open roadblocks. `aim` is for `policy`. `planner` must outlive the driver and
 /// may be shared by drives on one course.
 std::unique_ptr<Driver> make_driver(DriverKind kind, LatticePlanner& planner, RoadblockSet told = 0,
                                     Aim aim = Aim::expected);
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -12,7 +12,7 @@
 #include <taut/robots/roadblocks/detail/pose_cells.h>
 #include <taut/robots/roadblocks/detail/shortcuts.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 namespace {
 
@@ -230,4 +230,4 @@ WallReading LatticePlanner::reading() const { return impl_->reading; }
 std::size_t LatticePlanner::expanded() const { return impl_->expanded; }
 std::size_t LatticePlanner::plans() const { return impl_->plans; }
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -8,7 +8,7 @@
 
 #include <taut/robots/roadblocks/drive.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 /// The controls of a way to the goal, and the poses after each of them.
 struct Plan {
@@ -78,4 +78,4 @@ inline constexpr int kLatticeHeadings = 128;
 inline constexpr double kLatticeTurn = 6.283185307179586 / 128 / kTurn;  ///< the control, 0.98
 inline constexpr double kMargin = 1e-6;
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -6,7 +6,7 @@
 #include <taut/robots/roadblocks/tree_planner.h>
 #include <taut/robots/roadblocks/value_planner.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 namespace {
 
@@ -26,11 +26,11 @@ std::unique_ptr<Driver> values(const Course& course, WallReading reading, std::u
 }
 
 constexpr std::array<Peer, 5> kPeers{{
-    {"rrt", "the course report's: a random tree of its controls", tree<TreeKind::rrt>},
+    {"rrt", "a random tree of the car's controls", tree<TreeKind::rrt>},
     {"rrt-field", "the same, half of the samples along the way of a disc", tree<TreeKind::rrt_field>},
     {"rrt-star", "a random tree that rewires", tree<TreeKind::rrt_star>},
     {"rrt-connect", "two random trees", tree<TreeKind::rrt_connect>},
-    {"value-iteration", "the course report's: cells x 8 headings", values},
+    {"value-iteration", "on cells x 8 headings", values},
 }};
 
 }  // namespace
@@ -42,4 +42,4 @@ const Peer* peer_named(std::string_view name) {
   return at == kPeers.end() ? nullptr : &*at;
 }
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

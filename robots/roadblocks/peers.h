@@ -8,7 +8,7 @@
 
 #include <taut/robots/roadblocks/drive.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 /// All take unknown roadblocks for open and plan again whenever one shows closed (replanning_driver.h).
 struct Peer {
@@ -22,4 +22,4 @@ struct Peer {
 std::span<const Peer> peers();
 const Peer* peer_named(std::string_view name);  ///< null: there is none
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 namespace {
 
@@ -38,4 +38,4 @@ std::unique_ptr<Driver> replanning_driver(Planning planning) {
   return std::make_unique<ReplanningDriver>(std::move(planning));
 }
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

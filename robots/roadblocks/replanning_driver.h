@@ -7,7 +7,7 @@
 
 #include <taut/robots/roadblocks/lattice_planner.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 /// A plan, or why there is none.
 struct Attempt {
@@ -18,8 +18,7 @@ struct Attempt {
 /// A planner to which the roadblocks it is told are closed and all others open.
 using Planning = std::function<Attempt(const Pose& from, RoadblockSet closed)>;
 
-/// Takes unknown roadblocks for open, and plans again whenever one shows closed, on its way or not: the course report's
-/// policy.
+/// Takes unknown roadblocks for open, and plans again whenever one shows closed, on its way or not.
 std::unique_ptr<Driver> replanning_driver(Planning planning);
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

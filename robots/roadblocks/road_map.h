@@ -2,14 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include <taut/geometry/grid_maze.h>
 #include <taut/geometry/point.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 /// A set of cells that is open or closed as a whole.
 struct Roadblock {
@@ -45,36 +43,12 @@ struct Sample {
   RoadblockSet open = 0;
 };
 
-/// A file: the course, and for scoring alone the samples.
+/// The maze, and for scoring alone the samples.
 struct RoadMap {
   Course course;
   std::vector<Sample> samples;
 };
 
-/// Reads
-///
-///     start X Y
-///     goal X Y
-///     roadblock LETTER X Y P_OPEN     any number; without P_OPEN 1/2
-///     grid WIDTH HEIGHT
-///     HEIGHT rows of WIDTH characters: # wall, . open, a LETTER A..Z: a cell of that roadblock
-///     samples K                       optional, what follows on the line is a remark
-///     I BITS                          K lines; a character per roadblock in the order of letters, 1 = open
-///
-///  1. `start`, `goal` and `roadblock` come before `grid`, in any order, start and goal once. A line that begins with #
-///     is a comment unless it is one of the grid's rows; empty lines outside the grid are skipped; CRLF and a byte
-///     order mark are accepted.
-///  2. Strict otherwise. X Y of a roadblock lie within the box around its cells; sides are at most kLargestSide; start
-///     and goal lie within the grid.
-/// Throws InputError with the line.
-RoadMap read_road_map(std::string_view bytes, const std::string& source = {});
+inline constexpr int kLargestSide = 1000;  ///< cells
 
-inline constexpr int kLargestSide = 1000;
-
-/// The set that the bits, as in a file, name. Throws InputError for a wrong number of bits or another character.
-RoadblockSet roadblocks_of(std::string_view bits, const Course& course, const std::string& source = {}, int line = 0);
-
-/// The reverse.
-std::string bits_of(RoadblockSet open, const Course& course);
-
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <numeric>
 
 #include <taut/geometry/detail/draws.h>
 #include <taut/geometry/errors.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 namespace {
 
@@ -181,11 +180,6 @@ class Generator {
   std::vector<Lane> lanes_;
 };
 
-std::string number_text(double value) {
-  std::array<char, 32> buffer{};
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
-}
-
 }  // namespace
 
 RoadMap generate_road_map(const RoadMapRecipe& recipe) {
@@ -196,31 +190,4 @@ RoadMap generate_road_map(const RoadMapRecipe& recipe) {
   return Generator(recipe).run();
 }
 
-std::string road_map_text(const RoadMap& map, const std::string& remark) {
-  const Course& course = map.course;
-  std::vector<std::string> rows(static_cast<std::size_t>(course.height),
-                                std::string(static_cast<std::size_t>(course.width), '.'));
-  const auto put = [&](Cell c, char what) {
-    rows[static_cast<std::size_t>(c.y - 1)][static_cast<std::size_t>(c.x - 1)] = what;
-  };
-  for (int y = 1; y <= course.height; ++y)
-    for (int x = 1; x <= course.width; ++x)
-      if (course.is_wall({x, y})) put({x, y}, '#');
-  std::string text = remark.empty() ? "" : "# " + remark + "\n";
-  text += "start " + number_text(course.start.x) + " " + number_text(course.start.y) + "\n";
-  text += "goal " + number_text(course.goal.x) + " " + number_text(course.goal.y) + "\n";
-  for (const Roadblock& block : course.roadblocks) {
-    const Cell c = block.cells.front();
-    text += std::string("roadblock ") + block.letter + " " + std::to_string(c.x) + " " + std::to_string(c.y) + " " +
-            number_text(block.open_probability) + "\n";
-    for (const Cell cell : block.cells) put(cell, block.letter);
-  }
-  text += "grid " + std::to_string(course.width) + " " + std::to_string(course.height) + "\n";
-  for (const std::string& row : rows) text += row + "\n";
-  if (!map.samples.empty()) text += "samples " + std::to_string(map.samples.size()) + "\n";
-  for (const Sample& sample : map.samples)
-    text += std::to_string(sample.number) + " " + bits_of(sample.open, course) + "\n";
-  return text;
-}
-
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 
 #include <taut/robots/roadblocks/road_map.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 struct RoadMapRecipe {
   int width = 50;  ///< cells, kLeastMazeSide .. kLargestSide
@@ -25,7 +24,4 @@ inline constexpr int kLeastMazeSide = 24;
 /// in rooms at opposite corners. Same recipe, same map, everywhere. Throws InputError when the recipe is out of range.
 RoadMap generate_road_map(const RoadMapRecipe& recipe);
 
-/// The file of a map, as read_road_map takes it; `remark` becomes its first line.
-std::string road_map_text(const RoadMap& map, const std::string& remark = {});
-
-}  // namespace taut::car
+}  // namespace taut::roadblocks

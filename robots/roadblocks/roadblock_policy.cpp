@@ -9,7 +9,7 @@
 #include <set>
 #include <tuple>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 namespace {
 
@@ -209,4 +209,4 @@ RoadblockPolicy::Choice RoadblockPolicy::choose(const Pose& from, RoadblockSet o
   return impl_->choose(from, open, closed);
 }
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

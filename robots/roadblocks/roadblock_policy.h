@@ -6,7 +6,7 @@
 
 #include <taut/robots/roadblocks/lattice_planner.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 /// What a policy makes least.
 enum class Aim : std::uint8_t {
@@ -61,4 +61,4 @@ class RoadblockPolicy {
 
 inline constexpr double kStranded = 1e7;
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

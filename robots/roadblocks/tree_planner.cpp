@@ -4,7 +4,7 @@
 
 #include <taut/robots/roadblocks/detail/tree_search.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 struct TreePlanner::Impl {
   Impl(const Course& c, WallReading r, TreeKind k, std::uint64_t seed) : course(c), reading(r), kind(k), draws(seed) {}
@@ -61,4 +61,4 @@ std::size_t most_samples(TreeKind kind) {
   return 100'000;
 }
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

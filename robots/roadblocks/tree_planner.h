@@ -7,9 +7,9 @@
 
 #include <taut/robots/roadblocks/replanning_driver.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
-///  rrt          the course report's: a node is a pose that controls of the car reach, and it grows towards a sample
+///  rrt          a node is a pose that controls of the car reach, and it grows towards a sample
 ///               only if one of the poses it can reach is nearer to the sample than itself (reachability-guided:
 ///               Shkolnik, Walter, Tedrake, 2009). 1 sample in 20 is the goal
 ///  rrt_field    the same; every second sample lies 3 ahead of a node along the way of a disc to the goal
@@ -52,4 +52,4 @@ class TreePlanner {
 /// Samples a plan at most.
 std::size_t most_samples(TreeKind kind);
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

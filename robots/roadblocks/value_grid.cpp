@@ -8,7 +8,7 @@
 #include <taut/robots/roadblocks/detail/steering.h>
 #include <taut/robots/roadblocks/lattice_planner.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 namespace {
 
@@ -126,4 +126,4 @@ std::size_t ValueGrid::after(std::size_t state, Action action) const {
   return state % plane() + static_cast<std::size_t>(turned) * plane();
 }
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

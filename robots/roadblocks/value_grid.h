@@ -1,4 +1,4 @@
-// The course report's discretisation: cells x 8 headings.
+// Poses made discrete for value iteration: cells x 8 headings.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 #include <taut/robots/roadblocks/drive.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 namespace detail {
 class Obstacles;
@@ -23,12 +23,11 @@ inline constexpr std::array<Action, 4> kActions{Action::straight, Action::turn_p
 /// 45 degrees, k = 0 .. 7.
 ///
 ///  1. Actions: straight ahead to the next point, a turn on the spot by 45 degrees or, if asked for, straight back to
-///     the next point, which the report does not know. An action is there only if the car, driving it from exactly
-///     there in its own steps, stays clear of all closed cells by kMargin. That is stricter than the report, whose
-///     walls only cost.
+///     the next point. An action is there only if the car, driving it from exactly there in its own steps, stays clear
+///     of all closed cells by kMargin: walls do not merely cost.
 ///  2. Straight costs 1, sqrt 2 on a diagonal, and more for what is around the point it comes to: sqrt 2 for each
-///     closed cell beside it, 1 for each at a corner of the 3 x 3 cells around. A turn costs `turn`: the report does
-///     not say; 64 steps of the car are about 9 cells. Straight back takes three times as many steps as ahead, and its
+///     closed cell beside it, 1 for each at a corner of the 3 x 3 cells around. A turn costs `turn`: 64
+///     steps of the car are about 9 cells. Straight back takes three times as many steps as ahead, and its
 ///     length costs so.
 ///  3. Goal states, of value 0: the car covers the goal with 0.3 to spare.
 struct ValueCosts {
@@ -85,4 +84,4 @@ class ValueGrid {
   std::array<std::vector<double>, kActions.size()> costs_;
 };
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 namespace {
 
@@ -151,4 +151,4 @@ std::optional<Action> best_action(const ValueGrid& grid, const Values& values, s
   return best;
 }
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

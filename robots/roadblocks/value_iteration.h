@@ -1,4 +1,4 @@
-// Value iteration on the report's discretisation.
+// Value iteration on cells x 8 headings.
 #pragma once
 
 #include <optional>
@@ -6,7 +6,7 @@
 
 #include <taut/robots/roadblocks/value_grid.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 /// How a sweep goes over the states.
 enum class Sweeping : std::uint8_t {
@@ -34,4 +34,4 @@ Values value_iteration(const ValueGrid& grid, Sweeping sweeping = Sweeping::in_p
 /// The best action, the first of equals in the order of kActions; nothing in goal states and where the value is kNever.
 std::optional<Action> best_action(const ValueGrid& grid, const Values& values, std::size_t state);
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

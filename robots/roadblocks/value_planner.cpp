@@ -10,7 +10,7 @@
 #include <taut/robots/roadblocks/detail/steering.h>
 #include <taut/robots/roadblocks/detail/tree_search.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 
 namespace {
 
@@ -189,4 +189,4 @@ Attempt ValuePlanner::plan(const Pose& from, RoadblockSet closed) {
 const ValueGrid* ValuePlanner::grid() const { return impl_->grid ? &*impl_->grid : nullptr; }
 const Values* ValuePlanner::values() const { return impl_->values ? &*impl_->values : nullptr; }
 
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -33,8 +33,8 @@ inline bool overlaps_square(std::complex<long double> at, long double heading, s
 
 /// Collision, then goal, after each step, until either. With walls as squares each step is looked at in 16 places: that
 /// misses contacts, but not long ones.
-inline Replay replay(const car::Course& course, car::RoadblockSet open, const std::vector<double>& controls,
-                     car::WallReading reading = car::WallReading::points) {
+inline Replay replay(const roadblocks::Course& course, roadblocks::RoadblockSet open, const std::vector<double>& controls,
+                     roadblocks::WallReading reading = roadblocks::WallReading::points) {
   using Complex = std::complex<long double>;
   Complex at(course.start.x, course.start.y);
   long double heading = 0;
@@ -64,7 +64,7 @@ inline Replay replay(const car::Course& course, car::RoadblockSet open, const st
   };
   for (const double u : controls) {
     ++result.steps;
-    if (reading == car::WallReading::squares) {
+    if (reading == roadblocks::WallReading::squares) {
       const Complex was = at;
       const long double turned = heading;
       for (int k = 1; k <= 16; ++k) {

@@ -1,4 +1,4 @@
-// Our explorer: looks where looking most likely cuts, or finds, a shorter plan. Private.
+// The explorer of `prove` and `score`: looks where looking most likely cuts, or finds, a shorter plan. Private.
 #pragma once
 
 #include <taut/robots/micromouse/detail/belief.h>

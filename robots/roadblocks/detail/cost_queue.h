@@ -8,7 +8,7 @@
 #include <numeric>
 #include <vector>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 /// Numbered states by cost, in a ring of buckets: a push is at most kRing - 1 above what is visited.
 class CostQueue {
@@ -74,4 +74,4 @@ class CostQueue {
   std::vector<Seed> seeds_;
 };
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

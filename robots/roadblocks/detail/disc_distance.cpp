@@ -8,7 +8,7 @@
 
 #include <taut/robots/roadblocks/lattice_planner.h>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 namespace {
 
@@ -171,4 +171,4 @@ int DiscDistance::steps_from(Point p) const {
   return steps_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(i)];
 }
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

@@ -8,7 +8,7 @@
 
 #include <taut/robots/roadblocks/drive.h>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 /// A course with its closed roadblocks decided.
 class Obstacles {
@@ -93,4 +93,4 @@ class DiscDistance {
   std::vector<int> steps_;
 };
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

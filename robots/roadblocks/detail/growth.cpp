@@ -3,7 +3,7 @@
 #include <taut/robots/roadblocks/detail/pose_index.h>
 #include <taut/robots/roadblocks/detail/steering.h>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 namespace {
 
@@ -67,4 +67,4 @@ std::optional<Branch> Growth::towards(const Pose& sample, const Pose& node, Reac
   return Branch{*end, std::span(motions_[*best]).first(steps)};
 }
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

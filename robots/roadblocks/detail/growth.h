@@ -8,7 +8,7 @@
 
 #include <taut/robots/roadblocks/detail/tree_search.h>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 /// What is known of a node's motions, one bit each.
 struct Reach {
@@ -57,4 +57,4 @@ std::vector<double> controls_to(const std::vector<Node>& nodes, std::uint32_t la
   return all;
 }
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

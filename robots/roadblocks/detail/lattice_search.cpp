@@ -5,7 +5,7 @@
 #include <memory>
 #include <numbers>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 namespace {
 
@@ -223,4 +223,4 @@ LatticeAnswer lattice_search(const Obstacles& obstacles, const DiscDistance& dis
   return Search(obstacles, disc, distance, lattice, from).run(expanded);
 }
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

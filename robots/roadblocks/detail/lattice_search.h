@@ -8,7 +8,7 @@
 #include <taut/robots/roadblocks/detail/pose_distance.h>
 #include <taut/robots/roadblocks/lattice_planner.h>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 struct Lattice {
   int bins = 4;                  ///< of positions, to the unit
@@ -26,4 +26,4 @@ struct LatticeAnswer {
 LatticeAnswer lattice_search(const Obstacles& obstacles, const DiscDistance& disc, const PoseDistance& distance,
                              const Lattice& lattice, const Pose& from, std::size_t& expanded);
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <utility>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 namespace {
 
@@ -231,4 +231,4 @@ bool PoseCells::reaches(const Pose& pose) const {
   return reached(pose.heading - kRounding) || reached(pose.heading + kRounding);
 }
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

@@ -7,7 +7,7 @@
 
 #include <taut/robots/roadblocks/detail/disc_distance.h>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 /// Poses in cells of 1/16 x 1/16 x 1/120 of a turn, which is more than a step turns, up to kBeyond outside of the grid
 /// too. Quarter turns lie between cells.
@@ -71,4 +71,4 @@ class PoseCells {
   std::vector<std::uint8_t> quarters_;
 };
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

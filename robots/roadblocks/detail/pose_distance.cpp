@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 namespace {
 
@@ -271,4 +271,4 @@ double PoseDistance::steps_from(const Pose& pose) const {
   return (a + part * (b - a)) / kParts;
 }
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

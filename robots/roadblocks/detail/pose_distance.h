@@ -8,7 +8,7 @@
 #include <taut/robots/roadblocks/detail/cost_queue.h>
 #include <taut/robots/roadblocks/detail/disc_distance.h>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 /// Steps to the goal from poses on a lattice: the raster's middles, kTableHeadings headings, the car's own moves
 /// rounded to it. An estimate of what the true car needs, within some percent; unlike a disc's way it knows what
@@ -70,4 +70,4 @@ class PoseDistance {
   std::size_t settled_ = 0;            ///< states with a value, when last made anew
 };
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

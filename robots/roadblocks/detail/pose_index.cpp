@@ -8,7 +8,7 @@
 #include <cmath>
 #include <utility>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 namespace bg = boost::geometry;
 using Spot = bg::model::point<double, 4, bg::cs::cartesian>;
@@ -63,4 +63,4 @@ double distance(const Pose& a, const Pose& b) {
   return std::sqrt(sum);
 }
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

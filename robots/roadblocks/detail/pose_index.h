@@ -7,7 +7,7 @@
 
 #include <taut/robots/roadblocks/car.h>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 /// An r-tree of poses as points (x, y, kArm cos heading, kArm sin heading): the distance is that of the centres and of
 /// tips kArm ahead, so that whole turns do not count. Same calls, same answers.
@@ -31,4 +31,4 @@ inline constexpr double kArm = 2.0;
 
 double distance(const Pose& a, const Pose& b);  ///< as above
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

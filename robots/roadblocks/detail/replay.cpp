@@ -1,6 +1,6 @@
 #include <taut/robots/roadblocks/detail/replay.h>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 std::optional<Plan> replayed(const Pose& from, const std::vector<double>& controls, const Obstacles& obstacles,
                              double slack) {
@@ -16,4 +16,4 @@ std::optional<Plan> replayed(const Pose& from, const std::vector<double>& contro
   return std::nullopt;
 }
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

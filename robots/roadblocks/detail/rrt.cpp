@@ -4,7 +4,7 @@
 #include <taut/robots/roadblocks/detail/growth.h>
 #include <taut/robots/roadblocks/detail/pose_index.h>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 namespace {
 
@@ -66,4 +66,4 @@ std::optional<std::vector<double>> rrt(const TreeRoom& room, const Pose& from, S
   return Rrt(room, from, samples, by_field).run();
 }
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

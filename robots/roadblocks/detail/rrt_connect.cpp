@@ -8,7 +8,7 @@
 #include <taut/robots/roadblocks/detail/steering.h>
 #include <taut/robots/roadblocks/detail/tree_search.h>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 namespace {
 
@@ -145,4 +145,4 @@ std::optional<std::vector<double>> rrt_connect(const TreeRoom& room, const Pose&
   return RrtConnect(room, from, samples).run();
 }
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

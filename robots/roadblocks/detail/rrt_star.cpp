@@ -8,7 +8,7 @@
 #include <taut/robots/roadblocks/detail/steering.h>
 #include <taut/robots/roadblocks/detail/tree_search.h>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 namespace {
 
@@ -175,4 +175,4 @@ std::optional<std::vector<double>> rrt_star(const TreeRoom& room, const Pose& fr
   return RrtStar(room, from, samples).run();
 }
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

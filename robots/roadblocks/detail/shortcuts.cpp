@@ -8,7 +8,7 @@
 #include <taut/robots/car/curve_bound.h>
 #include <taut/robots/roadblocks/detail/replay.h>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 namespace {
 
@@ -165,7 +165,7 @@ class Shortcuts {
     if (is_one_arc(i, j) || !is_new(i, j)) return false;
     const Pose target = plan_.poses[j - 1];
     const auto least =
-        static_cast<int>(std::ceil(dubins_bound(before(i), target, kForward / kTurn) / kForward - kRounding));
+        static_cast<int>(std::ceil(car::detail::dubins_bound(before(i), target, kForward / kTurn) / kForward - kRounding));
     const int steps = static_cast<int>(j - i);
     const auto miss = [&](VaryingPose end, const Vector&) {
       end.x.value -= target.x, end.y.value -= target.y;
@@ -284,4 +284,4 @@ Plan with_shortcuts(const Pose& from, const Plan& plan, const Obstacles& obstacl
   return Shortcuts(from, plan, obstacles, slack).run();
 }
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

@@ -4,7 +4,7 @@
 #include <taut/robots/roadblocks/detail/disc_distance.h>
 #include <taut/robots/roadblocks/lattice_planner.h>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 /// Replaces stretches of the plan by fewer steps: three arcs whose controls, found by Newton's method, end in the very
 /// same pose (within 1e-11), or, at the end, a pose that covers the goal. What is returned has been replayed from the
@@ -12,4 +12,4 @@ namespace taut::car::detail {
 /// long ones first.
 Plan with_shortcuts(const Pose& from, const Plan& plan, const Obstacles& obstacles, double slack);
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <optional>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 namespace {
 
@@ -139,4 +139,4 @@ Pose unstepped(const Pose& to, double control) {
   return {to.x - end.x, to.y - end.y, to.heading - turn};
 }
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

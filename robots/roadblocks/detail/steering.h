@@ -5,7 +5,7 @@
 
 #include <taut/robots/roadblocks/car.h>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 /// A turn by `angle`, on an arc of the least radius or on the spot (three steps back, one of arc). Whole steps of
 /// control 1 and one of less, which stands where the straight is: at the end, or, with `fraction_first`, at the
@@ -47,4 +47,4 @@ inline constexpr double kLanding = 0.05;
 /// Where a step that ends at `to` began: the reverse of stepped(), up to rounding. Precondition: a control that moves.
 Pose unstepped(const Pose& to, double control);
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

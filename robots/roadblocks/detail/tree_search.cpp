@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 namespace {
 
@@ -62,4 +62,4 @@ Pose TreeRoom::ahead(const Pose& from, double far) const {
   return {at.x, at.y, std::atan2(at.y - from.y, at.x - from.x)};
 }
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

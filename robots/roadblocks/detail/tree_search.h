@@ -10,7 +10,7 @@
 #include <taut/robots/roadblocks/detail/disc_distance.h>
 #include <taut/robots/roadblocks/lattice_planner.h>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 
 using taut::detail::Draws;
 
@@ -63,4 +63,4 @@ std::optional<std::vector<double>> rrt(const TreeRoom& room, const Pose& from, S
 std::optional<std::vector<double>> rrt_star(const TreeRoom& room, const Pose& from, Samples samples);
 std::optional<std::vector<double>> rrt_connect(const TreeRoom& room, const Pose& from, Samples samples);
 
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

@@ -27,7 +27,7 @@ class DriveProgram : public testing::Test {
 TEST_F(DriveProgram, GivesAResultASample) {
   const Outcome outcome = run_taut("drive " + map + " --all --json -");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  const json results = json::parse(outcome.out);
+  const json results = json::parse(outcome.out)["result"];
   ASSERT_EQ(results.size(), 2U);
   for (const json& result : results) {
     EXPECT_EQ(result["reached"], true);
@@ -49,7 +49,7 @@ TEST_F(DriveProgram, SumsUpAllSamplesAndTakesTimes) {
   const Outcome outcome = run_taut("drive " + map + " --all --policy worst");
   EXPECT_THAT(outcome.out, HasSubstr("reached 2 of 2 (100 %), mean"));
   EXPECT_THAT(outcome.out, HasSubstr("replan ms"));
-  const json result = json::parse(run_taut("drive " + map + " --json -").out)[0];
+  const json result = json::parse(run_taut("drive " + map + " --json -").out)["result"][0];
   EXPECT_GT(result["first_plan_ms"], 0);
   EXPECT_GE(result["slowest_replan_ms"], 0);
   EXPECT_EQ(run_taut("drive " + map + " --policy lucky").code, 2);
@@ -90,7 +90,7 @@ TEST_F(DriveProgram, DrawsTheValueSurfaceAndItsArrows) {
 TEST_F(DriveProgram, NamesItsPlannerAndSeed) {
   const Outcome outcome = run_taut("drive " + map + " --sample 1 --planner rrt-field --seed 5 --json -");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  const json result = json::parse(outcome.out)[0];
+  const json result = json::parse(outcome.out)["result"][0];
   EXPECT_EQ(result["planner"], "rrt-field");
   EXPECT_EQ(result["seed"], 5);
 }

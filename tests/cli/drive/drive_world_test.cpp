@@ -26,8 +26,8 @@ class DriveWorld : public testing::Test {
 TEST_F(DriveWorld, DrivesThroughAMaze) {
   const Outcome outcome = run_taut("drive " + maze + car + " --json -");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  const json result = json::parse(outcome.out);
-  EXPECT_EQ(result["status"], "found");
+  const json envelope = json::parse(outcome.out), result = envelope["result"];
+  EXPECT_EQ(envelope["status"], "found");
   EXPECT_EQ(result["reached"], true);
   EXPECT_EQ(result["collisions"], 0);
   EXPECT_EQ(result["verified"], true);

@@ -30,7 +30,7 @@ TEST_F(MouseCompare, SummarisesAllExplorersOverManyMazes) {
 TEST_F(MouseCompare, AgreesWithSingleRuns) {
   const json all = json::parse(run_taut("mouse compare --explorers flood,score --json - " +
                                         data_file("mouse_12.cells") + " " + data_file("mouse_16.num"))
-                                   .out);
+                                   .out)["result"];
   ASSERT_EQ(all["explorers"].size(), 2U);
   for (const json& explorer : all["explorers"]) {
     double sum = 0;
@@ -38,7 +38,7 @@ TEST_F(MouseCompare, AgreesWithSingleRuns) {
       const json single =
           json::parse(run_taut("mouse run --quick --json - --explorer " + explorer["explorer"].get<std::string>() +
                                " " + one["maze"].get<std::string>())
-                          .out);
+                          .out)["result"];
       EXPECT_EQ(single["score"], one["score"]);
       sum += one["score"].get<double>();
     }

@@ -32,7 +32,7 @@ TEST_F(MouseRun, GivesTheScoreOfItsRunsAsJson) {
     const Outcome run =
         run_taut("mouse run --quick --json - --explorer " + std::string(explorer) + " " + data_file("mouse_12.cells"));
     ASSERT_EQ(run.code, 0) << run.err;
-    const json all = json::parse(run.out);
+    const json all = json::parse(run.out)["result"];
     EXPECT_DOUBLE_EQ(all["score"], all["run2"].get<int>() + all["run1"].get<int>() / 30.0);
     EXPECT_GE(all["run2"], all["optimum"]);
     EXPECT_DOUBLE_EQ(all["floor"], all["optimum"].get<int>() + (all["optimum"].get<int>() + 1) / 30.0);
@@ -43,15 +43,20 @@ TEST_F(MouseRun, GivesTheScoreOfItsRunsAsJson) {
 }
 
 TEST_F(MouseRun, ProvesInProveMode) {
-  const json all = json::parse(run_taut("mouse run --quick --json - --mode prove " + data_file("mouse_16.maz")).out);
+  const json all =
+      json::parse(run_taut("mouse run --quick --json - --explorer prove " + data_file("mouse_16.maz")).out)["result"];
   EXPECT_EQ(all["explorer"], "prove");
   EXPECT_EQ(all["proven"], true);
   EXPECT_EQ(all["run2"], all["optimum"]);
-  EXPECT_EQ(json::parse(run_taut("mouse run --quick --json - " + data_file("mouse_16.maz")).out)["explorer"], "score");
+  const json chosen = json::parse(run_taut("mouse run --quick --json - " + data_file("mouse_16.maz")).out);
+  EXPECT_EQ(chosen["result"]["explorer"], "score");
+  const Outcome old = run_taut("mouse run --mode prove " + data_file("mouse_16.maz"));
+  EXPECT_EQ(old.code, 2);
+  EXPECT_THAT(old.err, HasSubstr("did you mean `--explorer prove`?"));
 }
 
 void expect_yardsticks(const std::string& file, int optimum, double floor, double every_cell) {
-  const json all = json::parse(run_taut("mouse run --json - " + file).out);
+  const json all = json::parse(run_taut("mouse run --json - " + file).out)["result"];
   EXPECT_EQ(all["optimum"], optimum);
   EXPECT_NEAR(all["floor"], floor, 1e-12);
   EXPECT_NEAR(all["benchmarks"]["every_cell"], every_cell, 1e-12);
@@ -75,7 +80,7 @@ bool runs(const std::string& file) {
     return false;
   }
   EXPECT_EQ(run.code, 0) << run.err;
-  const json all = json::parse(run.out, nullptr, false);
+  const json all = json::parse(run.out)["result"];
   EXPECT_TRUE(all.is_object() && all["score"] >= all["floor"]);
   return true;
 }
@@ -124,7 +129,9 @@ TEST_F(MouseRun, MeasuresLongMazesAndSaysWhenNoRandomWalkerFinishes) {
 TEST_F(MouseRun, FailsWithItsReasonWhenTheStepsRunOut) {
   const Outcome run = run_taut("mouse run --quick --max-steps 5 --json - " + data_file("mouse_16.maz"));
   EXPECT_EQ(run.code, 4);
-  EXPECT_EQ(json::parse(run.out)["score"], nullptr);
+  const json all = json::parse(run.out);
+  EXPECT_EQ(all["status"], "unproven");
+  EXPECT_EQ(all["result"]["score"], nullptr);
   EXPECT_THAT(run.err, HasSubstr("the steps ran out"));
 }
 

@@ -61,7 +61,7 @@ TEST_F(MouseServe, GreetsWhenAsked) {
 }
 
 TEST_F(MouseServe, ReplaysABuiltInExplorerToTheSameScore) {
-  const json own = json::parse(run_taut("mouse run --quick --json - " + data_file("mouse_16.maz")).out);
+  const json own = json::parse(run_taut("mouse run --quick --json - " + data_file("mouse_16.maz")).out)["result"];
   std::string actions;
   for (const json& step : own["steps"])
     actions += step.contains("reset") ? "reset\n"

@@ -22,7 +22,7 @@ TEST_F(MousePictures, ShowWhatWasSeenAndBothRoutes) {
   const Outcome run = run_taut("mouse run --quick --svg - " + data_file("mouse_12.cells"));
   EXPECT_THAT(run.out, StartsWith("<svg xmlns="));
   EXPECT_THAT(run.out, EndsWith("</svg>\n"));
-  for (const char* group : {"sight", "goal", "start", "seen", "unseen", "posts", "run1", "run2"})
+  for (const char* group : {"sight", "rooms", "goal", "start", "seen", "unseen", "posts", "run1", "run2"})
     EXPECT_THAT(run.out, HasSubstr("<g class=\"" + std::string(group) + "\">"));
   EXPECT_THAT(run.out, Not(HasSubstr("class=\"flood\"")));
   const Outcome flood = run_taut("mouse run --quick --flood --svg - " + data_file("mouse_12.cells"));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include <taut/geometry/errors.h>
+#include <taut/io/worlds/road_map.h>
 #include <taut/robots/roadblocks/drivers.h>
 
 #include "support/car_drawing.h"
@@ -18,14 +19,14 @@
 #include "support/second_car.h"
 #include "support/text.h"
 
-namespace taut::car {
+namespace taut::roadblocks {
 namespace {
 
 using test::lane;
 using test::map_of;
 using test::replay;
 
-Drive driven(const RoadMap& map, RoadblockSet open, DriverKind kind = DriverKind::ours,
+Drive driven(const RoadMap& map, RoadblockSet open, DriverKind kind = DriverKind::policy,
              WallReading reading = WallReading::points) {
   LatticePlanner planner(map.course, reading);
   return drive(map.course, open, *make_driver(kind, planner, open), reading);
@@ -147,7 +148,7 @@ TEST_P(EveryMap, IsDrivenToTheGoalWithoutACollisionWhereThereIsAWay) {
   LatticePlanner planner(map.course, WallReading::points);
   std::size_t no_way = 0;
   for (const Sample& sample : map.samples) {
-    const Drive run = drive(map.course, sample.open, *make_driver(DriverKind::ours, planner), WallReading::points);
+    const Drive run = drive(map.course, sample.open, *make_driver(DriverKind::policy, planner), WallReading::points);
     if (run.outcome == Outcome::no_route) {
       ++no_way;
       continue;
@@ -164,25 +165,5 @@ TEST_P(EveryMap, IsDrivenToTheGoalWithoutACollisionWhereThereIsAWay) {
 INSTANTIATE_TEST_SUITE_P(Files, EveryMap, testing::ValuesIn(map_files()),
                          [](const auto& map) { return test::words(map.param.file.stem().string()); });
 
-TEST(RoadMapReader, NamesTheLineAndTheCulprit) {
-  const auto message = [](const std::string& text) {
-    try {
-      read_road_map(text, "m.txt");
-    } catch (const InputError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  const std::string head = "# c\r\nstart 1 1\r\ngoal 2 1\r\n";
-  EXPECT_EQ(message(head + "grid 3 1\r\n...\r\n"), "");
-  EXPECT_THAT(message(head + "grid 3 1\n..\n"), testing::HasSubstr("m.txt:5: a row of 2 cells"));
-  EXPECT_THAT(message(head + "grid 3 1\n..x\n"), testing::HasSubstr("m.txt:5: 'x' in column 3"));
-  EXPECT_THAT(message(head + "grid 3 2\n...\n"), testing::HasSubstr("the grid ends after 1 rows"));
-  EXPECT_THAT(message(head + "roadblock A 1 1 2\ngrid 3 1\n..A\n"), testing::HasSubstr("m.txt:4: P_OPEN '2'"));
-  EXPECT_THAT(message(head + "roadblock A 3 1\ngrid 3 1\n..A\nsamples 1\n1 2\n"),
-              testing::HasSubstr("m.txt:8: '2' is not"));
-  EXPECT_EQ(read_road_map(head + "grid 3 1\n#.#\n").course.walls, (std::vector<std::uint8_t>{1, 0, 1}));
-}
-
 }  // namespace
-}  // namespace taut::car
+}  // namespace taut::roadblocks

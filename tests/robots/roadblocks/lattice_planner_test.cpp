@@ -9,7 +9,7 @@
 #include <taut/robots/roadblocks/lattice_planner.h>
 #include <taut/robots/roadblocks/road_map_generator.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 namespace {
 
 Pose start_of(const RoadMap& map) { return {map.course.start.x, map.course.start.y, 0}; }
@@ -88,4 +88,4 @@ TEST(LatticePlanner, GivesTheRestOfAnAdoptedPlanWithoutASearch) {
 }
 
 }  // namespace
-}  // namespace taut::car
+}  // namespace taut::roadblocks

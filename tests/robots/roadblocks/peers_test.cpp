@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include <taut/io/worlds/road_map.h>
 #include <taut/robots/roadblocks/peers.h>
 #include <taut/robots/roadblocks/replanning_driver.h>
 
@@ -16,7 +17,7 @@
 #include "support/second_car.h"
 #include "support/text.h"
 
-namespace taut::car {
+namespace taut::roadblocks {
 namespace {
 
 Drive driven(const RoadMap& map, const Peer& peer, RoadblockSet open, std::uint64_t seed = 1,
@@ -141,4 +142,4 @@ TEST(ValueIterationDriver, TakesNoMoreStepsThanIsKnownOfItsMaps) {
 }
 
 }  // namespace
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -11,7 +11,7 @@
 #include <taut/robots/roadblocks/lattice_planner.h>
 #include <taut/robots/roadblocks/road_map_generator.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 namespace {
 
 double between(std::mt19937_64& random, double least, double most) {
@@ -122,4 +122,4 @@ TEST(PoseCells, KnowTheWayAroundOutsideOfAGridWithoutBorder) {
 }
 
 }  // namespace
-}  // namespace taut::car
+}  // namespace taut::roadblocks

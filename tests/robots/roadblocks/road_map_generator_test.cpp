@@ -6,12 +6,13 @@
 #include <vector>
 
 #include <taut/geometry/errors.h>
+#include <taut/io/worlds/road_map.h>
 #include <taut/robots/roadblocks/drivers.h>
 #include <taut/robots/roadblocks/road_map_generator.h>
 
 #include "support/second_car.h"
 
-namespace taut::car {
+namespace taut::roadblocks {
 namespace {
 
 /// Different samples of the map.
@@ -39,7 +40,7 @@ void expect_none_lost(const RoadMap& map, WallReading reading) {
   LatticePlanner planner(map.course, reading);
   for (const RoadblockSet open : outcomes(map)) {
     const Drive bound = driven(planner, open, DriverKind::clairvoyant);
-    const Drive run = driven(planner, open, DriverKind::ours);
+    const Drive run = driven(planner, open, DriverKind::policy);
     EXPECT_EQ(run.outcome, bound.outcome) << bits_of(open, map.course) << "\n" << road_map_text(map);
     expect_same_in_second_car(map, bound, reading);
     expect_same_in_second_car(map, run, reading);
@@ -96,10 +97,10 @@ TEST(Drive, OfEveryDriverReplaysInTheSecondCar) {
     for (const RoadblockSet open : outcomes(map)) {
       for (const DriverKind kind : {DriverKind::optimist, DriverKind::pessimist})
         expect_same_in_second_car(map, driven(planner, open, kind), WallReading::points);
-      expect_same_in_second_car(map, driven(planner, open, DriverKind::ours, Aim::worst), WallReading::points);
+      expect_same_in_second_car(map, driven(planner, open, DriverKind::policy, Aim::worst), WallReading::points);
     }
   }
 }
 
 }  // namespace
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -4,10 +4,11 @@
 #include <algorithm>
 #include <vector>
 
+#include <taut/io/worlds/road_map.h>
 #include <taut/robots/roadblocks/drivers.h>
 #include <taut/robots/roadblocks/road_map_generator.h>
 
-namespace taut::car {
+namespace taut::roadblocks {
 namespace {
 
 struct Driven {
@@ -42,11 +43,11 @@ TEST_P(GeneratedPolicy, KeepsItsPromiseOverAllOutcomes) {
   LatticePlanner planner(map.course, WallReading::points);
   const auto expected = RoadblockPolicy(planner, Aim::expected).choose(start, 0, 0);
   ASSERT_TRUE(expected.exact);
-  const Driven ours = all_outcomes(planner, DriverKind::ours, Aim::expected);
+  const Driven ours = all_outcomes(planner, DriverKind::policy, Aim::expected);
   EXPECT_NEAR(ours.mean, expected.value, 1e-6);
   const auto worst = RoadblockPolicy(planner, Aim::worst).choose(start, 0, 0);
   ASSERT_TRUE(worst.exact);
-  const Driven careful = all_outcomes(planner, DriverKind::ours, Aim::worst);
+  const Driven careful = all_outcomes(planner, DriverKind::policy, Aim::worst);
   EXPECT_LE(careful.worst, worst.value);
   for (const DriverKind kind : {DriverKind::optimist, DriverKind::pessimist}) {
     const Driven other = all_outcomes(planner, kind, Aim::expected);
@@ -75,7 +76,7 @@ TEST(RoadblockPolicy, TriesTheLaneWhenItIsLikelyToBeOpenAndGoesAroundWhenNot) {
   const auto steps = [](const std::string& p, Aim aim) {
     const RoadMap map = two_lanes(p);
     LatticePlanner planner(map.course, WallReading::points);
-    return drive(map.course, 1, *make_driver(DriverKind::ours, planner, 0, aim), WallReading::points).controls.size();
+    return drive(map.course, 1, *make_driver(DriverKind::policy, planner, 0, aim), WallReading::points).controls.size();
   };
   const std::size_t through = steps("0.99", Aim::expected), around = steps("0.05", Aim::expected);
   EXPECT_LT(through, around);
@@ -104,4 +105,4 @@ TEST(RoadblockPolicy, SaysWhenItsBudgetDidNotSuffice) {
 }
 
 }  // namespace
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -8,7 +8,7 @@
 #include <taut/geometry/detail/draws.h>
 #include <taut/robots/roadblocks/detail/steering.h>
 
-namespace taut::car::detail {
+namespace taut::roadblocks::detail {
 namespace {
 
 constexpr double kCircle = 2 * std::numbers::pi;
@@ -75,4 +75,4 @@ TEST(Steering, UndoesAStep) {
 }
 
 }  // namespace
-}  // namespace taut::car::detail
+}  // namespace taut::roadblocks::detail

@@ -12,7 +12,7 @@
 
 #include "support/car_drawing.h"
 
-namespace taut::car {
+namespace taut::roadblocks {
 namespace {
 
 using test::map_of;
@@ -100,4 +100,4 @@ TEST(ValuePlanner, DrivesThroughALaneThreeWideOnHalfCells) {
 }
 
 }  // namespace
-}  // namespace taut::car
+}  // namespace taut::roadblocks

@@ -1,4 +1,4 @@
-#include <taut/cli/mouse/svg.h>
+#include <taut/io/pictures/mouse_svg.h>
 #include <taut/io/pictures/colour_scale.h>
 
 #include <fmt/format.h>
@@ -6,16 +6,17 @@
 #include <algorithm>
 #include <map>
 
-#include <taut/cli/mouse/film.h>
-#include <taut/cli/mouse/report.h>
-#include <taut/cli/mouse/sheet.h>
+#include <taut/io/pictures/detail/mouse_film.h>
+#include <taut/io/pictures/detail/mouse_sheet.h>
 #include <taut/io/pictures/detail/svg_path.h>
 #include <taut/robots/micromouse/steps.h>
 
-namespace taut::cli {
+namespace taut {
 
 namespace {
 
+using detail::MouseFilm;
+using detail::MouseSheet;
 using detail::svg_number;
 using micromouse::CellSide;
 using micromouse::Pose;
@@ -60,7 +61,7 @@ bool is_border(const GridMaze& maze, const CellSide& wall) {
 /// The border is known from the start.
 std::string walls_text(const MouseSheet& sheet, const GridMaze& maze, const Sights& sights, bool seen) {
   std::string data;
-  for (const CellSide& w : standing_walls(maze))
+  for (const CellSide& w : detail::standing_walls(maze))
     if ((sights.walls.contains(w) || is_border(maze, w)) == seen) data += sheet.wall(w);
   return MouseSheet::group(seen ? "seen" : "unseen", MouseSheet::path(data));
 }
@@ -81,7 +82,7 @@ std::string floor_text(const MouseSheet& sheet, const Record& record, const Sigh
 }
 
 Point place(Cell cell, int run) {
-  const Point p = middle(cell);
+  const Point p = detail::middle(cell);
   return run == 1 ? Point{p.x + kBeside, p.y - kBeside} : p;
 }
 
@@ -96,7 +97,7 @@ std::string route_text(const MouseSheet& sheet, const Record& record, int run) {
 }
 
 std::string flood_text(const MouseSheet& sheet, const Record& record) {
-  const micromouse::StepField field(map_after_run1(record).possible(), record.task.goal);
+  const micromouse::StepField field(known_after_run1(record).possible(), record.task.goal);
   std::string out;
   for (int y = 0; y < record.task.height; ++y)
     for (int x = 0; x < record.task.width; ++x) {
@@ -115,8 +116,9 @@ MouseSheet sheet_of(const GridMaze& maze, const MousePicture& picture) {
                                    {"run2", "run 2", line, {}},
                                    {"seen", "wall seen", line, {}},
                                    {"unseen", "wall not seen", line, {}},
-                                   {"goal", "goal", patch, {}},
-                                   {"start", "start", patch, {}},
+                                   {"start", "start", marker, {}},
+                                   {"goal", "goal", marker, {}},
+                                   {"rooms", "goal room", patch, {}},
                                    {"sight", "first seen: early to late", scale, std::move(colours)}};
   if (picture.flood) keys.push_back({"flood", "fewest steps to the goal, unknown walls open", digit, {}});
   return {maze, picture.title, picture.facts, keys};
@@ -135,7 +137,7 @@ std::string film_floor(const MouseSheet& sheet, const Record& record, const Sigh
 
 std::string film_walls(const MouseSheet& sheet, const GridMaze& maze, const Sights& sights, const MouseFilm& film) {
   std::map<double, std::string> by_moment;
-  for (const CellSide& w : standing_walls(maze))
+  for (const CellSide& w : detail::standing_walls(maze))
     if (is_border(maze, w)) by_moment[0] += sheet.wall(w);
   for (const auto& [wall, moment] : sights.walls) by_moment[moment] += sheet.wall(wall);
   std::string out;
@@ -176,12 +178,12 @@ std::string film_counter(const MouseSheet& sheet, const Record& record, const Mo
 std::string mouse_svg(const GridMaze& maze, const Record& record, const MousePicture& picture) {
   const MouseSheet sheet = sheet_of(maze, picture);
   const Sights sights = sights_of(record);
-  const Pose last = last_pose(record);
-  return sheet.head() + floor_text(sheet, record, sights) + sheet.goal() + sheet.start() +
+  const Pose last = detail::last_pose(record);
+  return sheet.head() + floor_text(sheet, record, sights) + sheet.goal_room() +
          (picture.flood ? flood_text(sheet, record) : "") + walls_text(sheet, maze, sights, false) +
          walls_text(sheet, maze, sights, true) + sheet.posts() + route_text(sheet, record, 1) +
-         route_text(sheet, record, 2) +
-         fmt::format("<g transform=\"{}\">{}</g>\n", sheet.placed(last.cell, degrees(last.heading)), sheet.wedge()) +
+         route_text(sheet, record, 2) + sheet.ends() +
+         fmt::format("<g transform=\"{}\">{}</g>\n", sheet.placed(last.cell, detail::degrees(last.heading)), sheet.wedge()) +
          sheet.foot();
 }
 
@@ -189,15 +191,15 @@ std::string mouse_animation(const GridMaze& maze, const Record& record, const Mo
   const MouseSheet sheet = sheet_of(maze, picture);
   const Sights sights = sights_of(record);
   const MouseFilm film(record);
-  return sheet.head() + film_floor(sheet, record, sights, film) + sheet.goal() + sheet.start() +
+  return sheet.head() + film_floor(sheet, record, sights, film) + sheet.goal_room() +
          (picture.flood ? flood_text(sheet, record) : "") +
          MouseSheet::group("unseen", MouseSheet::path([&] {
                              std::string data;
-                             for (const CellSide& w : standing_walls(maze)) data += sheet.wall(w);
+                             for (const CellSide& w : detail::standing_walls(maze)) data += sheet.wall(w);
                              return data;
                            }())) +
          film_walls(sheet, maze, sights, film) + sheet.posts() + film_route(sheet, record, 1, film) +
-         film_route(sheet, record, 2, film) + film.mouse(sheet) + film_counter(sheet, record, film) + sheet.foot();
+         film_route(sheet, record, 2, film) + sheet.ends() + film.mouse(sheet) + film_counter(sheet, record, film) + sheet.foot();
 }
 
-}  // namespace taut::cli
+}  // namespace taut

@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include <taut/cli/mouse/sheet.h>
+#include <taut/io/pictures/detail/mouse_sheet.h>
 #include <taut/robots/micromouse/trial.h>
 
-namespace taut::cli {
+namespace taut::detail {
 
 /// Degrees clockwise from north.
 double degrees(Side heading);
@@ -40,4 +40,4 @@ class MouseFilm {
   double total_;  // s
 };
 
-}  // namespace taut::cli
+}  // namespace taut::detail

@@ -6,7 +6,7 @@
 #include <taut/io/pictures/detail/svg_frame.h>
 #include <taut/robots/roadblocks/value_iteration.h>
 
-namespace taut::cli {
+namespace taut {
 
 /// A layer for drive_svg, in cells: each point of the discretisation that has a value is coloured by the least value of
 /// its headings (light at the goal, dark far away), with an arrow along that heading's best action; where no heading
@@ -16,6 +16,6 @@ struct ValueLayer {
   std::string arrows;   ///< after them
   detail::SvgKey key;   ///< the scale
 };
-ValueLayer value_layer(const car::ValueGrid& grid, const car::Values& values);
+ValueLayer value_layer(const roadblocks::ValueGrid& grid, const roadblocks::Values& values);
 
-}  // namespace taut::cli
+}  // namespace taut

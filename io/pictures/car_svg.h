@@ -8,9 +8,9 @@
 #include <taut/geometry/world.h>
 #include <taut/robots/car/leg.h>
 
-namespace taut::cli {
+namespace taut {
 
-struct WorldDrivePicture {
+struct CarPicture {
   std::string title;
   std::vector<std::string> facts;
   std::vector<car::Leg> legs;
@@ -24,6 +24,6 @@ struct WorldDrivePicture {
 /// One SVG 1.1 document, 960 pixels on the longer side: the world, the area the car sweeps over (the union of many
 /// outlines: a picture, not a proof), some outlines, the rear axle's way (reversing in another colour), start, goals,
 /// the car at the end. With `animate` it drives along, for ever, by SMIL. Same input, same bytes.
-std::string world_drive_svg(const World& world, const car::CarShape& shape, const WorldDrivePicture& picture);
+std::string car_svg(const World& world, const car::CarShape& shape, const CarPicture& picture);
 
-}  // namespace taut::cli
+}  // namespace taut

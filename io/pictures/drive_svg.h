@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include <taut/cli/drive/values.h>
+#include <taut/io/pictures/value_layer.h>
 #include <taut/robots/roadblocks/drive.h>
 
-namespace taut::cli {
+namespace taut {
 
 struct DrivePicture {
   std::string title;
   std::vector<std::string> facts;
-  car::WallReading reading = car::WallReading::points;
+  roadblocks::WallReading reading = roadblocks::WallReading::points;
   bool animate = false;
   const ValueLayer* values = nullptr;  ///< in the place of the tint of what was in sight
 };
@@ -21,6 +21,6 @@ struct DrivePicture {
 /// closed, never seen), every 8th pose as an outline, the centre's way (reversing in another colour), start, goal, the
 /// last pose. With `animate` the car drives along it, for ever, by SMIL. Walls are squares or, in the reading of
 /// points, dots on tinted squares. Same input, same bytes.
-std::string drive_svg(const car::Course& course, const car::Drive& drive, const DrivePicture& picture);
+std::string drive_svg(const roadblocks::Course& course, const roadblocks::Drive& drive, const DrivePicture& picture);
 
-}  // namespace taut::cli
+}  // namespace taut

@@ -1,4 +1,4 @@
-#include <taut/cli/drive/svg.h>
+#include <taut/io/pictures/drive_svg.h>
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-namespace taut::cli {
+namespace taut {
 
 namespace {
 
-using car::Pose;
+using roadblocks::Pose;
 
 constexpr std::size_t kEvery = 8;      // poses an outline
 constexpr std::size_t kFrames = 1500;  // of an animation, at most
@@ -24,11 +24,12 @@ constexpr const char* kStyle = R"(.taut.drive .ground{fill:#fff}
 .taut.drive .block{fill-opacity:.85}
 .taut.drive .open{fill:#4aa96c}
 .taut.drive .closed{fill:#d3245e}
-.taut.drive .unknown{fill:#8b80c9}
+.taut.drive .unknown{fill:#8a93a3}
 .taut.drive .letter{font-size:.8px;fill:#fff;text-anchor:middle}
 .taut.drive .outlines{fill:none;stroke:#0b7fc1;stroke-opacity:.4;stroke-width:.04}
-.taut.drive .ahead{fill:none;stroke:#0b62a8;stroke-width:.18;stroke-linecap:round}
-.taut.drive .back{fill:none;stroke:#ee8a10;stroke-width:.24;stroke-linecap:round}
+.taut.drive .casing{fill:none;stroke:#fff;stroke-width:.36;stroke-linecap:round}
+.taut.drive .ahead{fill:none;stroke:#ee5a10;stroke-width:.18;stroke-linecap:round}
+.taut.drive .back{fill:none;stroke:#7a3fd4;stroke-width:.24;stroke-linecap:round}
 .taut.drive .car{fill:#0b7fc1;fill-opacity:.55;stroke:#0a4a75;stroke-width:.08}
 @media (prefers-color-scheme:dark){
 .taut.drive .ground{fill:#1d2430}
@@ -36,31 +37,32 @@ constexpr const char* kStyle = R"(.taut.drive .ground{fill:#fff}
 .taut.drive .wall{fill:#3c4656}
 .taut.drive .dot{fill:#d4dbe6}
 .taut.drive .outlines{stroke:#4cc2ff}
-.taut.drive .ahead{stroke:#4cc2ff}
+.taut.drive .casing{stroke:#12161d}
+.taut.drive .ahead{stroke:#ff8340}
+.taut.drive .back{stroke:#b48cff}
 .taut.drive .car{fill:#4cc2ff;stroke:#bfe8ff}
 }
 .taut.drive .sample.ahead,.taut.drive .sample.back{stroke-width:4}
 )";
 
-/// On the surface's blue the way is warm.
+/// On the surface, which is the same by day and by night.
 constexpr const char* kValueStyle = R"(.taut.drive .wall{fill:#868e96}
-.taut.drive .outlines{stroke:#ee5a10;stroke-width:.05}
-.taut.drive .ahead{stroke:#ee5a10}
-.taut.drive .back{stroke:#f8b500}
-.taut.drive .car{fill:#ee5a10;fill-opacity:.8;stroke:#fff}
+.taut.drive .outlines{stroke:#fff;stroke-width:.05}
+.taut.drive .casing{stroke:#fff}
+.taut.drive .car{fill:#4cc2ff;fill-opacity:.8;stroke:#fff}
 )";
 
 std::string square_path(int x, int y) { return fmt::format("M{} {}h1v1h-1z", x - 0.5, y - 0.5); }
 
 std::string outline(const Pose& pose) {
-  const auto c = car::corners(pose);
+  const auto c = roadblocks::corners(pose);
   return fmt::format("M{:.2f} {:.2f}L{:.2f} {:.2f}L{:.2f} {:.2f}L{:.2f} {:.2f}z", c[0].x, c[0].y, c[1].x, c[1].y,
                      c[2].x, c[2].y, c[3].x, c[3].y);
 }
 
 class Picture {
  public:
-  Picture(const car::Course& course, const car::Drive& drive, const DrivePicture& what)
+  Picture(const roadblocks::Course& course, const roadblocks::Drive& drive, const DrivePicture& what)
       : course_(course),
         drive_(drive),
         what_(what),
@@ -92,10 +94,10 @@ class Picture {
     using enum detail::SvgKey::Sample;
     std::vector<detail::SvgKey> keys{
         {"start", "start", marker, {}}, {"goal", "goal", marker, {}}, {"ahead", "forward and turns", line, {}}};
-    if (std::count(drive_.controls.begin(), drive_.controls.end(), car::kReverse) > 0)
+    if (std::count(drive_.controls.begin(), drive_.controls.end(), roadblocks::kReverse) > 0)
       keys.push_back({"back", "reverse", line, {}});
-    const car::RoadblockSet known = drive_.known();
-    const auto all = (car::RoadblockSet{1} << course_.roadblocks.size()) - 1;
+    const roadblocks::RoadblockSet known = drive_.known();
+    const auto all = (roadblocks::RoadblockSet{1} << course_.roadblocks.size()) - 1;
     if (known & drive_.open) keys.push_back({"open", "seen open", patch, {}});
     if (known & ~drive_.open) keys.push_back({"closed", "seen closed", patch, {}});
     if (all & ~known) keys.push_back({"unknown", "never seen", patch, {}});
@@ -117,13 +119,13 @@ class Picture {
 
   void seen() {
     std::vector<std::uint8_t> near(course_.walls.size());
-    constexpr int kReach = static_cast<int>(car::kSight) + 1;
+    constexpr int kReach = static_cast<int>(roadblocks::kSight) + 1;
     for (const Pose& pose : drive_.poses)
       for (int dy = -kReach; dy <= kReach; ++dy)
         for (int dx = -kReach; dx <= kReach; ++dx) {
           const Cell c{static_cast<int>(pose.x) + dx, static_cast<int>(pose.y) + dy};
           const double x = c.x - pose.x, y = c.y - pose.y;
-          if (course_.has(c) && x * x + y * y <= car::kSight * car::kSight) near[course_.index(c)] = 1;
+          if (course_.has(c) && x * x + y * y <= roadblocks::kSight * roadblocks::kSight) near[course_.index(c)] = 1;
         }
     path("seen", cells([&](Cell c) { return near[course_.index(c)] != 0; }));
   }
@@ -139,7 +141,7 @@ class Picture {
 
   void walls() {
     path("wall", cells([&](Cell c) { return course_.is_wall(c); }));
-    if (what_.reading == car::WallReading::squares) return;
+    if (what_.reading == roadblocks::WallReading::squares) return;
     std::string d;
     for (int y = 1; y <= course_.height; ++y)
       for (int x = 1; x <= course_.width; ++x)
@@ -148,9 +150,9 @@ class Picture {
   }
 
   void roadblocks() {
-    const car::RoadblockSet known = drive_.known();
+    const roadblocks::RoadblockSet known = drive_.known();
     for (std::size_t i = 0; i < course_.roadblocks.size(); ++i) {
-      const car::Roadblock& block = course_.roadblocks[i];
+      const roadblocks::Roadblock& block = course_.roadblocks[i];
       const char* state = !((known >> i) & 1) ? "unknown" : (drive_.open >> i) & 1 ? "open" : "closed";
       for (const Cell c : block.cells) {
         path(state, square_path(c.x, c.y));
@@ -169,9 +171,10 @@ class Picture {
     std::string ahead, back;
     for (std::size_t i = 0; i < drive_.controls.size(); ++i) {
       const Pose &a = drive_.poses[i], &b = drive_.poses[i + 1];
-      std::string& d = drive_.controls[i] == car::kReverse ? back : ahead;
+      std::string& d = drive_.controls[i] == roadblocks::kReverse ? back : ahead;
       d += fmt::format("M{:.3f} {:.3f}L{:.3f} {:.3f}", a.x, a.y, b.x, b.y);
     }
+    path("casing", ahead + back);
     path("back", back);
     path("ahead", ahead);
   }
@@ -188,8 +191,8 @@ class Picture {
         outline(drive_.poses.back()), static_cast<double>(drive_.controls.size()) / kStepsPerSecond, frames);
   }
 
-  const car::Course& course_;
-  const car::Drive& drive_;
+  const roadblocks::Course& course_;
+  const roadblocks::Drive& drive_;
   const DrivePicture& what_;
   double cell_;  // in pixels
   detail::SvgFrame frame_;
@@ -198,8 +201,8 @@ class Picture {
 
 }  // namespace
 
-std::string drive_svg(const car::Course& course, const car::Drive& drive, const DrivePicture& picture) {
+std::string drive_svg(const roadblocks::Course& course, const roadblocks::Drive& drive, const DrivePicture& picture) {
   return Picture(course, drive, picture).draw();
 }
 
-}  // namespace taut::cli
+}  // namespace taut

@@ -9,13 +9,13 @@
 #include <taut/io/pictures/detail/svg_frame.h>
 #include <taut/robots/micromouse/rules.h>
 
-namespace taut::cli {
+namespace taut::detail {
 
 /// Layout and parts of the drawing. Every part is SVG text for between head() and foot(); colours come from the style
 /// in head() and follow prefers-color-scheme. Same input, same bytes.
 class MouseSheet {
  public:
-  MouseSheet(const GridMaze& maze, std::string title, std::vector<std::string> facts, std::vector<detail::SvgKey> keys);
+  MouseSheet(const GridMaze& maze, std::string title, std::vector<std::string> facts, std::vector<SvgKey> keys);
 
   std::string head() const;  ///< up to and with the floor
   std::string foot() const { return frame_.foot(); }
@@ -25,8 +25,8 @@ class MouseSheet {
   Point pixel(Point p) const;
 
   std::string posts() const;
-  std::string goal() const;
-  std::string start() const;
+  std::string goal_room() const;  ///< tinted
+  std::string ends() const;       ///< markers of start and goal, the latter in the middle of its room
 
   /// Path data.
   std::string wall(const micromouse::CellSide& wall) const;
@@ -42,10 +42,11 @@ class MouseSheet {
 
  private:
   std::string style() const;
+  std::vector<Cell> goal_cells() const;
 
   GridMaze maze_;
   double pitch_;
-  detail::SvgFrame frame_;
+  SvgFrame frame_;
 };
 
 /// All standing walls of a maze, each once, by rows from the south.
@@ -54,4 +55,4 @@ std::vector<micromouse::CellSide> standing_walls(const GridMaze& maze);
 /// The middles of cells.
 Point middle(Cell cell);
 
-}  // namespace taut::cli
+}  // namespace taut::detail

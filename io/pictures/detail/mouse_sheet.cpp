@@ -1,4 +1,4 @@
-#include <taut/cli/mouse/sheet.h>
+#include <taut/io/pictures/detail/mouse_sheet.h>
 
 #include <fmt/format.h>
 
@@ -7,12 +7,10 @@
 
 #include <taut/io/pictures/detail/svg_path.h>
 
-namespace taut::cli {
+namespace taut::detail {
 
 namespace {
 
-using detail::svg_number;
-using detail::xml_text;
 using micromouse::CellSide;
 
 constexpr double kWidestCell = 48;
@@ -20,22 +18,23 @@ constexpr double kWidestCell = 48;
 constexpr std::string_view kColours = R"(
 .taut.mouse .floor{fill:#fff}
 .taut.mouse .sight{fill-opacity:.3}
-.taut.mouse .goal{fill:#7a3fd4;fill-opacity:.22;stroke:none}
-.taut.mouse .start{fill:#1d8f5a;fill-opacity:.25;stroke:none}
+.taut.mouse .rooms{fill:#7a3fd4;fill-opacity:.14}
 .taut.mouse .posts{fill:#c03a2b}
 .taut.mouse .seen{stroke:#2c3440;fill:none}
 .taut.mouse .unseen{stroke:#9aa3b2;fill:none}
-.taut.mouse .run1{stroke:#2f6fb5;fill:none;stroke-opacity:.75}
-.taut.mouse .run2{stroke:#e0651c;fill:none}
-.taut.mouse .fastest{stroke:#1d8f5a;fill:none}
-.taut.mouse .wedge{fill:#c2185b;stroke:#fff}
+.taut.mouse .run1,.taut.mouse .shortest{stroke:#0b7fc1;fill:none}
+.taut.mouse .run2,.taut.mouse .fastest{stroke:#ee5a10;fill:none}
+.taut.mouse .wedge{fill:#0b7fc1;stroke:#fff}
 .taut.mouse .flood,.taut.mouse .flood text{fill:#5a6474}
 @media(prefers-color-scheme:dark){
-.taut.mouse .floor{fill:#1f242c}
-.taut.mouse .seen{stroke:#e8ebf0}
+.taut.mouse .floor{fill:#1d2430}
+.taut.mouse .rooms{fill:#b48cff;fill-opacity:.2}
+.taut.mouse .posts{fill:#e0705f}
+.taut.mouse .seen{stroke:#d4dbe6}
 .taut.mouse .unseen{stroke:#5a6474}
-.taut.mouse .run1{stroke:#76b1ef}
-.taut.mouse .fastest{stroke:#4fd093}
+.taut.mouse .run1,.taut.mouse .shortest{stroke:#4cc2ff}
+.taut.mouse .run2,.taut.mouse .fastest{stroke:#ff8340}
+.taut.mouse .wedge{fill:#4cc2ff;stroke:#12161d}
 .taut.mouse .flood,.taut.mouse .flood text{fill:#a3adbc}
 }
 )";
@@ -55,9 +54,9 @@ std::vector<CellSide> standing_walls(const GridMaze& maze) {
 }
 
 MouseSheet::MouseSheet(const GridMaze& maze, std::string title, std::vector<std::string> facts,
-                       std::vector<detail::SvgKey> keys)
+                       std::vector<SvgKey> keys)
     : maze_(maze),
-      pitch_(std::min(kWidestCell, detail::kMapPixels / std::max(maze.width(), maze.height()))),
+      pitch_(std::min(kWidestCell, kMapPixels / std::max(maze.width(), maze.height()))),
       frame_({pitch_ * maze.width(), pitch_ * maze.height()}, std::move(title), std::move(facts), std::move(keys)) {}
 
 Point MouseSheet::pixel(Point p) const {
@@ -82,6 +81,7 @@ std::string MouseSheet::style() const {
          css("unseen", 0.05, fmt::format(";stroke-dasharray:{0} {0}", svg_number(pitch_ / 9)).c_str()) +
          css("run1", 0.07, ";stroke-linejoin:round;stroke-linecap:round") +
          css("run2", 0.16, ";stroke-linejoin:round;stroke-linecap:round") +
+         css("shortest", 0.16, ";stroke-linejoin:round;stroke-linecap:round;stroke-opacity:.75") +
          css("fastest", 0.08, ";stroke-linejoin:round;stroke-linecap:round") + css("wedge", 0.04, "") +
          fmt::format(".taut.mouse .flood text{{font-size:{}px}}\n", svg_number(pitch_ * 0.27));
 }
@@ -98,13 +98,25 @@ std::string MouseSheet::posts() const {
   return group("posts", path(data));
 }
 
-std::string MouseSheet::goal() const {
-  std::string data;
-  for (const Cell c : maze_.goal.empty() ? centre_room(maze_.width(), maze_.height()) : maze_.goal) data += square(c);
-  return group("goal", path(data));
+std::vector<Cell> MouseSheet::goal_cells() const {
+  return maze_.goal.empty() ? centre_room(maze_.width(), maze_.height()) : maze_.goal;
 }
 
-std::string MouseSheet::start() const { return group("start", path(square(maze_.start))); }
+std::string MouseSheet::goal_room() const {
+  std::string data;
+  for (const Cell c : goal_cells()) data += square(c);
+  return group("rooms", path(data));
+}
+
+std::string MouseSheet::ends() const {
+  const std::vector<Cell> goal = goal_cells();
+  Point sum;
+  for (const Cell c : goal) sum = {sum.x + middle(c).x, sum.y + middle(c).y};
+  const auto count = static_cast<double>(goal.size());
+  const double radius = std::clamp(0.27 * pitch_, 4.0, 11.0);
+  return marker("start", pixel(maze_.start), radius, pitch_) +
+         marker("goal", pixel(Point{sum.x / count, sum.y / count}), radius, pitch_);
+}
 
 std::string MouseSheet::wall(const CellSide& wall) const {
   static constexpr std::array<std::array<double, 4>, 4> kEnds{{{0, 1, 1, 1}, {1, 0, 1, 1}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
@@ -142,4 +154,4 @@ std::string MouseSheet::group(const std::string& name, const std::string& conten
 
 std::string MouseSheet::path(const std::string& data) { return data.empty() ? "" : "<path d=\"" + data + "\"/>"; }
 
-}  // namespace taut::cli
+}  // namespace taut::detail

@@ -5,9 +5,10 @@
 #include <vector>
 
 #include <taut/geometry/grid_maze.h>
+#include <taut/robots/micromouse/speed_run.h>
 #include <taut/robots/micromouse/trial.h>
 
-namespace taut::cli {
+namespace taut {
 
 struct MousePicture {
   std::string title;
@@ -23,4 +24,8 @@ std::string mouse_svg(const GridMaze& maze, const micromouse::Record& record, co
 /// appears when it sees it. Where animation is not understood it is the last frame. 0.1 to 0.4 s a step.
 std::string mouse_animation(const GridMaze& maze, const micromouse::Record& record, const MousePicture& picture);
 
-}  // namespace taut::cli
+/// The fastest run and, below it, the one of the fewest cells.
+std::string mouse_speed_svg(const GridMaze& maze, const micromouse::SpeedRun& fastest,
+                            const micromouse::SpeedRun& shortest, const std::string& title);
+
+}  // namespace taut

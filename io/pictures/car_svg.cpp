@@ -1,4 +1,4 @@
-#include <taut/cli/drive/world_svg.h>
+#include <taut/io/pictures/car_svg.h>
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 
 #include <taut/io/pictures/detail/svg_frame.h>
 
-namespace taut::cli {
+namespace taut {
 
 namespace {
 
@@ -25,8 +25,8 @@ constexpr const char* kStyle = R"(.taut.car-in-world .beyond{fill:#ccd2dc}
 .taut.car-in-world .thick{stroke:#4b5668;stroke-linecap:square}
 .taut.car-in-world .swept{fill:#0b7fc1;fill-opacity:.16}
 .taut.car-in-world .outlines{fill:none;stroke:#0b7fc1;stroke-width:.7;stroke-opacity:.6}
-.taut.car-in-world .ahead{fill:none;stroke:#0b62a8;stroke-width:1.6}
-.taut.car-in-world .back{fill:none;stroke:#ee8a10;stroke-width:2}
+.taut.car-in-world .ahead{fill:none;stroke:#ee5a10;stroke-width:2}
+.taut.car-in-world .back{fill:none;stroke:#7a3fd4;stroke-width:2.4}
 .taut.car-in-world .car{fill:#0b7fc1;fill-opacity:.55;stroke:#0a4a75}
 .taut.car-in-world .barrier{fill:none;stroke:#d3245e;stroke-width:3}
 @media (prefers-color-scheme:dark){
@@ -36,7 +36,9 @@ constexpr const char* kStyle = R"(.taut.car-in-world .beyond{fill:#ccd2dc}
 .taut.car-in-world .wall{stroke:#d4dbe6}
 .taut.car-in-world .thick{stroke:#8e9aad}
 .taut.car-in-world .swept{fill:#4cc2ff}
-.taut.car-in-world .outlines,.taut.car-in-world .ahead{stroke:#4cc2ff}
+.taut.car-in-world .outlines{stroke:#4cc2ff}
+.taut.car-in-world .ahead{stroke:#ff8340}
+.taut.car-in-world .back{stroke:#b48cff}
 .taut.car-in-world .car{fill:#4cc2ff;stroke:#bfe8ff}
 .taut.car-in-world .barrier{stroke:#ff5c8d}
 }
@@ -45,7 +47,7 @@ constexpr const char* kStyle = R"(.taut.car-in-world .beyond{fill:#ccd2dc}
 
 class Picture {
  public:
-  Picture(const World& world, const car::CarShape& shape, const WorldDrivePicture& picture)
+  Picture(const World& world, const car::CarShape& shape, const CarPicture& picture)
       : world_(world),
         shape_(shape),
         picture_(picture),
@@ -196,7 +198,7 @@ class Picture {
 
   const World& world_;
   const car::CarShape& shape_;
-  const WorldDrivePicture& picture_;
+  const CarPicture& picture_;
   Box box_;
   double scale_;  // pixels a unit
   detail::SvgFrame frame_;
@@ -207,8 +209,8 @@ class Picture {
 
 }  // namespace
 
-std::string world_drive_svg(const World& world, const car::CarShape& shape, const WorldDrivePicture& picture) {
+std::string car_svg(const World& world, const car::CarShape& shape, const CarPicture& picture) {
   return Picture(world, shape, picture).draw();
 }
 
-}  // namespace taut::cli
+}  // namespace taut

@@ -1,4 +1,4 @@
-#include <taut/cli/mouse/film.h>
+#include <taut/io/pictures/detail/mouse_film.h>
 
 #include <fmt/format.h>
 
@@ -6,11 +6,10 @@
 
 #include <taut/io/pictures/detail/svg_path.h>
 
-namespace taut::cli {
+namespace taut::detail {
 
 namespace {
 
-using detail::svg_number;
 using micromouse::Pose;
 using micromouse::Record;
 using micromouse::Step;
@@ -106,4 +105,4 @@ std::string MouseFilm::transform(const char* type, const Track& track) const {
                      type, track.values, track.keys, duration());
 }
 
-}  // namespace taut::cli
+}  // namespace taut::detail

@@ -1,4 +1,4 @@
-#include <taut/cli/drive/values.h>
+#include <taut/io/pictures/value_layer.h>
 
 #include <fmt/format.h>
 
@@ -10,11 +10,11 @@
 #include <utility>
 #include <vector>
 
-namespace taut::cli {
+namespace taut {
 
 namespace {
 
-using car::ValueGrid;
+using roadblocks::ValueGrid;
 
 constexpr int kShades = 64;
 
@@ -26,7 +26,7 @@ std::string shade(int level) {
 }
 
 /// The heading of least value at a point, as a state.
-std::optional<std::size_t> best_state(const ValueGrid& grid, const car::Values& values, int i, int j) {
+std::optional<std::size_t> best_state(const ValueGrid& grid, const roadblocks::Values& values, int i, int j) {
   std::optional<std::size_t> best;
   for (int k = 0; k < ValueGrid::kHeadings; ++k)
     if (const std::size_t s = grid.index(i, j, k); values.of[s] < (best ? values.of[*best] : ValueGrid::kNever))
@@ -34,10 +34,10 @@ std::optional<std::size_t> best_state(const ValueGrid& grid, const car::Values& 
   return best;
 }
 
-std::string arrow(const car::Pose& pose, car::Action action) {
-  if (action == car::Action::turn_plus || action == car::Action::turn_minus)
+std::string arrow(const car::Pose& pose, roadblocks::Action action) {
+  if (action == roadblocks::Action::turn_plus || action == roadblocks::Action::turn_minus)
     return fmt::format("M{:.2f} {:.2f}a.16 .16 0 1 1 .32 0", pose.x - 0.16, pose.y);
-  const double sign = action == car::Action::back ? -1 : 1;
+  const double sign = action == roadblocks::Action::back ? -1 : 1;
   const double c = sign * std::cos(pose.heading), s = sign * std::sin(pose.heading);
   const auto at = [&](double along, double aside) {
     return fmt::format("{:.2f} {:.2f}", pose.x + along * c - aside * s, pose.y + along * s + aside * c);
@@ -54,7 +54,7 @@ detail::SvgKey scale_to(double greatest) {
 
 }  // namespace
 
-ValueLayer value_layer(const car::ValueGrid& grid, const car::Values& values) {
+ValueLayer value_layer(const roadblocks::ValueGrid& grid, const roadblocks::Values& values) {
   ValueLayer layer;
   double greatest = 1;
   std::vector<std::pair<std::size_t, double>> points;
@@ -90,4 +90,4 @@ ValueLayer value_layer(const car::ValueGrid& grid, const car::Values& values) {
   return layer;
 }
 
-}  // namespace taut::cli
+}  // namespace taut

@@ -1,0 +1,41 @@
+// Drives of cars, as JSON.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include <taut/io/results/json.h>
+#include <taut/robots/car/car_planner.h>
+#include <taut/robots/roadblocks/drive.h>
+
+namespace taut {
+
+/// One sample of a roadblock map driven.
+struct RoadblockDrive {
+  roadblocks::Sample sample;
+  roadblocks::Drive drive;
+  double first_plan = 0, slowest_replan = 0;  ///< CPU milliseconds
+  std::optional<bool> policy_exact{};         ///< of planners with a policy
+
+  std::size_t steps() const { return drive.controls.size(); }
+  bool reached() const { return drive.outcome == roadblocks::Outcome::reached; }
+};
+
+/// Who drove, and whether the controls are told.
+struct RoadblockDriver {
+  std::string planner;
+  std::uint64_t seed = 1;
+  bool controls = false;
+};
+
+/// `sample`, `planner`, `seed`, `open` (bits, as in the map), `reached`, `outcome`, `steps`, `collisions`, `replans`,
+/// `first_plan_ms`, `slowest_replan_ms`; `policy_exact` and `controls` where they are known and asked for.
+Json roadblock_drive_json(const RoadblockDrive& drive, const roadblocks::Course& course, const RoadblockDriver& driver);
+
+/// `reached`, `car`, `lattice`; when found `length`, `lower_bound`, `weight`, `collisions`, `verified`, `reversals`,
+/// `start` and `end` [x, y, degrees], `segments` (straight pieces and arcs, lengths negative in reverse), `legs` (exact
+/// poses). Precondition: what was found has passed car::fault_of().
+Json car_drive_json(const car::PlannedDrive& drive, const car::CarShape& shape, double weight);
+
+}  // namespace taut
