@@ -14,11 +14,11 @@
 #include <taut/cli/input.h>
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
-#include <taut/cli/solve/barrier.h>
-#include <taut/cli/solve/clearance_report.h>
 #include <taut/cli/timing.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/results/detail/result_values.h>
+#include <taut/io/results/barrier_words.h>
+#include <taut/io/results/plane_json.h>
 #include <taut/io/results/result_json.h>
 #include <taut/robots/car/drive_check.h>
 #include <taut/search/no_path.h>
@@ -218,7 +218,7 @@ class Driver {
       json["legs"] = std::move(legs);
     } else {
       json["reason"] = drive_.status == SearchStatus::none ? reason_ : given_up_text();
-      if (drive_.status == SearchStatus::none) json["barrier"] = barrier_json(barrier_);
+      if (drive_.status == SearchStatus::none) json["barrier"] = nlohmann::ordered_json::parse(json_line(barrier_json(barrier_)));
     }
     json["lattice"] = {{"step", drive_.step},
                        {"headings", drive_.headings},
