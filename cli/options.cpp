@@ -1,8 +1,10 @@
 #include <taut/cli/command_line.h>
 #include <taut/cli/options.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <numeric>
 
 #include <taut/geometry/errors.h>
 #include <taut/geometry/world.h>
@@ -68,7 +70,32 @@ double seconds_of(const std::string& text) {
   return value;
 }
 
+// Levenshtein's.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t corner = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j)
+      corner = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, corner + (a[i - 1] != b[j - 1])}));
+  }
+  return row.back();
+}
+
 }  // namespace
+
+UsageError not_one_of(const std::string& text, const std::vector<Choice>& choices) {
+  std::string message = "'" + text + "' is not one of ", nearest;
+  std::size_t least = text.size() / 3 + 1;
+  for (const Choice& choice : choices) {
+    message.append(&choice == &choices.front() ? "" : ", ").append(choice.first);
+    const std::size_t distance = edit_distance(text, choice.first);
+    if (distance > least || (distance == least && !nearest.empty())) continue;
+    least = distance;
+    nearest = choice.first;
+  }
+  return UsageError(nearest.empty() ? message : message + "; did you mean '" + nearest + "'?");
+}
 
 std::size_t count_of(const std::string& text) { return whole_of<std::size_t>(text, "a whole number"); }
 
@@ -146,6 +173,10 @@ void add_query_options(CommandLine& app, QueryOptions& options) {
       .type_name("X,Y")
       .group("Query");
   add(app, "--to", options.to, parse_point, "Go here instead of where FILE says").type_name("X,Y").group("Query");
+  app.renamed("--start", "--from");
+  app.renamed("--goal", "--to");
+  app.renamed("--start", "--from");
+  app.renamed("--goal", "--to");
   add_robot_option(app, options.robot);
 }
 
@@ -166,6 +197,20 @@ void add_output_options(CommandLine& app, OutputOptions& options) {
     if (options.svg == "-" && options.json == "-")
       throw UsageError("--svg - and --json - cannot both have standard output");
   });
+}
+
+Option add_svg_option(CommandLine& app, std::string& file) {
+  return app.add_option("--svg", file, "Write a picture; - is standard output").type_name("FILE").group("Output");
+}
+
+void require_one_stdout(const std::vector<std::pair<const char*, std::string>>& files) {
+  std::string names;
+  std::size_t count = 0;
+  for (const auto& [option, file] : files) {
+    if (file != "-") continue;
+    names.append(count++ == 0 ? "" : ", ").append(option);
+  }
+  if (count > 1) throw UsageError("only one of " + names + " can have standard output");
 }
 
 void add_animate_option(CommandLine& app, std::string& animation, const std::string& description) {

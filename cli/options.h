@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <taut/cli/command_line.h>
 #include <taut/cli/stop.h>
@@ -57,6 +59,11 @@ void add_output_options(CommandLine& app, OutputOptions& options);
 void add_result_options(CommandLine& app, CommonOptions& options);
 void add_common_options(CommandLine& app, CommonOptions& options);
 
+/// `--svg FILE`
+Option add_svg_option(CommandLine& app, std::string& file);
+/// Throws UsageError when more than one of these files, with the options they were given by, is standard output.
+void require_one_stdout(const std::vector<std::pair<const char*, std::string>>& files);
+
 /// `--animate [FILE]`: a picture that moves, into FILE or, where none is named, in the place of --svg's.
 void add_animate_option(CommandLine& app, std::string& animation, const std::string& description);
 /// To be called when all is parsed: gives a nameless --animate the file of --svg, which then is not written otherwise.
@@ -64,6 +71,8 @@ void add_animate_option(CommandLine& app, std::string& animation, const std::str
 void settle_animation(const CommandLine& app, std::string& animation, std::string& svg, const std::string& json);
 
 // Values of options. Throw UsageError.
+/// That it is none of the choices, which it names, and which of them may have been meant. To be thrown.
+UsageError not_one_of(const std::string& text, const std::vector<Choice>& choices);
 Point point_of(const std::string& text);  ///< `1.5,-2`
 double number_of(
     const std::string& text,

@@ -1,47 +1,21 @@
-// Words and numbers for people.
+// What the program says of itself.
 #pragma once
 
-#include <taut/geometry/free_space.h>
-#include <taut/geometry/length.h>
-#include <cstddef>
 #include <string>
-#include <vector>
+
+#include <taut/io/results/words.h>
+#include <taut/search/stopwatch.h>
 
 namespace taut::cli {
-
-/// The shortest that reads back the same: `1`, `0.1`.
-std::string number_text(double value);
-
-/// `0.004 s`, `1.27 s`, `35.8 s`; `<0.001 s`
-std::string seconds_text(double seconds);
-
-/// Six decimals where they say something, else nine digits: `77.262691`, `1.25e-05`.
-std::string length_text(const Length& length);
-
-/// `1 wall`, `2 walls`
-std::string count_text(std::size_t count, const char* one, const char* many = nullptr);
-
-/// `(0.5, 1)`
-std::string point_text(Point p);
-
-/// One `x y` a line, for --path.
-std::string points_text(const std::vector<Point>& points);
-
-/// `(0, 1)-(2, 1)`, and of several the first few: `(0, 1)-(2, 1), (2, 1)-(2, 4) and 7 more`
-std::string segment_text(const Segment& s);
-std::string segments_text(const std::vector<Segment>& segments, std::size_t most);
-
-/// A file's name without its folder.
-std::string title_of(const std::string& source);
 
 /// The most memory this process ever had, `12.3 MB`.
 std::string peak_memory_text();
 
+/// How long something took, for lines: `0.004 s CPU`; where the clock on the wall says less, because threads shared it,
+/// `1.20 s CPU, 0.61 s wall`.
+std::string cpu_text(const Seconds& seconds);
+
 /// A line of --stats on stderr: the stage, its seconds and what came of it.
 void note_stage(const char* stage, double seconds, const std::string& what);
-
-/// A closed chain of pieces as walls people know: pieces that the chain passes on both sides are dead ends and go, so
-/// do those on the sides of `border` unless all are (nobody gets out there anyway); pieces in a line are joined.
-std::vector<Segment> joined_walls(const std::vector<Constraint>& chain, const Box& border);
 
 }  // namespace taut::cli

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <mutex>
+#include <tuple>
 #include <utility>
 
 #include <taut/cli/messages.h>
@@ -17,19 +17,6 @@ namespace taut::cli {
 
 namespace {
 
-double now(clockid_t clock) {
-  timespec t{};
-  clock_gettime(clock, &t);
-  return static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec) * 1e-9;
-}
-
-Seconds now() { return {now(CLOCK_PROCESS_CPUTIME_ID), now(CLOCK_MONOTONIC)}; }
-
-Seconds since(const Seconds& begin) {
-  const Seconds end = now();
-  return {end.cpu - begin.cpu, end.wall - begin.wall};
-}
-
 std::string shown(const std::string& file) { return file == "-" ? "<stdin>" : file; }
 
 }  // namespace
@@ -38,9 +25,10 @@ struct Run::Shared {
   std::timed_mutex mutex;
   Envelope envelope;
   std::string line;
+  std::function<std::pair<Json, std::string>()> tell;
   std::string json;    // the file, once promised
   bool prints = true;  // the line, when stopped
-  Seconds begin = now();
+  taut::Stopwatch watch;
 
   // Whole or not at all: without the mutex there is only what never changes.
   void say(Outcome outcome, const std::string& reason, const std::string& stage) {
@@ -48,21 +36,20 @@ struct Run::Shared {
     envelope.outcome = outcome;
     envelope.reason = reason;
     envelope.stage = stage;
-    envelope.total = since(begin);
+    envelope.total = watch.seconds();
     write_file(json, envelope_text(envelope));
   }
 };
 
-Run::StageClock::StageClock(Run& run, const char* name) : run_(run), name_(name), begin_(now()) { begin_stage(name); }
+Run::StageClock::StageClock(Run& run, const char* name) : run_(run), name_(name) { begin_stage(name); }
 
 Run::StageClock::~StageClock() {
-  const Seconds took = since(begin_);
+  const Seconds took = watch_.seconds();
   const std::lock_guard lock(run_.shared_->mutex);
   std::vector<StageTime>& stages = run_.shared_->envelope.stages;
   for (StageTime& known : stages)
     if (known.stage == name_) {
-      known.seconds.cpu += took.cpu;
-      known.seconds.wall += took.wall;
+      known.seconds += took;
       return;
     }
   stages.push_back({name_, took});
@@ -74,6 +61,7 @@ Run::Run(std::string command, const CommonOptions& options) : options_(options),
   on_stop([shared = shared_](const Stop& why) {
     const std::unique_lock lock(shared->mutex, std::chrono::milliseconds(200));
     if (!lock.owns_lock()) return;  // memory ran out in the thread that holds it
+    if (shared->tell) std::tie(shared->envelope.result, shared->line) = shared->tell();
     if (shared->prints && !shared->line.empty()) print(shared->line);
     shared->say(Outcome::stopped, why.reason, why.stage);
   });
@@ -108,7 +96,7 @@ Seconds Run::seconds(const char* stage) const {
   return {};
 }
 
-Seconds Run::seconds() const { return since(shared_->begin); }
+Seconds Run::seconds() const { return shared_->watch.seconds(); }
 
 bool Run::is_talkative() const { return !options_.quiet && !is_stdout_taken_; }
 
@@ -116,6 +104,11 @@ void Run::so_far(Json result, std::string line) {
   const std::lock_guard lock(shared_->mutex);
   std::swap(shared_->envelope.result, result);
   std::swap(shared_->line, line);
+}
+
+void Run::when_stopped(std::function<std::pair<Json, std::string>()> tell) {
+  const std::lock_guard lock(shared_->mutex);
+  shared_->tell = std::move(tell);
 }
 
 // A line a stage, then what is none, then all of it.

@@ -1,6 +1,7 @@
 // One run of a subcommand, from its promises to its exit code: what each would otherwise do by itself.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -64,6 +65,9 @@ class Run {
 
   /// What to write if the run is stopped now: a copy is kept. Cheap to call when something is finished, not in loops.
   void so_far(Json result, std::string line = {});
+  /// For what grows with every item: `tell` is asked once the run is stopped, for the result and the line. It runs in
+  /// the thread that stops the program, beside the work: it needs a lock of its own, and must not wait for it for long.
+  void when_stopped(std::function<std::pair<Json, std::string>()> tell);
 
   /// Writes it all, prints, and gives the exit code. Called once, last.
   int end(Answer answer);
@@ -82,7 +86,7 @@ class Run {
    private:
     Run& run_;
     const char* name_;
-    Seconds begin_;
+    taut::Stopwatch watch_;
   };
   struct Shared;
 

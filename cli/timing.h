@@ -7,6 +7,11 @@
 
 namespace taut::cli {
 
+/// Of each stage.
+struct StageSeconds {
+  double read = 0, space = 0, roadmap = 0, search = 0, verify = 0, total = 0;
+};
+
 class Stopwatch {
  public:
   double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }

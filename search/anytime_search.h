@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
+#include <vector>
 
 #include <taut/roadmaps/roadmap.h>
 #include <taut/search/graph_search.h>
@@ -68,5 +70,19 @@ class AnytimeSearch {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// What a whole run of an AnytimeSearch gave.
+struct AnytimeAnswer {
+  /// found: there is a path, whether proven the shortest or not. stopped: the seconds ended before there was one
+  GraphSearchResult result;
+  double bound = 1;
+  bool optimal = false;  ///< in the roadmap
+  std::vector<AnytimeImprovement> improvements;
+};
+
+/// Stage after stage until the path is proven the shortest or `seconds` (on the wall) are over. `told` hears of each
+/// stage that was finished: what there is so far.
+AnytimeAnswer anytime_path(std::shared_ptr<const Roadmap> roadmap, GraphQuery query, double epsilon, double seconds,
+                           const std::function<void(const AnytimeAnswer&)>& told = {});
 
 }  // namespace taut

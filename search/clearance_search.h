@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -58,8 +59,10 @@ class ClearanceSearch {
   /// not connected.
   std::optional<ClearancePath> widest() const;
   /// The Pareto front of length and clearance, from the shortest to the widest: clearance and length both strictly
-  /// increase (the length may repeat when rounding hides the difference). A search for each entry.
-  std::vector<ClearanceTrade> tradeoff() const;
+  /// increase (the length may repeat when rounding hides the difference). A search for each entry, after which `told`
+  /// gets it.
+  std::vector<ClearanceTrade> tradeoff(
+      const std::function<void(const ClearanceTrade&)>& told = {}) const;
 
  private:
   struct Impl;

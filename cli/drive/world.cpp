@@ -9,9 +9,9 @@
 
 #include <taut/cli/input.h>
 #include <taut/cli/report.h>
-#include <taut/cli/solve/barrier.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/pictures/car_svg.h>
+#include <taut/io/results/barrier_words.h>
 #include <taut/io/results/drive_json.h>
 #include <taut/robots/car/drive_check.h>
 #include <taut/search/no_path.h>

@@ -1,4 +1,3 @@
-#include <taut/cli/command_line.h>
 #include <taut/cli/solve/anytime.h>
 
 #include <fmt/format.h>
@@ -6,26 +5,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include <taut/cli/messages.h>
 #include <taut/cli/options.h>
-#include <taut/cli/report.h>
+#include <taut/io/results/words.h>
 
 namespace taut::cli {
 
 namespace {
-
-constexpr double kEpsilon = 3;
 
 double epsilon_of(const std::string& text) {
   const double epsilon = number_of(text, "--epsilon");
   if (!(epsilon >= 1 && epsilon <= AnytimeSearch::kLargestEpsilon))
     throw UsageError("--epsilon: '" + text + "' is not a factor from 1 to 1000000");
   return epsilon;
-}
-
-void tell(const AnytimeImprovement& stage) {
-  note(fmt::format("epsilon {:.4g}: length {}, bound {}, {} expanded, {}", stage.epsilon, length_text(stage.length),
-                   bound_text(stage.bound), stage.expanded, seconds_text(stage.seconds)));
 }
 
 }  // namespace
@@ -54,30 +45,14 @@ void require_anytime_fits(const AnytimeOptions& options, const RoadmapKind* kind
                     kind->name));
 }
 
-AnytimeAnswer solve_anytime(const PlannedRoadmap& planned, Point from, const Goal& to, const AnytimeOptions& options,
-                            double seconds, bool told) {
-  AnytimeSearch search(planned.roadmap, planned.query(from, to), options.epsilon.value_or(kEpsilon));
-  AnytimeAnswer answer;
-  SearchStatus status = SearchStatus::found;
-  while (status == SearchStatus::found && !search.optimal()) {
-    status = search.improve({.seconds = std::max(0.0, seconds - search.seconds())});
-    if (status != SearchStatus::found) continue;
-    answer.improvements.push_back(search.latest());
-    if (told) tell(answer.improvements.back());
-  }
-  answer.result.path = search.best();
-  answer.result.status = answer.result.path.points.empty() ? status : SearchStatus::found;
-  answer.result.goal = search.goal();
-  answer.result.expanded = search.expanded();
-  answer.result.generated = search.generated();
-  answer.bound = search.bound();
-  answer.optimal = search.optimal();
-  return answer;
-}
-
 double seconds_for_search(double most, double spent) {
   const double left = std::max(0.0, most - spent);
   return left - std::min(left / 2, std::max(0.02, most / 10));
+}
+
+std::string improvement_text(const AnytimeImprovement& stage) {
+  return fmt::format("epsilon {:.4g}: length {}, bound {}, {} expanded, {}", stage.epsilon, length_text(stage.length),
+                     bound_text(stage.bound), stage.expanded, seconds_text(stage.seconds));
 }
 
 std::string bound_text(double bound) {

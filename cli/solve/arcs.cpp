@@ -2,46 +2,22 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
-#include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
-#include <taut/cli/messages.h>
-#include <taut/cli/output.h>
 #include <taut/cli/report.h>
-#include <taut/cli/timing.h>
-#include <taut/io/pictures/svg.h>
+#include <taut/geometry/errors.h>
+#include <taut/io/pictures/arc_svg.h>
 #include <taut/io/results/arc_json.h>
-#include <taut/search/disc_passage.h>
+#include <taut/io/results/barrier_words.h>
 #include <taut/search/verify_arcs.h>
 
 namespace taut::cli {
 
 namespace {
-
-std::size_t arcs_of(const ArcPath& path) {
-  std::size_t count = 0;
-  for (const ArcBend& bend : path.bends) count += bend.turn != 0;
-  return count;
-}
-
-/// The walls and gates that leave no way, in words, their segments for the picture; nothing where none prove it.
-std::optional<std::string> barrier_text(const Gates& gates, Point s, Point g, double r, std::vector<Segment>& drawn) {
-  const DiscPassage passage = disc_passage(gates, s, g, r);
-  if (passage.status == PassageStatus::reachable || passage.barrier.empty()) return std::nullopt;
-  std::string narrow;
-  for (const BarrierPiece& piece : passage.barrier) {
-    if (piece.gate == taut::kNone) {
-      const Constraint& wall = gates.space().constraints()[piece.constraint];
-      drawn.push_back({wall.a, wall.b});
-      continue;
-    }
-    drawn.push_back({gates.gates()[piece.gate].end, gates.gates()[piece.gate].foot});
-    if (narrow.empty()) narrow = "; too narrow: " + gates.name(piece.gate);
-  }
-  return "no path: walls and gaps narrower than the disc separate start and goal" + narrow;
-}
 
 void require_place(const ArcSearchResult& result, const FreeSpace& space, const std::string& source, Point s, Point g) {
   if (result.status != ArcStatus::start_blocked && result.status != ArcStatus::goal_blocked) return;
@@ -54,65 +30,90 @@ void require_place(const ArcSearchResult& result, const FreeSpace& space, const 
       fmt::format("{} is nearer than the disc's radius to the wall {}", end, segment_text({wall.a, wall.b})));
 }
 
+class ArcSolver {
+ public:
+  ArcSolver(const SolveOptions& options, Run& run) : options_(options), run_(run) {}
+
+  int solve() {
+    run_.promise(options_.svg);
+    const Input input = run_.stage("read", [&] { return read_input(options_.world, options_.query); });
+    read_ends(input);
+    const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world); });
+    const TangentGraph graph = run_.stage("roadmap", [&] { return TangentGraph(space, answer_.radius); });
+    answer_.result = run_.stage("search", [&] { return arc_search(graph, answer_.start, answer_.goal); });
+    require_place(answer_.result, space, input.name, answer_.start, answer_.goal);
+    const Gates gates = run_.stage("gates", [&] { return Gates(space); });
+    found() ? finish(gates) : prove_none(gates);
+    return end(input, space, graph);
+  }
+
+ private:
+  bool found() const { return answer_.result.status == ArcStatus::found; }
+
+  void read_ends(const Input& input) {
+    require_ends(input);
+    if (!input.world.goal().point)
+      throw InputError(input.name, 0, "the goal is a room; --arcs needs a goal point: --to X,Y");
+    answer_.start = *input.world.start();
+    answer_.goal = *input.world.goal().point;
+    answer_.radius = options_.query.robot.radius();
+    run_.so_far(arc_json(answer_));
+  }
+
+  void finish(const Gates& gates) {
+    if (!options_.no_verify) {
+      const ArcVerdict verdict = run_.stage(
+          "verify", [&] { return verify_arcs(answer_.result.path, gates, answer_.start, answer_.goal); });
+      if (!verdict.valid) throw std::logic_error("the path found does not pass its own check: " + verdict.reason);
+      answer_.verified = true;
+    }
+    answer_.pinch = narrowest_gate(gates, answer_.result.path);
+  }
+
+  /// The walls and gates that leave no way; where none do, nothing is proven.
+  void prove_none(const Gates& gates) {
+    const DiscPassage passage = disc_passage(gates, answer_.start, answer_.goal, answer_.radius);
+    outcome_ = Outcome::unproven;
+    reason_ = "no path found, but no walls and gaps that prove that there is none";
+    if (passage.status == PassageStatus::reachable || passage.barrier.empty()) return;
+    outcome_ = Outcome::none;
+    answer_.barrier = barrier_of(gates, passage.barrier);
+    reason_ = blocked_text(gates, passage, answer_.barrier, answer_.start, answer_.goal, answer_.radius);
+  }
+
+  std::string line() const {
+    if (outcome_ == Outcome::none) return "no path: " + reason_;
+    if (outcome_ == Outcome::unproven) return reason_;
+    const ArcPath& path = answer_.result.path;
+    const auto arcs = std::ranges::count_if(path.bends, [](const ArcBend& bend) { return bend.turn != 0; });
+    return fmt::format("length {:.6f}, {}, {}", path.value(), count_text(static_cast<std::size_t>(arcs), "arc"),
+                       cpu_text(run_.seconds()));
+  }
+
+  int end(const Input& input, const FreeSpace& space, const TangentGraph& graph) {
+    Answer answer;
+    answer.outcome = outcome_;
+    answer.reason = reason_;
+    answer.result = arc_json(answer_);
+    answer.line = input.name + ": " + line() + "\n";
+    if (options_.path && found()) answer.listing = points_text(sampled(answer_.result.path, answer_.radius / 1000));
+    answer.stats = {{"roadmap", fmt::format("{} corners, {} tangent points, {} tangents, {} arcs", graph.corner_count(),
+                                            graph.point_count(), graph.leg_count(), graph.arc_count())},
+                    {"search", fmt::format("{} expanded", answer_.result.expanded)}};
+    if (!options_.svg.empty())
+      answer.files.push_back({options_.svg, arc_svg(answer_, space, title_of(input.name))});
+    return run_.end(std::move(answer));
+  }
+
+  const SolveOptions& options_;
+  Run& run_;
+  ArcAnswer answer_;
+  Outcome outcome_ = Outcome::found;
+  std::string reason_;
+};
+
 }  // namespace
 
-int solve_with_arcs(const WorldOptions& world, const QueryOptions& query, const OutputOptions& output, bool verify,
-                    bool points) {
-  require_writable(output.svg);
-  require_writable(output.json);
-  const double r = query.robot.radius();
-  const std::string source = world.file == "-" ? "<stdin>" : world.file;
-  const Stopwatch total;
-  double read = 0, build = 0, roadmap = 0, search = 0, check = 0;
-  const Input input = timed("read", read, [&] { return read_input(world, query); });
-  require_ends(input);
-  if (!input.world.goal().point) throw InputError(source, 0, "the goal is a room; --arcs needs a goal point: --to X,Y");
-  const Point s = *input.world.start(), g = *input.world.goal().point;
-  const FreeSpace space = timed("space", build, [&] { return FreeSpace(input.world); });
-  const TangentGraph graph = timed("roadmap", roadmap, [&] { return TangentGraph(space, r); });
-  const ArcSearchResult result = timed("search", search, [&] { return arc_search(graph, s, g); });
-  require_place(result, space, source, s, g);
-  const bool found = result.status == ArcStatus::found;
-  std::vector<Segment> separation;
-  std::optional<std::string> none;
-  if (!found) none = barrier_text(Gates(space), s, g, r, separation);
-  std::string line = none.value_or("no path found, but no walls and gaps that prove that there is none");
-  if (found && verify) {
-    const ArcVerdict verdict = timed("verify", check, [&] { return verify_arcs(result.path, Gates(space), s, g); });
-    if (!verdict.valid) throw std::logic_error("the path found does not pass its own check: " + verdict.reason);
-  }
-  const double seconds = total.seconds();
-  std::vector<std::string> facts{none ? "no path" : "not proven", seconds_text(seconds)};
-  if (found) {
-    facts = {fmt::format("length {:.6f}", result.path.value()), count_text(arcs_of(result.path), "arc"),
-             seconds_text(seconds)};
-    line = fmt::format("{}", fmt::join(facts, ", "));
-  }
-  SvgPicture picture;
-  picture.title = title_of(source);
-  picture.facts = facts;
-  if (found) picture.arcs = &result.path;
-  picture.separation = separation;
-  picture.start = s;
-  picture.goal = input.world.goal();
-  const std::string drawing = output.svg.empty() ? "" : svg(space, picture);
-  const std::string json =
-      output.json.empty() ? ""
-                          : arc_json(result, space, s, g, r, found ? verify : none.has_value(), source, TAUT_VERSION);
-  begin_stage("write");
-  finish();
-  write_file(output.svg, drawing);
-  write_file(output.json, json);
-  if (!output.quiet && !output.stdout_taken()) print(source + ": " + line + "\n");
-  if (points && found) print(points_text(sampled(result.path, r / 1000)));
-  if (output.stats)
-    note(
-        fmt::format("free space {:.4f} s, tangent graph {:.4f} s ({} corners, {} tangent points, {} tangents, {} "
-                    "arcs), search {:.4f} s "
-                    "({} expanded), verify {:.4f} s",
-                    build, roadmap, graph.corner_count(), graph.point_count(), graph.leg_count(), graph.arc_count(),
-                    search, result.expanded, check));
-  return found ? kFound : none ? kNone : kStopped;
-}
+int solve_with_arcs(const SolveOptions& options, Run& run) { return ArcSolver(options, run).solve(); }
 
 }  // namespace taut::cli

@@ -1,29 +1,42 @@
-#include <taut/cli/command_line.h>
 #include <taut/cli/solve/prm_options.h>
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
-#include <utility>
+#include <vector>
 
 #include <taut/cli/messages.h>
 #include <taut/cli/options.h>
 #include <taut/cli/report.h>
-#include <taut/cli/solve/roadmap_kinds.h>
 
 namespace taut::cli {
 
 namespace {
 
-constexpr double kSecondsWhenNothingIsSaid = 60, kSecondsBeforeProgress = 0.3;
+constexpr double kSecondsBeforeProgress = 0.3;
+
+const std::vector<Choice> kSamplers{
+    {"uniform", "anywhere"},
+    {"lattice", "the cell centres of a grid maze, else whole numbers"},
+    {"gaussian", "near what is in the way"},
+    {"bridge", "between two things in the way: passages"},
+    {"medial-axis", "anywhere, then pushed to the middle between walls"},
+    {"corners", "every other one near a corner that a path can bend around"},
+};
+
+const std::vector<Choice> kRules{
+    {"nearest:K", "each and its K nearest"},
+    {"visible:K", "each and the K nearest that it sees (default, K = 8)"},
+    {"forest:K", "as nearest:K, but only what does not hang together yet"},
+    {"radius:R", "each and all within R"},
+    {"prm-star", "nearest, with K growing as the logarithm of their number"},
+};
 
 PrmSampler sampler_of(const std::string& text) {
-  static constexpr std::pair<const char*, PrmSampler> kNames[] = {
-      {"uniform", PrmSampler::uniform}, {"lattice", PrmSampler::lattice},    {"gaussian", PrmSampler::gaussian},
-      {"bridge", PrmSampler::bridge},   {"medial-axis", PrmSampler::medial}, {"corners", PrmSampler::corners}};
-  for (const auto& [name, sampler] : kNames)
-    if (text == name) return sampler;
-  throw UsageError("--sampler: '" + text + "' is not one of uniform, lattice, gaussian, bridge, medial-axis, corners");
+  const auto at = std::ranges::find(kSamplers, std::string_view(text), &Choice::first);
+  if (at == kSamplers.end()) throw not_one_of(text, kSamplers);
+  return static_cast<PrmSampler>(at - kSamplers.begin());  // in the order of the enumeration
 }
 
 [[noreturn]] void refuse_connection(const std::string& text) {
@@ -60,33 +73,30 @@ double clearance_of(const std::string& text) {
 
 }  // namespace
 
-std::string PrmRequest::first() const {
-  return sampler      ? "--sampler"
-         : connection ? "--connection"
-         : clearance  ? "--prm-clearance"
-         : samples    ? "--samples"
-         : lazy       ? "--lazy"
-         : eager      ? "--eager"
-                      : "";
+std::string first_option(const PrmRequest& request) {
+  return request.sampler      ? "--sampler"
+         : request.connection ? "--connection"
+         : request.clearance  ? "--prm-clearance"
+         : request.samples    ? "--samples"
+         : request.lazy       ? (*request.lazy ? "--lazy" : "--eager")
+                              : "";
 }
 
 void add_prm_options(CommandLine& app, PrmRequest& request, bool with_query) {
   static constexpr const char* kGroup = "Probabilistic roadmaps (prm, prm-lattice)";
   app.add_option_function(
          "--sampler", [&request](const std::string& text) { request.sampler = sampler_of(text); },
-         "Where vertices come from: uniform, lattice, gaussian, bridge, medial-axis, corners")
+         "Where milestones come from, see below")
       .type_name("NAME")
       .group(kGroup);
   app.add_option_function(
          "--connection", [&request](const std::string& text) { request.connection = connection_of(text); },
-         "Which vertices are joined when a path can go straight: nearest:K, visible:K (default, K = 8), forest:K, "
-         "radius:R, "
-         "prm-star")
+         "Which milestones are joined when a path can go straight, see below")
       .type_name("RULE")
       .group(kGroup);
   app.add_option_function(
          "--prm-clearance", [&request](const std::string& text) { request.clearance = clearance_of(text); },
-         "How far vertices and edges stay away from walls (default: 0)")
+         "How far milestones and edges stay away from walls (default: 0)")
       .type_name("C")
       .group(kGroup);
   app.add_option_function(
@@ -95,36 +105,30 @@ void add_prm_options(CommandLine& app, PrmRequest& request, bool with_query) {
       .type_name("N")
       .range(1, 100'000'000)
       .group(kGroup);
+  app.explain("Samplers of --sampler", kSamplers);
+  app.explain("Rules of --connection", kRules);
   if (!with_query) return;
-  app.add_flag("--lazy", request.lazy, "Test an edge only when a candidate path uses it").group(kGroup);
-  app.add_flag("--eager", request.eager, "Test all edges at once (default)").group(kGroup).excludes("--lazy");
+  app.add_flag_callback(
+         "--lazy", [&request] { request.lazy = true; }, "Test an edge only when a candidate path uses it")
+      .group(kGroup);
+  app.add_flag_callback(
+         "--eager", [&request] { request.lazy = false; }, "Test all edges at once (default)")
+      .group(kGroup)
+      .excludes("--lazy");
 }
 
 void require_prm_options_fit(const PrmRequest& request, const RoadmapKind& kind) {
-  if (request.first().empty()) return;
+  if (first_option(request).empty()) return;
   if (!kind.is_prm)
     throw UsageError(fmt::format("{} makes no sense with the roadmap {}: it is for prm and prm-lattice",
-                                 request.first(), kind.name));
+                                 first_option(request), kind.name));
   if (request.sampler && std::string(kind.name) == "prm-lattice" && request.sampler != PrmSampler::lattice)
     throw UsageError("--sampler makes no sense with the roadmap prm-lattice: its vertices are a lattice");
-  if (request.lazy && request.connection &&
+  if (request.lazy.value_or(false) && request.connection &&
       (request.connection->rule == PrmConnection::Rule::visible ||
        request.connection->rule == PrmConnection::Rule::forest))
     throw UsageError(
         "--lazy makes no sense with --connection visible:K or forest:K, which have to test edges as they go");
-}
-
-PrmPlan plan_of(const PrmRequest& request, PrmSampler sampler, std::uint64_t seed, bool is_limited) {
-  PrmPlan plan;
-  plan.roadmap.sampler = request.sampler.value_or(sampler);
-  plan.roadmap.samples = request.samples;
-  plan.roadmap.seed = seed;
-  plan.roadmap.clearance = request.clearance.value_or(0);
-  plan.roadmap.connection.rule = request.lazy ? PrmConnection::Rule::nearest : PrmConnection::Rule::visible;
-  if (request.connection) plan.roadmap.connection = *request.connection;
-  plan.lazy = request.lazy;
-  if (!is_limited && !request.samples) plan.seconds = kSecondsWhenNothingIsSaid;
-  return plan;
 }
 
 std::function<bool(const PrmProgress&)> prm_progress(bool quiet) {

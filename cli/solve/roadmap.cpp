@@ -1,23 +1,23 @@
 // taut roadmap: builds a roadmap and says what it is made of.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <functional>
+#include <utility>
 
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
-#include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
-#include <taut/cli/output.h>
 #include <taut/cli/report.h>
-#include <taut/cli/solve/roadmap_kinds.h>
-#include <taut/cli/timing.h>
+#include <taut/cli/run.h>
+#include <taut/cli/solve/prm_options.h>
+#include <taut/cli/solve/roadmap_option.h>
 #include <taut/geometry/corridor_width.h>
 #include <taut/io/pictures/svg.h>
 #include <taut/io/results/roadmap_export.h>
 #include <taut/io/results/roadmap_json.h>
 #include <taut/io/results/voronoi_export.h>
+#include <taut/io/saved/planned_roadmap.h>
 
 namespace taut::cli {
 
@@ -26,36 +26,36 @@ namespace {
 struct RoadmapOptions {
   WorldOptions world;
   QueryOptions query;
-  OutputOptions output;
   CommonOptions common;
   const RoadmapKind* kind = roadmap_kind("visibility");
-  bool full = false;
   PrmRequest prm;
+  std::string svg;
   std::string graphml;
   std::string geojson;
   std::string save;
-
-  /// --full is an older name of --kind full.
-  const RoadmapKind& chosen() const {
-    return full && kind == roadmap_kind("visibility") ? *roadmap_kind("full") : *kind;
-  }
-  /// Everything that is written, in this order.
-  std::vector<std::string> files() const { return {output.svg, output.json, graphml, geojson, save}; }
-  bool stdout_taken() const {
-    const auto all = files();
-    return std::find(all.begin(), all.end(), "-") != all.end();
-  }
 };
+
+void check(const RoadmapOptions& options) {
+  if (!options.kind->graph) throw UsageError(fmt::format("--kind {} makes no graph", options.kind->name));
+  if (!options.save.empty()) require_savable(*options.kind);
+  require_prm_options_fit(options.prm, *options.kind);
+  require_one_stdout({{"--svg", options.svg},
+                      {"--json", options.common.json},
+                      {"--graphml", options.graphml},
+                      {"--geojson", options.geojson},
+                      {"--save", options.save}});
+}
 
 void add_options(CommandLine& app, RoadmapOptions& options) {
   add_world_options(app, options.world);
   add_query_options(app, options.query);
   add_roadmap_kind(app, "--kind", options.kind, "Roadmap");
-  app.add_flag("--full", options.full,
-               "Of a visibility graph all pairs that see each other, not only those a shortest path can use")
-      .group("Roadmap");
+  app.add_flag_callback(
+         "--full", [] { throw UsageError("--full is --kind full now"); }, "")
+      .group("");
+  app.renamed("--roadmap", "--kind");
   add_prm_options(app, options.prm, false);
-  add_output_options(app, options.output);
+  add_svg_option(app, options.svg);
   app.add_option("--graphml", options.graphml, "Write it as GraphML; - is standard output")
       .type_name("FILE")
       .group("Output");
@@ -63,45 +63,22 @@ void add_options(CommandLine& app, RoadmapOptions& options) {
       .type_name("FILE")
       .group("Output");
   app.add_option("--save", options.save, "Keep it for `taut solve --load`").type_name("FILE").group("Output");
-  app.callback([&options] {
-    if (!options.chosen().graph) throw UsageError(fmt::format("--kind {} makes no graph", options.chosen().name));
-    if (!options.save.empty()) require_savable(options.chosen());
-    require_prm_options_fit(options.prm, options.chosen());
-    const auto files = options.files();
-    if (std::count(files.begin(), files.end(), "-") > 1)
-      throw UsageError("only one of --svg, --json, --graphml, --geojson and --save can have standard output");
-  });
+  app.callback([&options] { check(options); });
+  app.example("taut roadmap maze.txt --kind voronoi --svg diagram.svg");
+  app.example("taut roadmap maze.txt --kind prm --sampler bridge --samples 2000 --json roadmap.json");
 }
 
 // What goes to a file that nobody asked for is not made.
-std::string made_for(const std::string& file, const std::function<std::string()>& make) {
-  return file.empty() ? std::string() : make();
+OutputFile made(const std::string& file, const std::function<std::string()>& make) {
+  return {file, file.empty() ? std::string() : make()};
 }
 
-std::vector<std::string> facts_of(const PlannedRoadmap& planned, const RoadmapKind& kind, double seconds) {
-  const auto facts = [&](std::size_t vertices, std::size_t edges) {
-    return std::vector<std::string>{kind.title, count_text(vertices, "vertex", "vertices"), count_text(edges, "edge")};
-  };
-  if (!planned.diagram) {
-    std::vector<std::string> all = facts(planned.roadmap->vertex_count(), planned.roadmap->edge_count());
-    all.push_back(seconds_text(seconds));
-    return all;
-  }
-  const VoronoiRoadmap& map = *planned.diagram;
-  std::vector<std::string> all = facts(map.vertices().size(), map.edges().size());
-  const auto arcs = std::count_if(map.edges().begin(), map.edges().end(),
-                                  [](const VoronoiEdge& e) { return e.kind == VoronoiEdge::Kind::parabola; });
-  all.push_back(count_text(static_cast<std::size_t>(arcs), "arc"));
-  all.push_back(fmt::format("vertices within {:.2g}", map.max_error()));
-  all.push_back(seconds_text(seconds));
-  return all;
-}
-
-std::string drawn(const PlannedRoadmap& planned, const FreeSpace& space, const std::string& title,
-                  const std::vector<std::string>& facts) {
+std::string drawn(const PlannedRoadmap& planned, const RoadmapKind& kind, const FreeSpace& space,
+                  const std::string& title) {
   SvgPicture picture;
   picture.title = title;
-  picture.facts = facts;
+  picture.facts = roadmap_facts(kind, planned);
+  picture.milestones = kind.samples;
   if (planned.diagram)
     picture.diagram = planned.diagram.get();
   else
@@ -111,9 +88,8 @@ std::string drawn(const PlannedRoadmap& planned, const FreeSpace& space, const s
   return svg(space, picture);
 }
 
-std::string json_of(const PlannedRoadmap& planned, const RoadmapKind& kind, const std::string& source, double seconds) {
-  return planned.diagram ? voronoi_json(*planned.diagram, source, seconds)
-                         : roadmap_json(*planned.roadmap, kind.title, source, seconds, planned.prm);
+Json json_of(const PlannedRoadmap& planned, const RoadmapKind& kind) {
+  return planned.diagram ? voronoi_json(*planned.diagram) : roadmap_json(*planned.roadmap, kind.title, planned.prm);
 }
 
 std::string geojson_of(const PlannedRoadmap& planned, const FreeSpace& space) {
@@ -121,36 +97,33 @@ std::string geojson_of(const PlannedRoadmap& planned, const FreeSpace& space) {
                          : roadmap_geojson(*planned.roadmap);
 }
 
-int run(const RoadmapOptions& options) {
-  const std::vector<std::string> files = options.files();
-  for (const std::string& file : files) require_writable(file);
-  double read = 0, build = 0, roadmap_seconds = 0;
-  const RoadmapKind& kind = options.chosen();
-  const Input input = timed("read", read, [&] { return read_input(options.world, options.query); });
-  const FreeSpace space = timed("space", build, [&] { return FreeSpace(input.world, options.query.robot); });
-  const PlannedRoadmap planned = timed("roadmap", roadmap_seconds, [&] {
+std::string graphml_of(const PlannedRoadmap& planned) {
+  return planned.diagram ? voronoi_graphml(*planned.diagram) : roadmap_graphml(*planned.roadmap);
+}
+
+int run(const RoadmapOptions& options, Run& run) {
+  run.source(options.world.file);
+  for (const std::string& file : {options.svg, options.graphml, options.geojson, options.save}) run.promise(file);
+  const RoadmapKind& kind = *options.kind;
+  const Input input = run.stage("read", [&] { return read_input(options.world, options.query); });
+  const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world, options.query.robot); });
+  const PlannedRoadmap planned = run.stage("roadmap", [&] {
     return kind.build(space, {options.common.seed, input.world.start(), input.world.goal(), options.prm,
-                              options.common.limits.seconds.has_value(), prm_progress(options.output.quiet)});
+                              options.common.limits.seconds.has_value(), prm_progress(options.common.quiet)});
   });
   end_progress();
-  begin_stage("write");
-  const std::vector<std::string> facts = facts_of(planned, kind, roadmap_seconds);
-  const std::string texts[] = {
-      made_for(options.output.svg, [&] { return drawn(planned, space, title_of(input.name), facts); }),
-      made_for(options.output.json, [&] { return json_of(planned, kind, input.name, roadmap_seconds); }),
-      made_for(options.graphml,
-               [&] { return planned.diagram ? voronoi_graphml(*planned.diagram) : roadmap_graphml(*planned.roadmap); }),
-      made_for(options.geojson, [&] { return geojson_of(planned, space); }),
-      made_for(options.save, [&] { return saved_text(kind, planned, space); })};
-  finish();
-  for (std::size_t i = 0; i < files.size(); ++i) write_file(files[i], texts[i]);
-  if (!options.output.quiet && !options.stdout_taken())
-    print(fmt::format("{}: {}\n", input.name, fmt::join(facts, ", ")));
-  if (options.output.stats)
-    note(fmt::format("read {:.4f} s, free space {:.4f} s, roadmap {:.4f} s, peak memory {}", read, build,
-                     roadmap_seconds, peak_memory_text()));
-  if (options.output.stats && planned.prm) note(connectivity_text(*planned.prm));
-  return kFound;
+  Answer answer;
+  answer.line = fmt::format("{}: {}, {}\n", input.name, fmt::join(roadmap_facts(kind, planned), ", "),
+                            cpu_text(run.seconds("roadmap")));
+  if (run.wants_json()) answer.result = json_of(planned, kind);
+  answer.files = {
+      made(options.svg, [&] { return drawn(planned, kind, space, title_of(input.name)); }),
+      made(options.graphml, [&] { return graphml_of(planned); }),
+      made(options.geojson, [&] { return geojson_of(planned, space); }),
+      made(options.save, [&] { return saved_text(kind, planned, space); }),
+  };
+  if (planned.prm) answer.stats.emplace_back("roadmap", connectivity_text(*planned.prm));
+  return run.end(std::move(answer));
 }
 
 }  // namespace

@@ -3,23 +3,24 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
-#include <taut/cli/exit_code.h>
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
-#include <taut/cli/output.h>
-#include <taut/cli/report.h>
+#include <taut/cli/run.h>
 #include <taut/cli/solve/anytime.h>
 #include <taut/cli/solve/arcs.h>
-#include <taut/cli/solve/barrier.h>
 #include <taut/cli/solve/clearance.h>
 #include <taut/cli/solve/solve_options.h>
 #include <taut/cli/solve/solve_report.h>
-#include <taut/cli/timing.h>
+#include <taut/geometry/errors.h>
 #include <taut/io/pictures/svg.h>
+#include <taut/io/results/barrier_words.h>
 #include <taut/io/results/result_json.h>
+#include <taut/io/results/words.h>
+#include <taut/io/saved/planned_roadmap.h>
 #include <taut/search/funnel.h>
 #include <taut/search/no_path.h>
 #include <taut/search/query_ends.h>
@@ -31,57 +32,35 @@ namespace {
 
 class Solver {
  public:
-  explicit Solver(const SolveOptions& options) : options_(options) {}
+  Solver(const SolveOptions& options, Run& run) : options_(options), run_(run) {}
 
-  int run() {
-    require_writable(options_.output.svg);
-    require_writable(options_.output.json);
-    require_writable(options_.save);
-    result_.version = TAUT_VERSION;
-    result_.source = options_.world.file == "-" ? "<stdin>" : options_.world.file;
+  int solve() {
+    run_.promise(options_.svg);
+    run_.promise(options_.save);
+    answer_.source = options_.world.file == "-" ? "<stdin>" : options_.world.file;
+    result_.status = SearchStatus::stopped;
     result_.robot = options_.query.robot;
-    prepare_last_words();
-    const Input input = timed("read", result_.seconds.read, [&] { return read_input(options_.world, options_.query); });
+    keep();
+    const Input input = run_.stage("read", [&] { return read_input(options_.world, options_.query); });
     read_ends(input);
-    const FreeSpace space =
-        timed("space", result_.seconds.space, [&] { return FreeSpace(input.world, options_.query.robot); });
+    const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
     result_.displacement = space.report().displacement;
     require_free(space, *result_.start, "start");
     if (result_.goal.point) require_free(space, *result_.goal.point, "goal");
-    answer_.planned = timed("roadmap", result_.seconds.roadmap, [&] { return build_or_load(space); });
+    answer_.planned = run_.stage("roadmap", [&] { return build_or_load(space); });
     end_progress();
     result_.roadmap = answer_.kind->name;
     result_.prm = answer_.planned.prm;
+    keep();
     result_.optimal = answer_.kind->optimal;
     options_.anytime.wanted ? search_anytime() : search(space);
     if (result_.status == SearchStatus::none) prove_none(space, input);
     if (result_.status == SearchStatus::found && !options_.no_verify) verify_answer(space);
-    result_.seconds.total = total_.seconds();
-    begin_stage("write");
-    write(space);
-    if (options_.output.stats) note_stages(answer_, options_, space, input);
-    return result_.status == SearchStatus::found ? kFound : result_.status == SearchStatus::none ? kNone : kStopped;
+    return end(space, input);
   }
 
  private:
-  // What a stopped run still writes: a copy of what is known so far.
-  void prepare_last_words() const {
-    if (options_.output.json.empty()) return;
-    PlanResult stopped;
-    stopped.version = result_.version;
-    stopped.source = result_.source;
-    stopped.start = result_.start;
-    stopped.goal = result_.goal;
-    stopped.robot = result_.robot;
-    stopped.wall_thickness = result_.wall_thickness;
-    stopped.status = SearchStatus::stopped;
-    on_stop([stopped, total = total_, file = options_.output.json](const Stop& why) mutable {
-      stopped.reason = why.reason;
-      stopped.stage = why.stage;
-      stopped.seconds.total = total.seconds();
-      write_file(file, result_json(stopped));
-    });
-  }
+  void keep() { run_.so_far(result_json(result_)); }
 
   void read_ends(const Input& input) {
     require_ends(input);
@@ -89,7 +68,7 @@ class Solver {
     result_.goal = input.world.goal();
     for (const Wall& wall : input.world.walls())
       result_.wall_thickness = std::max(result_.wall_thickness, wall.thickness);
-    prepare_last_words();
+    keep();
   }
 
   PlannedRoadmap build_or_load(const FreeSpace& space) {
@@ -98,23 +77,25 @@ class Solver {
       answer_.kind = options_.kind ? options_.kind : roadmap_kind(graph ? "visibility" : "polyanya");
       return answer_.kind->build(space,
                                  {options_.common.seed, result_.start, result_.goal, options_.prm,
-                                  options_.common.limits.seconds.has_value(), prm_progress(options_.output.quiet)});
+                                  options_.common.limits.seconds.has_value(), prm_progress(options_.common.quiet)});
     }
-    PlannedRoadmap loaded = load_roadmap(options_.load, space, answer_.kind);
-    if (options_.kind && options_.kind != answer_.kind)
+    LoadedRoadmap loaded =
+        load_roadmap(read_bytes(options_.load), options_.load == "-" ? "<stdin>" : options_.load, space);
+    if (options_.kind && options_.kind != loaded.kind)
       throw InputError(
           options_.load, 0,
-          fmt::format("is a saved roadmap of the kind '{}', not '{}'", answer_.kind->name, options_.kind->name));
-    return loaded;
+          fmt::format("is a saved roadmap of the kind '{}', not '{}'", loaded.kind->name, options_.kind->name));
+    answer_.kind = loaded.kind;
+    return std::move(loaded.planned);
   }
 
   void search(const FreeSpace& space) {
-    GraphSearchResult found = timed("search", result_.seconds.search, [&] {
-      return answer_.planned.search(*result_.start, result_.goal, options_.method());
-    });
+    GraphSearchResult found = run_.stage(
+        "search", [&] { return answer_.planned.search(*result_.start, result_.goal, options_.method()); });
     result_.status = found.status;
     result_.path = std::move(found.path);
     result_.expanded = found.expanded;
+    if (result_.status == SearchStatus::stopped) leave_unproven();
     if (answer_.planned.query) result_.method = options_.method();
     result_.shortest_in_roadmap = found.optimal;
     result_.optimal = answer_.kind->optimal && found.optimal;
@@ -126,49 +107,59 @@ class Solver {
 
   void search_anytime() {
     const std::optional<double> most = options_.common.limits.seconds;
-    const double budget = most ? seconds_for_search(*most, total_.seconds()) : 1e300;
-    const bool told = options_.output.stats || (is_progress_shown() && !options_.output.quiet);
-    AnytimeAnswer found = timed("search", result_.seconds.search, [&] {
-      return solve_anytime(answer_.planned, *result_.start, result_.goal, options_.anytime, budget, told);
-    });
-    result_.status = found.result.status;
-    result_.path = std::move(found.result.path);
-    result_.expanded = found.result.expanded;
-    result_.improvements = std::move(found.improvements);
-    if (result_.status == SearchStatus::found) {
-      result_.bound = found.bound;
-      result_.optimal = answer_.kind->optimal && found.optimal;
-    }
+    const double budget = most ? seconds_for_search(*most, run_.seconds().wall) : 1e300;
+    const bool told = options_.common.stats || (is_progress_shown() && !options_.common.quiet);
+    take(run_.stage("search", [&] {
+      return anytime_path(answer_.planned.roadmap, answer_.planned.query(*result_.start, result_.goal),
+                          options_.anytime.first_epsilon(), budget, [&](const AnytimeAnswer& so_far) {
+                            if (told) note(improvement_text(so_far.improvements.back()));
+                            take(so_far);
+                            keep();
+                          });
+    }));
     if (result_.status != SearchStatus::stopped) return;
-    result_.stage = "search";
-    result_.reason = fmt::format("--max-seconds {}", *most);
+    answer_.outcome = Outcome::stopped;
+    answer_.reason = fmt::format("--max-seconds {}", *most);
+  }
+
+  void take(const AnytimeAnswer& found) {
+    result_.status = found.result.status;
+    result_.path = found.result.path;
+    result_.expanded = found.result.expanded;
+    result_.improvements = found.improvements;
+    if (result_.status != SearchStatus::found) return;
+    result_.bound = found.bound;
+    result_.optimal = answer_.kind->optimal && found.optimal;
   }
 
   // That a search found nothing is no proof; the walls are.
   void prove_none(const FreeSpace& space, const Input& input) {
     const auto walls = NoPath(space).walls(*result_.start, result_.goal);
     if (!walls) return leave_unproven();
+    answer_.outcome = Outcome::none;
     result_.separation = joined_walls(*walls, space.world().box());
-    if (walls->empty()) result_.reason = "no place of the goal is free";
+    answer_.reason = walls->empty()                  ? "no place of the goal is free"
+                     : !result_.separation.empty() ? walls_text(result_.separation)
+                                                     : "";
     if (options_.query.robot.kind() == Footprint::Kind::disc) name_gates(input);
   }
 
   void leave_unproven() {
     result_.status = SearchStatus::stopped;
-    result_.stage = "search";
-    result_.reason =
+    answer_.outcome = Outcome::unproven;
+    answer_.reason =
         fmt::format("no path in the roadmap {}, which does not prove that there is none", answer_.kind->name);
     if (answer_.kind->optimal && options_.query.robot.kind() == Footprint::Kind::disc)
-      result_.reason = "no path for the polygon around the disc, which does not prove that there is none for the disc";
+      answer_.reason = "no path for the polygon around the disc, which does not prove that there is none for the disc";
     if (answer_.planned.prm)
-      result_.reason +=
+      answer_.reason +=
           fmt::format(" ({} samples, {} vertices at the start, {} at the goal)", answer_.planned.prm->counts.drawn,
                       answer_.planned.prm->start_part, answer_.planned.prm->goal_part);
   }
 
   void verify_answer(const FreeSpace& space) {
-    const Verdict verdict = timed("verify", result_.seconds.verify,
-                                  [&] { return verify(result_.path, space, *result_.start, result_.goal); });
+    const Verdict verdict =
+        run_.stage("verify", [&] { return verify(result_.path, space, *result_.start, result_.goal); });
     if (!verdict.valid) throw std::logic_error("the path found does not pass its own check: " + verdict.reason);
     result_.verified = true;
     result_.clearance = verdict.clearance;
@@ -176,10 +167,10 @@ class Solver {
 
   // The edges of where its centre can be say little to people.
   void name_gates(const Input& input) {
-    auto found = disc_barrier(input.world, *result_.start, goals(), options_.query.robot.radius());
-    if (!found) return;
-    result_.reason = std::move(found->text);
-    answer_.narrow = found->barrier.gate_segments();
+    const auto barrier = disc_barrier(input.world, *result_.start, goals(), options_.query.robot.radius());
+    if (!barrier) return;
+    answer_.reason = barrier_text(*barrier, options_.query.robot.radius());
+    answer_.narrow = barrier->gate_segments();
   }
 
   // Of a room, its middles stand for it: none of it can be reached.
@@ -191,29 +182,31 @@ class Solver {
     return goals;
   }
 
-  void write(const FreeSpace& space) {
-    const std::string picture = options_.output.svg.empty() ? "" : svg(space, solve_picture(answer_));
-    const std::string json = options_.output.json.empty() ? "" : result_json(result_);
-    const std::string saved = options_.save.empty() ? "" : saved_text(*answer_.kind, answer_.planned, space);
-    finish();
-    write_file(options_.save, saved);
-    write_file(options_.output.svg, picture);
-    write_file(options_.output.json, json);
-    if (!options_.output.quiet && !options_.stdout_taken()) print(result_.source + ": " + solve_line(answer_) + "\n");
-    if (options_.path) print(points_text(result_.path.points));
+  int end(const FreeSpace& space, const Input& input) {
+    Answer answer;
+    answer.outcome = answer_.outcome;
+    answer.reason = answer_.reason;
+    answer.line = solve_line(answer_, run_.seconds());
+    if (run_.wants_json()) answer.result = result_json(result_);
+    if (options_.path) answer.listing = points_text(result_.path.points);
+    answer.stats = solve_stats(answer_, options_, space, input);
+    if (!options_.save.empty())
+      answer.files.push_back({options_.save, saved_text(*answer_.kind, answer_.planned, space)});
+    if (!options_.svg.empty()) answer.files.push_back({options_.svg, svg(space, solve_picture(answer_))});
+    return run_.end(std::move(answer));
   }
 
   const SolveOptions& options_;
+  Run& run_;
   SolveAnswer answer_;
   PlanResult& result_ = answer_.result;
-  Stopwatch total_;
 };
 
-int run(const SolveOptions& options) {
-  if (options.clearance.kind != ClearanceQuery::Kind::none) return solve_with_clearance(options.clearance_request());
-  if (options.arcs)
-    return solve_with_arcs(options.world, options.query, options.output, !options.no_verify, options.path);
-  return Solver(options).run();
+int run(const SolveOptions& options, Run& run) {
+  run.source(options.world.file);
+  if (options.clearance) return solve_with_clearance(options, run);
+  if (options.arcs) return solve_with_arcs(options, run);
+  return Solver(options, run).solve();
 }
 
 }  // namespace

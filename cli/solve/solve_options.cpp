@@ -1,42 +1,80 @@
-#include <taut/cli/command_line.h>
 #include <taut/cli/solve/solve_options.h>
 
 #include <fmt/format.h>
 
+#include <taut/cli/solve/roadmap_option.h>
+
 namespace taut::cli {
 
 namespace {
+
+void add_clearance_options(CommandLine& app, std::optional<ClearanceQuery>& query) {
+  using Kind = ClearanceQuery::Kind;
+  const auto choose = [&query](Kind kind, double clearance) {
+    if (query) throw UsageError("only one of --clearance, --widest and --tradeoff");
+    query = ClearanceQuery{kind, clearance};
+  };
+  app.add_option_function(
+         "--clearance",
+         [choose](const std::string& text) {
+           const double clearance = number_of(text, "--clearance");
+           if (clearance < 0) throw UsageError("--clearance: '" + text + "' is negative");
+           choose(Kind::at_least, clearance);
+         },
+         "The shortest way along the Voronoi diagram that keeps this far from walls and from the limits of the world")
+      .type_name("C")
+      .group("Clearance");
+  const auto flag = [&](const char* name, Kind kind, const char* what) {
+    app.add_flag_callback(
+           name, [choose, kind] { choose(kind, 0); }, what)
+        .group("Clearance");
+  };
+  flag("--widest", Kind::widest, "The largest disc that gets through, its way, and the two walls that pinch it");
+  flag("--tradeoff", Kind::tradeoff, "All best ways between the shortest along the diagram and the widest");
+}
+
+// What does not go with questions of clearance.
+void require_suitable(const SolveOptions& options) {
+  if (options.query.robot.kind() != Footprint::Kind::point)
+    throw UsageError(
+        "--robot does not go with --clearance, --widest and --tradeoff; a disc of radius R is --clearance R");
+  if (options.path && options.clearance->kind == ClearanceQuery::Kind::tradeoff)
+    throw UsageError("--path prints one path, --tradeoff has several; --json - writes them all");
+}
+
+const std::vector<Choice> kAlgorithms{{"astar", "the shortest path of the graph, unless the heuristic overestimates"},
+                             {"dijkstra", "the shortest path of the graph, without a heuristic"},
+                             {"bfs", "a path with the fewest legs"},
+                             {"dfs", "some path: on along the first leg, back where it ends"},
+                             {"greedy", "some path: always to what looks nearest the goal"}};
+
+const std::vector<Choice> kHeuristics{{"euclidean", "the straight distance"},
+               {"manhattan", "dx + dy; overestimates where legs do not follow the axes"},
+               {"octile", "dx + dy less (2 - sqrt 2) min(dx, dy); where they are not at 45 degrees either"},
+               {"chebyshev", "max(dx, dy)"},
+               {"zero", "0: astar is dijkstra then"}};
 
 void add_method_options(CommandLine& app, SolveOptions& options) {
   app.add_option_function(
          "--algorithm",
          [&options](const std::string& text) {
            options.algorithm = graph_algorithm_named(text);
-           if (!options.algorithm) throw UsageError("'" + text + "' is not one of " + graph_algorithm_names());
+           if (!options.algorithm) throw not_one_of(text, kAlgorithms);
          },
-         "How a graph is searched: " + graph_algorithm_names() + " (default: astar)")
+         "How a graph is searched, see below (default: astar)")
       .type_name("NAME")
       .group("Query");
   app.add_option_function(
          "--heuristic",
          [&options](const std::string& text) {
            options.heuristic = graph_heuristic_named(text);
-           if (!options.heuristic) throw UsageError("'" + text + "' is not one of " + graph_heuristic_names());
+           if (!options.heuristic) throw not_one_of(text, kHeuristics);
          },
-         "What astar and greedy believe is left: " + graph_heuristic_names() + " (default: euclidean)")
+         "What astar and greedy believe is left, see below (default: euclidean)")
       .type_name("NAME")
       .group("Query");
-  app.explain("Algorithms", {{"astar", "the shortest path of the graph, unless the heuristic overestimates"},
-                             {"dijkstra", "the shortest path of the graph, without a heuristic"},
-                             {"bfs", "a path with the fewest legs"},
-                             {"dfs", "some path: on along the first leg, back where it ends"},
-                             {"greedy", "some path: always to what looks nearest the goal"}});
-  app.explain("Heuristics",
-              {{"euclidean", "the straight distance"},
-               {"manhattan", "dx + dy; overestimates where legs do not follow the axes"},
-               {"octile", "dx + dy less (2 - sqrt 2) min(dx, dy); where they are not at 45 degrees either"},
-               {"chebyshev", "max(dx, dy)"},
-               {"zero", "0: astar is dijkstra then"}});
+  app.explain("Algorithms", kAlgorithms);
+  app.explain("Heuristics", kHeuristics);
 }
 
 // --algorithm and --heuristic, with what they do not go with.
@@ -49,42 +87,41 @@ void require_method_fits(const SolveOptions& options) {
   if (options.kind && !options.kind->graph)
     throw UsageError(fmt::format("--roadmap {} makes no graph for {}", options.kind->name, given));
   if (options.arcs) throw UsageError(fmt::format("--arcs makes no sense with {}: it has its own search", given));
-  const bool diagram = options.clearance.kind != ClearanceQuery::Kind::none || options.kind == roadmap_kind("voronoi");
+  const bool diagram = options.clearance || options.kind == roadmap_kind("voronoi");
   if (diagram && options.algorithm != GraphAlgorithm::dijkstra)
     throw UsageError(fmt::format("the Voronoi diagram is searched with dijkstra alone, not with {}", given));
 }
 
 // Options that exclude each other. Throws UsageError.
 void require_consistent(const SolveOptions& options) {
-  if (options.clearance.kind != ClearanceQuery::Kind::none) {
+  if (options.clearance) {
     if ((options.kind && options.kind != roadmap_kind("voronoi")) || !options.save.empty() || !options.load.empty() ||
         options.shorten)
       throw UsageError("--clearance, --widest and --tradeoff go along the Voronoi diagram, not another roadmap");
-    require_suitable(options.clearance_request());
+    require_suitable(options);
   }
   if (options.kind && !options.kind->graph && !options.save.empty())
     throw UsageError(fmt::format("--roadmap {} makes no graph that --save could keep", options.kind->name));
   if (options.kind && !options.save.empty()) require_savable(*options.kind);
   const RoadmapKind& kind = options.kind ? *options.kind : *roadmap_kind("visibility");
-  if (!options.load.empty() && !options.prm.first().empty())
-    throw UsageError(options.prm.first() + " makes no sense with --load: that roadmap is built already");
+  if (!options.load.empty() && !first_option(options.prm).empty())
+    throw UsageError(first_option(options.prm) + " makes no sense with --load: that roadmap is built already");
   require_prm_options_fit(options.prm, kind);
   if (options.shorten && kind.optimal && options.load.empty() && optimal_everywhere(options.method()))
     throw UsageError(
         fmt::format("--shorten makes no sense with the roadmap {}: its paths are the shortest", kind.name));
   if (options.shorten && options.prm.clearance.value_or(0) > 0)
     throw UsageError("--shorten makes no sense with --prm-clearance: a taut path touches corners");
-  if ((options.output.svg == "-") + (options.output.json == "-") + (options.save == "-") > 1)
-    throw UsageError("only one of --svg, --json and --save can have standard output");
+  require_one_stdout({{"--svg", options.svg}, {"--json", options.common.json}, {"--save", options.save}});
   if (options.arcs && (options.kind || !options.save.empty() || !options.load.empty() || options.shorten ||
-                       options.clearance.kind != ClearanceQuery::Kind::none))
+                       options.clearance))
     throw UsageError("--arcs has a roadmap of its own: not with --roadmap, --save, --load or --clearance");
   if (options.arcs && options.query.robot.kind() != Footprint::Kind::disc)
     throw UsageError("--arcs needs --robot disc:R");
   require_method_fits(options);
   require_anytime_fits(options.anytime, options.kind, options.method_given());
   if (options.anytime.wanted &&
-      (options.shorten || options.arcs || options.clearance.kind != ClearanceQuery::Kind::none))
+      (options.shorten || options.arcs || options.clearance))
     throw UsageError("--anytime makes no sense with --shorten, --arcs, --clearance, --widest or --tradeoff");
   if (options.load == "-" && options.world.file == "-")
     throw UsageError("FILE and --load cannot both come from standard input");
@@ -115,8 +152,12 @@ void add_solve_options(CommandLine& app, SolveOptions& options) {
   app.add_flag("--path", options.path, "Print the points of the path, one `x y` a line").group("Output");
   add_anytime_options(app, options.anytime);
   add_clearance_options(app, options.clearance);
-  add_output_options(app, options.output);
+  add_svg_option(app, options.svg);
   app.callback([&options] { require_consistent(options); });
+  app.example("taut solve maze.txt --svg maze.svg");
+  app.example("taut solve maze.txt --from 0.5,0.5 --to 3.5,6.5 --json result.json");
+  app.example("taut solve maze.txt --robot disc:0.2 --arcs --svg disc.svg");
+  app.example("taut solve maze.txt --tradeoff --svg room.svg");
 }
 
 }  // namespace taut::cli

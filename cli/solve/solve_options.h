@@ -7,38 +7,36 @@
 #include <taut/cli/command_line.h>
 #include <taut/cli/options.h>
 #include <taut/cli/solve/anytime.h>
-#include <taut/cli/solve/clearance.h>
 #include <taut/cli/solve/prm_options.h>
-#include <taut/cli/solve/roadmap_kinds.h>
+#include <taut/search/clearance_planner.h>
 #include <taut/search/graph_search.h>
+#include <taut/search/roadmap_kinds.h>
 
 namespace taut::cli {
 
 struct SolveOptions {
   WorldOptions world;
   QueryOptions query;
-  OutputOptions output;
   CommonOptions common;
   std::optional<GraphAlgorithm> algorithm;
   std::optional<GraphHeuristic> heuristic;
   AnytimeOptions anytime;
-  ClearanceQuery clearance;
+  std::optional<ClearanceQuery> clearance;
   bool no_verify = false;
   bool path = false;
   bool shorten = false;
   PrmRequest prm;
   bool arcs = false;
   const RoadmapKind* kind = nullptr;  // when it is given
+  std::string svg;
   std::string save;
   std::string load;
 
-  ClearanceRequest clearance_request() const { return {world, query, output, clearance, !no_verify, path}; }
   /// Was one asked for that works on a graph?
   bool method_given() const { return algorithm || heuristic; }
   GraphMethod method() const {
     return {algorithm.value_or(GraphAlgorithm::astar), heuristic.value_or(GraphHeuristic::euclidean)};
   }
-  bool stdout_taken() const { return output.stdout_taken() || save == "-"; }
 };
 
 /// Adds them all. Those that exclude each other are a UsageError (exit 2).

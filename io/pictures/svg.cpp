@@ -3,12 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
-#include <map>
 
-#include <taut/geometry/corridor_width.h>
 #include <taut/io/pictures/colour_scale.h>
+#include <taut/io/pictures/detail/svg_layers.h>
 #include <taut/io/pictures/detail/svg_motion.h>
 #include <taut/io/pictures/detail/svg_path.h>
 #include <taut/io/pictures/detail/svg_style.h>
@@ -17,40 +14,28 @@ namespace taut {
 
 namespace {
 
+using detail::SvgLayers;
 using detail::SvgPath;
-
-double longer_side(const Box& box) { return std::max(box.max.x - box.min.x, box.max.y - box.min.y); }
-
-Ring ring_of(const Box& b) { return {b.min, {b.max.x, b.min.y}, b.max, {b.min.x, b.max.y}}; }
-
-bool same(const Ring& a, const Ring& b) { return std::is_permutation(a.begin(), a.end(), b.begin(), b.end()); }
 
 class Picture {
  public:
   Picture(const FreeSpace& space, const SvgPicture& what)
       : space_(space),
-        world_(space.world()),
         what_(what),
-        box_(frame(world_)),
-        extent_(longer_side(box_)),
-        strokes_{corridor_width(space) / extent_ * detail::kMapPixels},
-        frame_(size(), what.title, facts(), keys()),
-        scale_(box_, frame_.map().min, extent_, detail::kMapPixels, decimals(), world_.y_down()) {}
+        strokes_(SvgLayers::strokes(space, detail::kMapPixels)),
+        frame_(SvgLayers::size(space.world(), detail::kMapPixels), what.title, facts(), keys()),
+        layers_(space, frame_.map().min, detail::kMapPixels),
+        scale_(layers_.scale()) {}
 
   std::string draw() {
     begin();
-    solid();
-    free();
-    rooms();
+    out_ += layers_.solid() + layers_.free() + layers_.rooms(what_.goal);
     views();
     roadmap();
-    diagram();
-    lines("openings", world_.openings());
-    walls();
-    lines("separation", what_.separation);
-    lines("gates", what_.gates);
+    out_ += layers_.openings() + layers_.walls() + layers_.lines("separation", what_.separation) +
+            layers_.lines("gates", what_.gates);
     shades();
-    lines("guides", what_.guides);
+    out_ += layers_.lines("guides", what_.guides) + layers_.discs(what_.discs);
     path();
     marker("start", what_.start);
     marker("goal", goal_point());
@@ -61,21 +46,6 @@ class Picture {
   }
 
  private:
-  // A walled world shows a bit of what it is carved out of.
-  static Box frame(const World& world) {
-    Box box = world.box();
-    if (world.boundary() != Boundary::walled) return box;
-    const double rim = longer_side(box) / 40;
-    return {{box.min.x - rim, box.min.y - rim}, {box.max.x + rim, box.max.y + rim}};
-  }
-
-  Point size() const {
-    return {(box_.max.x - box_.min.x) / extent_ * detail::kMapPixels,
-            (box_.max.y - box_.min.y) / extent_ * detail::kMapPixels};
-  }
-
-  int decimals() const { return std::clamp(static_cast<int>(std::ceil(std::log10(60 / strokes_.corridor))), 1, 4); }
-
   void begin() {
     const auto px = [](double v) { return detail::svg_number(v); };
     out_ = frame_.head("", detail::style(strokes_));
@@ -98,7 +68,9 @@ class Picture {
     if (!what_.gates.empty()) add("gates");
     if (!what_.guides.empty()) add("guides");
     if (!what_.views.empty()) add("views");
+    if (!what_.discs.empty()) add("discs");
     if (roadmap_is_drawn() || diagram_is_drawn()) add("roadmap");
+    if (milestones_are_drawn()) add("milestones");
     if (space_.footprint().kind() != Footprint::Kind::point) add("solid");
     return keys;
   }
@@ -118,53 +90,16 @@ class Picture {
     return what_.roadmap && what_.roadmap->edge_count() > 0 && what_.roadmap->edge_count() <= kSvgRoadmapEdges;
   }
 
+  bool milestones_are_drawn() const {
+    return what_.milestones && what_.roadmap && what_.roadmap->vertex_count() > 0 &&
+           what_.roadmap->vertex_count() <= kSvgRoadmapEdges;
+  }
+
   std::optional<Point> goal_point() const {
     if (what_.goal.point) return what_.goal.point;
     if (what_.path && !what_.path->points.empty()) return what_.path->points.back();
     if (!what_.curves.empty()) return what_.curves.back().to;
     return std::nullopt;
-  }
-
-  void group(const char* kind, const SvgPath& path) {
-    if (!path.empty()) out_ += fmt::format("<g class=\"{}\"><path d=\"{}\"/></g>\n", kind, path.text());
-  }
-
-  void lines(const char* kind, const std::vector<Segment>& segments) {
-    SvgPath path(scale_);
-    for (const Segment& s : segments) path.segment(s);
-    group(kind, path);
-  }
-
-  bool all_is_free() const {
-    const auto& free = space_.polygons();
-    const auto& areas = world_.areas();
-    return world_.boundary() != Boundary::walled && free.size() == 1 && areas.size() == 1 && free[0].holes.empty() &&
-           areas[0].polygon.holes.empty() && same(free[0].outer, areas[0].polygon.outer);
-  }
-
-  // The free polygons are drawn over it.
-  void solid() {
-    if (all_is_free()) return;
-    SvgPath path(scale_);
-    if (world_.boundary() == Boundary::walled)
-      path.ring(ring_of(box_));
-    else if (world_.areas().size() == 1)
-      path.polygon(world_.areas()[0].polygon);
-    else
-      path.ring(ring_of(world_.box()));
-    group("solid", path);
-  }
-
-  void free() {
-    SvgPath path(scale_);
-    for (const Polygon& polygon : space_.polygons()) path.polygon(polygon);
-    group("free", path);
-  }
-
-  void rooms() {
-    SvgPath path(scale_);
-    for (const Box& box : what_.goal.room) path.ring(ring_of(box));
-    group("rooms", path);
   }
 
   void views() {
@@ -183,21 +118,9 @@ class Picture {
   }
 
   void roadmap() {
-    if (!roadmap_is_drawn()) return;
-    SvgPath path(scale_);
-    for (Roadmap::Vertex v = 0; v < what_.roadmap->vertex_count(); ++v)
-      for (const Roadmap::Vertex w : what_.roadmap->neighbours(v))
-        if (v < w) path.segment({what_.roadmap->point(v), what_.roadmap->point(w)});
-    group("roadmap", path);
-  }
-
-  void diagram() {
-    if (!diagram_is_drawn()) return;
-    SvgPath path(scale_);
-    std::vector<VoronoiCurve> curves;
-    for (const VoronoiEdge& e : what_.diagram->edges()) curves.push_back(what_.diagram->curve(e));
-    path.chain(curves);
-    group("roadmap", path);
+    if (roadmap_is_drawn()) out_ += SvgLayers::group("roadmap", layers_.edges(*what_.roadmap));
+    if (diagram_is_drawn()) out_ += SvgLayers::group("roadmap", layers_.edges(*what_.diagram));
+    if (milestones_are_drawn()) out_ += SvgLayers::group("milestones", layers_.dots(*what_.roadmap));
   }
 
   void shades() {
@@ -217,26 +140,6 @@ class Picture {
     out_ += "</g>\n";
   }
 
-  void walls() {
-    std::map<double, SvgPath> by_thickness;
-    for (const Wall& wall : world_.walls())
-      by_thickness.try_emplace(wall.thickness, scale_).first->second.segment({wall.a, wall.b});
-    // Where a robot's size hides them in `solid`, the limits of the world are lines.
-    if (world_.boundary() == Boundary::walled && space_.footprint().kind() != Footprint::Kind::point)
-      for (const Area& area : world_.areas()) by_thickness.try_emplace(0, scale_).first->second.polygon(area.polygon);
-    SvgPath solids(scale_);
-    for (const Area& solid : world_.solids()) solids.polygon(solid.polygon);
-    if (by_thickness.empty() && solids.empty()) return;
-    out_ += "<g class=\"walls\">";
-    if (!solids.empty()) out_ += fmt::format("<path class=\"area\" d=\"{}\"/>", solids.text());
-    for (const auto& [thickness, path] : by_thickness) {
-      const std::string bar =
-          fmt::format(" class=\"bar\" style=\"stroke-width:{}\"", detail::svg_number(scale_.length(thickness)));
-      out_ += fmt::format("<path{} d=\"{}\"/>", thickness > 0 ? bar : "", path.text());
-    }
-    out_ += "</g>\n";
-  }
-
   void path() {
     SvgPath line(scale_);
     if (what_.path) line.chain(what_.path->points);
@@ -248,9 +151,7 @@ class Picture {
           line.arc(piece.from, piece.to, what_.arcs->radius, piece.turn > 0);
       }
     if (!what_.curves.empty()) line.chain(what_.curves);
-    if (line.empty()) return;
-    out_ += fmt::format("<g class=\"path\"><path class=\"casing\" d=\"{0}\"/><path class=\"line\" d=\"{0}\"/></g>\n",
-                        line.text());
+    out_ += SvgLayers::path(line);
   }
 
   void labels() {
@@ -276,17 +177,15 @@ class Picture {
   }
 
   void marker(const char* kind, const std::optional<Point>& at) {
-    if (at) out_ += detail::marker(kind, scale_.pixel(*at), strokes_.marker_radius(), strokes_.corridor);
+    if (at) out_ += layers_.marker(kind, *at);
   }
 
   const FreeSpace& space_;
-  const World& world_;
   const SvgPicture& what_;
-  Box box_;
-  double extent_;
   detail::SvgStrokes strokes_;
   detail::SvgFrame frame_;
-  detail::SvgScale scale_;
+  SvgLayers layers_;
+  const detail::SvgScale& scale_;
   std::string out_;
 };
 

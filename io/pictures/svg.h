@@ -25,6 +25,12 @@ struct SvgLabel {
   std::string text;
 };
 
+/// A robot that is a disc, where it stands or passes.
+struct SvgDisc {
+  Point centre;
+  double radius = 0;
+};
+
 /// What was in sight from somewhere on the path.
 struct SvgView {
   Ring ring;
@@ -34,7 +40,7 @@ struct SvgView {
 /// What to draw besides the free space. Pointers may be null and are only read during the call.
 struct SvgPicture {
   std::string title{};               ///< first line of the legend, usually the file's name
-  std::vector<std::string> facts{};  ///< second line, joined by dots: `length 77.262691`, `34 corners`, `0.004 s`
+  std::vector<std::string> facts{};  ///< second line, joined by dots: `length 77.262691`, `34 corners`; no times
   const Roadmap* roadmap = nullptr;
   const Path* path = nullptr;
   std::vector<Segment> separation{};  ///< the walls that separate start and goal
@@ -49,6 +55,8 @@ struct SvgPicture {
   std::vector<Segment> guides{};            ///< auxiliary lines, dashed, below the path
   std::vector<SvgLabel> labels{};           ///< above all else
   double seconds = 0;                       ///< > 0: a dot runs along `path` in that time, again and again (SMIL)
+  bool milestones = false;                  ///< the roadmap's vertices are dots, also those joined to nothing
+  std::vector<SvgDisc> discs{};             ///< the robot, below the path
 };
 
 /// The picture as one SVG 1.1 document, north up.
@@ -57,8 +65,8 @@ struct SvgPicture {
 ///     key of what is drawn. Strokes, markers and the number of decimals follow the mean width of a corridor
 ///     (corridor_width), so that 5 x 7 and 300 x 300 cells both read well.
 ///  2. Groups, bottom to top, absent when they have nothing to show: `solid` (where the reference point cannot be),
-///     `free` (polygons with holes), `rooms` (the goal's), `views`, `roadmap`, `openings`, `walls` (as the world gives
-///     them: a line, or a bar as wide as it is thick), `separation`, `gates`, `shades`, `guides`, `path` (a casing and
+///     `free` (polygons with holes), `rooms` (the goal's), `views`, `roadmap`, `milestones`, `openings`, `walls` (as the world gives
+///     them: a line, or a bar as wide as it is thick), `separation`, `gates`, `shades`, `guides`, `discs`, `path` (a casing and
 ///     the line), `start`, `goal`, `labels`, `runner`; beside them `legend`. Each is a <g> of that class under
 ///     svg.taut, coloured by the <style> block alone; there are no ids, so pictures can share a page. Colours follow
 ///     `prefers-color-scheme`.

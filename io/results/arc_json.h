@@ -1,20 +1,29 @@
 // A disc's path as JSON.
 #pragma once
 
-#include <string>
-
+#include <taut/geometry/free_space.h>
+#include <taut/io/results/json.h>
 #include <taut/search/arc_search.h>
+#include <taut/search/arc_pinch.h>
 
 namespace taut {
 
-/// One JSON object, indented, with a final newline. `verified`: of a path that it passed its check, of "none" that
-/// walls and gates prove it. Keys, in this order: program, version, source, status ("found", "none", "unproven",
-/// "start_blocked", "goal_blocked"); when found: length, length_interval [lo, hi], verified, bends [[x, y, turn], ...]
-/// (exactly what the path is: tangent to these circles, turn 1 counter-clockwise, -1 clockwise, 0 through the point),
-/// arcs [[centre x, centre y, from x, from y, to x, to y, turn, sweep in radians], ...] (rounded), points [[x, y], ...]
-/// (ends and tangent points, rounded); when blocked: wall [[x1, y1], [x2, y2]], null when the end is outside; always:
-/// start, goal, robot.
-std::string arc_json(const ArcSearchResult& result, const FreeSpace& space, Point start, Point goal, double radius,
-                     bool verified, const std::string& source, const std::string& version);
+/// What there is to say of a disc's way.
+struct ArcAnswer {
+  Point start, goal;
+  double radius = 0;
+  ArcSearchResult result{};
+  bool verified = false;
+  std::optional<ArcPinch> pinch{};  ///< of the path found, where it passes between two walls
+  Barrier barrier{};                ///< why there is none
+};
+
+/// One JSON object. Keys, in this order: when found: length, length_interval [lo, hi], verified, bends [[x, y, turn],
+/// ...] (exactly what the path is: tangent to these circles, turn 1 counter-clockwise, -1 clockwise, 0 through the
+/// point), arcs [[centre x, centre y, from x, from y, to x, to y, turn, sweep in radians], ...] (rounded), points
+/// [[x, y], ...] (ends and tangent points, rounded), pinch null or {at: [x, y], posts: [[x, y], [x, y]], width,
+/// width_text} (the narrowest gate that the path passes, and where); when none: barrier {walls, gates}; always: start,
+/// goal, robot.
+Json arc_json(const ArcAnswer& answer);
 
 }  // namespace taut

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <taut/io/results/json.h>
+#include <taut/search/stopwatch.h>
 
 namespace taut {
 
@@ -26,12 +27,6 @@ enum class Outcome : std::uint8_t {
 std::string_view name(Outcome outcome);
 /// 0, 1, 3 or 4 as above.
 int exit_code(Outcome outcome);
-
-/// A span of time: of all threads of the process, and by the clock on the wall.
-struct Seconds {
-  double cpu = 0;
-  double wall = 0;
-};
 
 struct StageTime {
   std::string stage;

@@ -19,7 +19,7 @@ std::string dumped(const Scalar& value) {
   return nlohmann::json(value).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-bool is_leaf(const Json& json) { return !json.items() && !json.members(); }
+bool is_leaf(const Json& json) { return !json.items() && !json.members() && !json.is_verbatim(); }
 
 bool holds_object(const Json& json) {
   return json.members() != nullptr || (json.items() && std::ranges::any_of(*json.items(), holds_object));
@@ -57,6 +57,7 @@ class JsonWriter {
       out.append(out.size() > 1 ? ", " : "").append(dumped(key)).append(": ").append(flat(value));
     return out + "}";
   }
+  static std::string flat_value(const Json::Verbatim& value) { return value.text; }
   template <typename Scalar>
   static std::string flat_value(const Scalar& value) {
     return dumped(value);

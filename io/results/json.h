@@ -51,11 +51,16 @@ class Json {
   static Json array(std::initializer_list<Json> items) { return Json(Array(items)); }
   static Json object() { return Json(Members{}); }
 
+  /// A value that is written already: for millions of numbers, of which a tree would take gigabytes. Precondition: it is
+  /// JSON; line ends in it stay.
+  static Json verbatim(std::string json) { return Json(Verbatim{std::move(json)}); }
+
   bool is_null() const { return std::holds_alternative<std::monostate>(value_); }
   const bool* truth() const { return std::get_if<bool>(&value_); }
   const std::string* text() const { return std::get_if<std::string>(&value_); }
   const Array* items() const { return std::get_if<Array>(&value_); }
   const Members* members() const { return std::get_if<Members>(&value_); }
+  bool is_verbatim() const { return std::holds_alternative<Verbatim>(value_); }
   bool empty() const { return size() == 0; }  ///< of what is neither array nor object: true
   std::size_t size() const;
 
@@ -67,10 +72,15 @@ class Json {
  private:
   friend class JsonWriter;
 
+  struct Verbatim {
+    std::string text;
+  };
+
+  explicit Json(Verbatim text) : value_(std::move(text)) {}
   explicit Json(Array items) : value_(std::move(items)) {}
   explicit Json(Members members) : value_(std::move(members)) {}
 
-  std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string, Array, Members> value_;
+  std::variant<std::monostate, bool, std::int64_t, std::uint64_t, double, std::string, Array, Members, Verbatim> value_;
 };
 
 /// Indented by two; arrays without objects on one line, or wrapped at 100 columns, those with objects an item a line;

@@ -1,37 +1,12 @@
 #include <taut/io/results/result_json.h>
 
-#include <nlohmann/json.hpp>
-
 #include <cmath>
 
-#include <taut/io/results/detail/result_values.h>
+#include <taut/io/results/plane_json.h>
 
 namespace taut {
 
 namespace {
-
-using Json = nlohmann::ordered_json;
-using detail::json_of;
-
-Json goal_of(const Goal& goal) {
-  if (goal.point) return {{"point", json_of(*goal.point)}};
-  if (goal.room.empty()) return nullptr;
-  Json boxes = Json::array();
-  for (const Box& b : goal.room) boxes.push_back({b.min.x, b.min.y, b.max.x, b.max.y});
-  return {{"room", boxes}};
-}
-
-Json robot_of(const Footprint& robot) {
-  static constexpr const char* kKinds[] = {"point", "disc", "polygon"};
-  Json json{{"kind", kKinds[static_cast<int>(robot.kind())]}};
-  if (robot.radius() > 0) json["radius"] = robot.radius();
-  return json;
-}
-
-Json seconds_of(const StageSeconds& s) {
-  return {{"read", s.read},     {"space", s.space},   {"roadmap", s.roadmap},
-          {"search", s.search}, {"verify", s.verify}, {"total", s.total}};
-}
 
 Json improvements_of(const std::vector<AnytimeImprovement>& improvements) {
   Json json = Json::array();
@@ -50,20 +25,18 @@ void add_path(Json& json, const PlanResult& result) {
   json["length_text"] = length.decimals(15);
   json["length_interval"] = {length.interval().lo, length.interval().hi};
   json["optimal"] = result.optimal;
-  json["points"] = detail::json_of(result.path.points);
+  json["points"] = result.path.points;
   json["corners"] = result.path.points.size() > 2 ? result.path.points.size() - 2 : 0;
-  json["clearance"] = result.clearance && std::isfinite(*result.clearance) ? Json(*result.clearance) : Json(nullptr);
+  json["clearance"] = result.clearance && std::isfinite(*result.clearance) ? Json(*result.clearance) : Json();
   json["verified"] = result.verified;
 }
 
 void add_outcome(Json& json, const PlanResult& result) {
   switch (result.status) {
     case SearchStatus::found: return add_path(json, result);
-    case SearchStatus::none:
-      json["separation"] = detail::json_of(result.separation);
-      if (!result.reason.empty()) json["reason"] = result.reason;
-      return;
-    case SearchStatus::stopped: json["reason"] = result.reason; json["stage"] = result.stage;
+    case SearchStatus::none: json["separation"] = result.separation; return;
+    case SearchStatus::stopped:
+      if (!result.path.points.empty()) add_path(json, result);
   }
 }
 
@@ -73,13 +46,12 @@ const char* name(SearchStatus status) {
   return status == SearchStatus::found ? "found" : status == SearchStatus::none ? "none" : "stopped";
 }
 
-std::string result_json(const PlanResult& result) {
-  Json json{
-      {"program", "taut"}, {"version", result.version}, {"source", result.source}, {"status", name(result.status)}};
+Json result_json(const PlanResult& result) {
+  Json json = Json::object();
   add_outcome(json, result);
-  json["start"] = result.start ? json_of(*result.start) : Json(nullptr);
-  json["goal"] = goal_of(result.goal);
-  json["robot"] = robot_of(result.robot);
+  json["start"] = result.start;
+  json["goal"] = goal_json(result.goal);
+  json["robot"] = robot_json(result.robot);
   json["roadmap"] = result.roadmap;
   json["wall_thickness"] = result.wall_thickness;
   json["displacement"] = result.displacement;
@@ -89,15 +61,14 @@ std::string result_json(const PlanResult& result) {
     if (uses_heuristic(result.method->algorithm)) json["heuristic"] = name(result.method->heuristic);
   }
   if (const auto& over = result.overestimate)
-    json["overestimate"] = {{"at", json_of(over->at)}, {"estimate", over->estimate}, {"cost", over->cost}};
+    json["overestimate"] = {{"at", over->at}, {"estimate", over->estimate}, {"cost", over->cost}};
   if (result.unpulled) json["length_in_roadmap"] = result.unpulled->value();
-  if (result.prm) json["prm"] = json_of(*result.prm);
+  if (result.prm) json["prm"] = prm_json(*result.prm);
   if (result.bound) {
     json["bound"] = *result.bound;
     json["improvements"] = improvements_of(result.improvements);
   }
-  json["seconds"] = seconds_of(result.seconds);
-  return detail::json_text(json);
+  return json;
 }
 
 }  // namespace taut

@@ -7,6 +7,7 @@
 
 #include <taut/geometry/footprint.h>
 #include <taut/geometry/world.h>
+#include <taut/io/results/json.h>
 #include <taut/search/anytime_search.h>
 #include <taut/search/graph_search.h>
 #include <taut/search/path.h>
@@ -14,24 +15,9 @@
 
 namespace taut {
 
-/// Wall-clock seconds of each stage.
-struct StageSeconds {
-  double read = 0;     ///< reading the file and checking the world
-  double space = 0;    ///< the free space: unions and triangulation
-  double roadmap = 0;  ///< the roadmap, built or loaded
-  double search = 0;
-  double verify = 0;
-  double total = 0;
-};
-
 /// Everything there is to say about one query. Nothing in `path`, `separation` and `clearance` unless it applies.
 struct PlanResult {
-  std::string source;   ///< the file's name
-  std::string version;  ///< of the program
-  SearchStatus status = SearchStatus::none;
-  /// when stopped: `interrupted`, `--max-seconds 2`, ...; when none: what a disc does not fit through, if known
-  std::string reason;
-  std::string stage;  ///< when stopped: the stage it happened in, named as in StageSeconds
+  SearchStatus status = SearchStatus::none;  ///< stopped: nothing is known, or no path and no proof
   Path path;
   std::vector<Segment> separation;  ///< when none: the walls in between, in order around the one or the other
   std::optional<double> clearance;  ///< when verified
@@ -51,18 +37,12 @@ struct PlanResult {
   std::optional<PrmConnectivity> prm;             ///< of a PRM that was grown for the query
   std::optional<double> bound;                    ///< of an anytime search that found a path
   std::vector<AnytimeImprovement> improvements;
-  StageSeconds seconds;
 };
 
-/// One JSON object, indented, with a final newline. Keys are stable: none will be renamed or change its meaning within
-/// a major version, new ones may come. Numbers read back as the same double. Keys, in this order:
+/// One JSON object. Keys are stable: none will be renamed or change its meaning within a major version, new ones may
+/// come. Keys, in this order:
 ///
-///  program         "taut"
-///  version         "0.1.0"
-///  source          the input file as named on the command line; "<stdin>"
-///  status          "found", "none" (proven: there is no path) or "stopped" (by a limit or an interrupt: nothing is
-///                  known)
-/// when found:
+/// when found, also of the best path when an anytime search was stopped:
 ///  length          number, within one ulp of the exact length
 ///  length_text     the exact length, correctly rounded to 15 decimals
 ///  length_interval [lo, hi], doubles that enclose the exact length
@@ -74,11 +54,6 @@ struct PlanResult {
 ///  verified        true when the independent check accepted the path
 /// when none:
 ///  separation      [[[x1, y1], [x2, y2]], ...] the walls between start and goal, in order around one of them
-///  reason          where a disc does not fit through, when that is why: "this gate is narrower than 1: 0.5 between (3,
-///                  4) and (3, 5)"
-/// when stopped:
-///  reason          what stopped it: "interrupted", "--max-seconds 2", "out of memory"
-///  stage           in which stage: a key of `seconds`, or "write"
 /// always:
 ///  start           [x, y]; null when not known yet
 ///  goal            {"point": [x, y]}, {"room": [[xmin, ymin, xmax, ymax], ...]} or null
@@ -97,9 +72,7 @@ struct PlanResult {
 ///  bound           of an anytime search that found a path: it is at most this many times as long as the shortest
 ///                  in the roadmap; 1 when it is proven to be that; null when nothing is known
 ///  improvements    [{"epsilon", "bound", "length", "expanded", "seconds"}, ...] with `bound`: the stages finished
-///  seconds         {"read", "space", "roadmap", "search", "verify", "total"}, 0 for what was not done
-/// Bytes of names that are no UTF-8 become U+FFFD.
-std::string result_json(const PlanResult& result);
+Json result_json(const PlanResult& result);
 
 /// "found", "none", "stopped".
 const char* name(SearchStatus status);

@@ -53,17 +53,6 @@ std::string shortened(std::string text, double width, double size) {
   return "\xE2\x80\xA6" + text.substr(from);
 }
 
-std::vector<std::string> wrapped(const std::vector<std::string>& facts, double width) {
-  std::vector<std::string> rows(1);
-  for (const std::string& fact : facts) {
-    if (!rows.back().empty() && text_width(rows.back(), kTextSize) + text_width(fact, kTextSize) > width)
-      rows.emplace_back();
-    rows.back() += rows.back().empty() ? fact : std::string(kDot) + fact;
-  }
-  for (std::string& row : rows) row = shortened(row, width, kTextSize);
-  return rows;
-}
-
 std::string scale_of(const std::vector<std::string>& colours, double x, double y) {
   std::string out;
   const double width = kScale / static_cast<double>(colours.size());
@@ -80,6 +69,12 @@ std::string sample(const SvgKey& key, double x, double y) {
     case SvgKey::Sample::patch:
       return fmt::format(R"(<g class="{}"><rect x="{}" y="{}" width="{}" height="14" rx="2"/></g>)", key.kind,
                          svg_number(x + 3), svg_number(y - 7), svg_number(kSample - 6));
+    case SvgKey::Sample::disc:
+      return fmt::format(R"(<g class="{}"><circle cx="{}" cy="{}" r="9"/></g>)", key.kind, svg_number(x + kSample / 2),
+                         svg_number(y));
+    case SvgKey::Sample::dot:
+      return fmt::format(R"(<g class="{} sample"><path class="line" d="M{} {}h0"/></g>)", key.kind,
+                         svg_number(x + kSample / 2), svg_number(y));
     case SvgKey::Sample::scale: return fmt::format(R"(<g class="{}">{}</g>)", key.kind, scale_of(key.colours, x, y));
     case SvgKey::Sample::digit:
       return fmt::format(R"(<text class="{}" x="{}" y="{}">7</text>)", key.kind, svg_number(x + 9), svg_number(y + 5));
@@ -96,6 +91,17 @@ std::string words(const char* kind, double x, double y, const std::string& text)
 }
 
 }  // namespace
+
+std::vector<std::string> wrapped(const std::vector<std::string>& facts, double width) {
+  std::vector<std::string> rows(1);
+  for (const std::string& fact : facts) {
+    if (!rows.back().empty() && text_width(rows.back(), kTextSize) + text_width(fact, kTextSize) > width)
+      rows.emplace_back();
+    rows.back() += rows.back().empty() ? fact : std::string(kDot) + fact;
+  }
+  for (std::string& row : rows) row = shortened(row, width, kTextSize);
+  return rows;
+}
 
 SvgFrame::SvgFrame(Point size, std::string title, std::vector<std::string> facts, std::vector<SvgKey> keys)
     : title_(std::move(title)), facts_(std::move(facts)), keys_(std::move(keys)) {

@@ -15,9 +15,9 @@ inline constexpr double kMargin = 24;
 
 /// An entry of the legend: a sample and what it stands for.
 struct SvgKey {
-  /// A line (with a casing where the kind is `path`), a patch of area, the marker() of its kind, a scale of colours, or
-  /// a digit as text.
-  enum class Sample { line, patch, marker, scale, digit };
+  /// A line (with a casing where the kind is `path`), a patch of area, a disc, a dot, the marker() of its kind, a
+  /// scale of colours, or a digit as text.
+  enum class Sample { line, patch, disc, dot, marker, scale, digit };
 
   std::string kind;  ///< the class that colours the sample
   std::string label;
@@ -62,6 +62,9 @@ class SvgFrame {
 /// A start (disc) or goal (diamond), `kind` being the class. Where `room`, the space around it, is scarce only a ring
 /// around a dot, so that nothing is hidden.
 std::string marker(const std::string& kind, Point at, double radius, double room);
+
+/// Facts joined by dots, in as many rows as `width` pixels of text in 15 px make them.
+std::vector<std::string> wrapped(const std::vector<std::string>& facts, double width);
 
 /// Between colours that stand evenly from 0 to 1, as `#rrggbb`; `at` is clamped.
 std::string colour_between(std::span<const std::array<double, 3>> stops, double at);

@@ -15,6 +15,7 @@ struct SvgStrokes {
   double path() const;
   double gate() const;
   double roadmap() const;
+  double milestone() const;
   double marker_radius() const;
 };
 

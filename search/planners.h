@@ -1,4 +1,4 @@
-// What `taut compare` lets run. A further planner is one more row in planners.cpp.
+// Planners that are compared on one world. A further one is one more row in planners.cpp.
 #pragma once
 
 #include <optional>
@@ -6,14 +6,16 @@
 #include <string>
 #include <vector>
 
-#include <taut/cli/solve/roadmap_kinds.h>
+#include <taut/search/roadmap_kinds.h>
+#include <taut/search/stopwatch.h>
 
-namespace taut::cli {
+namespace taut {
 
 /// A roadmap and how it is searched.
 struct Planner {
   const char* name;  ///< in tables and in --planners
   const char* kind;  ///< of roadmap_kinds()
+  const char* what;  ///< a line for those who choose
   GraphAlgorithm algorithm = GraphAlgorithm::astar;
   bool shortens = false;  ///< pulls the path taut (shortened)
 };
@@ -34,10 +36,11 @@ struct PlannerRun {
   bool verified = false;            ///< the independent check accepted the path
   std::size_t vertices = 0;
   std::size_t edges = 0;
-  double build_seconds = 0;
-  double query_seconds = 0;
+  Seconds build;
+  Seconds query;
   std::size_t expanded = 0;
   std::shared_ptr<const Roadmap> roadmap{};
+  std::optional<PrmCounts> counts{};  ///< of a PRM
 };
 
 /// All runs of one planner.
@@ -48,15 +51,37 @@ struct PlannerRuns {
   std::string unfit{};           ///< why it did not run at all, then `runs` is empty
 
   std::size_t solved() const;
+  /// Did every path pass the independent check?
+  bool all_verified() const;
   /// The one that stands for all: the median of those solved by length, or the first when none is.
   const PlannerRun& typical() const;
   /// The median over all runs of one of their numbers, the upper of the two in the middle.
   double median(double (*number)(const PlannerRun&)) const;
 };
 
+/// Several planners on one query.
+struct Comparison {
+  Point start;
+  Goal goal;
+  std::uint64_t seed = 1;
+  std::size_t runs = 1;
+  std::vector<PlannerRuns> planners{};
+  std::optional<Length> optimum{};  ///< of the plane; absent when no planner found a path
+  bool is_shut = false;             ///< there is none: walls prove it
+
+  /// The first planner that says its paths are the shortest gives the optimum.
+  void add(PlannerRuns runs);
+  /// The first planner one of whose paths does not pass the check, if any: a defect.
+  const PlannerRuns* wrong() const;
+};
+
+/// Why a planner had better not run there unless it is asked for by name; empty when it may: beyond 20 000 places a
+/// full visibility graph may take all memory.
+std::string too_large(const Planner& planner, const FreeSpace& space);
+
 /// Runs a planner `runs` times with seeds seed, seed + 1, ... and the other wishes of `request`; once when it is not
 /// random. A world that does not suit it is `unfit`.
 PlannerRuns run_planner(const Planner& planner, const FreeSpace& space, Point from, const Goal& to, std::uint64_t seed,
                         std::size_t runs, const BuildRequest& request = {});
 
-}  // namespace taut::cli
+}  // namespace taut

@@ -1,5 +1,4 @@
-// The roadmaps that --kind, --roadmap and `taut compare` know by name. A further one is one more row in
-// roadmap_kinds.cpp.
+// The roadmaps that are known by name. A further one is one more row in roadmap_kinds.cpp.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +8,13 @@
 #include <span>
 #include <string>
 
-#include <taut/cli/command_line.h>
-#include <taut/cli/solve/prm_options.h>
 #include <taut/geometry/free_space.h>
 #include <taut/roadmaps/roadmap.h>
 #include <taut/roadmaps/voronoi.h>
 #include <taut/search/graph_search.h>
+#include <taut/search/prm_request.h>
 
-namespace taut::cli {
+namespace taut {
 
 /// A finished roadmap, and how it answers: from a start to a goal.
 struct PlannedRoadmap {
@@ -26,6 +24,7 @@ struct PlannedRoadmap {
   std::string how{};                                      ///< the settings it was built with, for saved files
   std::shared_ptr<const VoronoiRoadmap> diagram{};        ///< when `roadmap` only stands for it
   std::optional<PrmConnectivity> prm{};                   ///< of a PRM that was grown for a query
+  std::optional<PrmCounts> counts{};                      ///< of any PRM that was not loaded
 };
 
 /// What a builder may want to know besides the space.
@@ -35,7 +34,7 @@ struct BuildRequest {
   std::optional<Point> from{};
   Goal to{};
   PrmRequest prm{};
-  bool is_limited = false;  ///< there is --max-seconds
+  bool is_limited = false;  ///< somebody else ends it in time: a PRM need not give up by itself
   std::function<bool(const PrmProgress&)> progress{};
 };
 
@@ -49,6 +48,7 @@ struct RoadmapKind {
 
   const char* name;   ///< on the command line and in files, one word
   const char* title;  ///< `reduced visibility graph`
+  const char* what;   ///< a line for those who choose
   bool optimal;       ///< are its paths the shortest in the plane?
   bool random;        ///< does another seed give another roadmap?
   /// Throws InputError where the world does not suit it.
@@ -56,6 +56,7 @@ struct RoadmapKind {
   Keeping keeping = Keeping::none;
   bool is_prm = false;  ///< heeds BuildRequest::prm
   bool graph = true;    ///< does it make a graph at all, to be shown and saved?
+  bool samples = false;  ///< are its vertices milestones, some of them perhaps joined to nothing?
 };
 
 /// Legs that stand for an arc leave it by at most this part of the mean width of a corridor.
@@ -69,20 +70,7 @@ std::string roadmap_kind_names();
 /// nullptr when there is none of that name.
 const RoadmapKind* roadmap_kind(const std::string& name);
 
-/// --OPTION NAME, one of the kinds; anything else is a UsageError. `kind` keeps its value when the option is
-/// not given. `standard` is the name of that one, for --help.
-void add_roadmap_kind(CommandLine& app, const std::string& option, const RoadmapKind*& kind, const std::string& group,
-                      const std::string& standard = "visibility");
+/// A PRM that came from elsewhere, say from a file, ready to be asked; ends are joined with that clearance.
+PlannedRoadmap planned_prm(const FreeSpace& space, std::shared_ptr<const Roadmap> roadmap, double clearance = 0);
 
-/// Throws UsageError when roadmaps of that kind cannot be kept in files: what they hold besides legs is not
-/// in them.
-void require_savable(const RoadmapKind& kind);
-
-/// The file of a roadmap of that kind (roadmap_file).
-std::string saved_text(const RoadmapKind& kind, const PlannedRoadmap& planned, const FreeSpace& space);
-
-/// Reads a file written from saved_text and says of which kind it is. Nothing in it is taken on trust (Keeping): what
-/// is returned keeps the promises of its kind. Throws InputError that names the line.
-PlannedRoadmap load_roadmap(const std::string& file, const FreeSpace& space, const RoadmapKind*& kind);
-
-}  // namespace taut::cli
+}  // namespace taut

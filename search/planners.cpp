@@ -1,26 +1,37 @@
-#include <taut/cli/solve/planners.h>
+#include <taut/search/planners.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include <taut/cli/timing.h>
 #include <taut/geometry/errors.h>
 #include <taut/search/funnel.h>
 #include <taut/search/verify.h>
 
-namespace taut::cli {
+namespace taut {
 
 namespace {
+
+// What `work` gives; its time goes to `seconds`.
+template <typename Work>
+auto timed(Seconds& seconds, Work work) {
+  const Stopwatch watch;
+  auto result = work();
+  seconds = watch.seconds();
+  return result;
+}
+
+constexpr std::size_t kMostPlaces = 20'000;
 
 PlannerRun run_once(const Planner& planner, const RoadmapKind& kind, const FreeSpace& space, Point from, const Goal& to,
                     BuildRequest request) {
   PlannerRun run;
   request.from = from;
   request.to = to;
-  const PlannedRoadmap planned = timed(planner.name, run.build_seconds, [&] { return kind.build(space, request); });
-  GraphSearchResult found =
-      timed(planner.name, run.query_seconds, [&] { return planned.search(from, to, planner.algorithm); });
+  const PlannedRoadmap planned = timed(run.build, [&] { return kind.build(space, request); });
+  GraphSearchResult found = timed(run.query, [&] { return planned.search(from, to, planner.algorithm); });
   run.roadmap = planned.roadmap;
+  run.counts = planned.counts;
   run.vertices = planned.roadmap->vertex_count();
   run.edges = planned.roadmap->edge_count();
   run.expanded = found.expanded;
@@ -38,16 +49,16 @@ PlannerRun run_once(const Planner& planner, const RoadmapKind& kind, const FreeS
 
 std::span<const Planner> planners() {
   static constexpr Planner kPlanners[] = {
-      {"polyanya", "polyanya", GraphAlgorithm::astar},
-      {"visibility-astar", "visibility", GraphAlgorithm::astar},
-      {"visibility-dijkstra", "visibility", GraphAlgorithm::dijkstra},
-      {"full-visibility", "full", GraphAlgorithm::astar},
-      {"cells4", "cells", GraphAlgorithm::astar},
-      {"cells8", "cells8", GraphAlgorithm::astar},
-      {"prm", "prm", GraphAlgorithm::astar},
-      {"prm-funnel", "prm", GraphAlgorithm::astar, true},
-      {"prm-lattice", "prm-lattice", GraphAlgorithm::astar},
-      {"voronoi", "voronoi", GraphAlgorithm::astar},
+      {"polyanya", "polyanya", "on the navigation mesh, without a graph; the shortest path"},
+      {"visibility-astar", "visibility", "A* on the reduced visibility graph; the shortest path"},
+      {"visibility-dijkstra", "visibility", "Dijkstra's algorithm on it", GraphAlgorithm::dijkstra},
+      {"full-visibility", "full", "A* on the full visibility graph; the shortest path"},
+      {"cells4", "cells", "A* from cell to cell of a grid maze, along the axes"},
+      {"cells8", "cells8", "likewise, and across corners"},
+      {"prm", "prm", "a probabilistic roadmap that grows until start and goal are joined"},
+      {"prm-funnel", "prm", "likewise, its path pulled taut", GraphAlgorithm::astar, true},
+      {"prm-lattice", "prm-lattice", "likewise, samples on a lattice"},
+      {"voronoi", "voronoi", "along the Voronoi diagram, in the middle between walls"},
   };
   return kPlanners;
 }
@@ -69,6 +80,10 @@ std::size_t PlannerRuns::solved() const {
       std::count_if(runs.begin(), runs.end(), [](const PlannerRun& r) { return r.solved; }));
 }
 
+bool PlannerRuns::all_verified() const {
+  return std::all_of(runs.begin(), runs.end(), [](const PlannerRun& r) { return !r.solved || r.verified; });
+}
+
 const PlannerRun& PlannerRuns::typical() const {
   std::vector<const PlannerRun*> order;
   for (const PlannerRun& run : runs)
@@ -87,10 +102,28 @@ double PlannerRuns::median(double (*number)(const PlannerRun&)) const {
   return all[all.size() / 2];
 }
 
+void Comparison::add(PlannerRuns runs) {
+  planners.push_back(std::move(runs));
+  const PlannerRuns& last = planners.back();
+  if (!optimum && last.optimal && last.solved() > 0) optimum = last.typical().path.length;
+}
+
+const PlannerRuns* Comparison::wrong() const {
+  const auto first = std::find_if(planners.begin(), planners.end(),
+                                  [](const PlannerRuns& p) { return !p.all_verified(); });
+  return first == planners.end() ? nullptr : &*first;
+}
+
+std::string too_large(const Planner& planner, const FreeSpace& space) {
+  const std::size_t places = space.triangulation().sectors.size();
+  if (std::string(planner.kind) != "full" || places <= kMostPlaces) return {};
+  return std::to_string(places) + " places are many for a full visibility graph";
+}
+
 PlannerRuns run_planner(const Planner& planner, const FreeSpace& space, Point from, const Goal& to, std::uint64_t seed,
                         std::size_t runs, const BuildRequest& request) {
   const RoadmapKind& kind = *roadmap_kind(planner.kind);
-  PlannerRuns all{&planner, kind.optimal, {}};
+  PlannerRuns all{&planner, kind.optimal, {}, {}};
   try {
     for (std::size_t i = 0; i < (kind.random ? runs : 1); ++i) {
       BuildRequest wishes = request;
@@ -105,4 +138,4 @@ PlannerRuns run_planner(const Planner& planner, const FreeSpace& space, Point fr
   return all;
 }
 
-}  // namespace taut::cli
+}  // namespace taut

@@ -1,26 +1,16 @@
-#include <nlohmann/json.hpp>
+#include <taut/io/results/comparison_json.h>
 
-#include <taut/cli/solve/compare_report.h>
+#include <taut/io/results/plane_json.h>
 
-namespace taut::cli {
+namespace taut {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json clearance_of(const PlannerRun& run) { return run.clearance ? Json(*run.clearance) : Json(nullptr); }
-
-Json length_of(const PlannerRun& run) { return run.solved ? Json(run.path.length.value()) : Json(nullptr); }
+Json length_of(const PlannerRun& run) { return run.solved ? Json(run.path.length.value()) : Json(); }
 
 Json ratio_of(const PlannerRun& run, const std::optional<Length>& optimum) {
   if (!run.solved || !optimum) return nullptr;
   return run.path.length == *optimum ? 1.0 : run.path.length.value() / optimum->value();
-}
-
-Json points_of(const PlannerRun& run) {
-  Json points = Json::array();
-  for (const Point p : run.path.points) points.push_back({p.x, p.y});
-  return points;
 }
 
 Json all_runs_of(const PlannerRuns& p, const Comparison& comparison) {
@@ -31,11 +21,11 @@ Json all_runs_of(const PlannerRuns& p, const Comparison& comparison) {
                    {"solved", run.solved},
                    {"length", length_of(run)},
                    {"ratio", ratio_of(run, comparison.optimum)},
-                   {"clearance", clearance_of(run)},
+                   {"clearance", run.clearance},
                    {"vertices", run.vertices},
                    {"edges", run.edges},
-                   {"build_seconds", run.build_seconds},
-                   {"query_seconds", run.query_seconds},
+                   {"build_seconds", run.build.cpu},
+                   {"query_seconds", run.query.cpu},
                    {"expanded", run.expanded},
                    {"verified", run.verified}});
   }
@@ -53,12 +43,12 @@ Json planner_json(const PlannerRuns& p, const Comparison& comparison) {
   json["solved"] = static_cast<double>(p.solved()) / static_cast<double>(p.runs.size());
   json["length"] = length_of(typical);
   json["ratio"] = ratio_of(typical, comparison.optimum);
-  json["clearance"] = clearance_of(typical);
-  json["points"] = points_of(typical);
+  json["clearance"] = typical.clearance;
+  json["points"] = typical.path.points;
   json["vertices"] = typical.vertices;
   json["edges"] = typical.edges;
-  json["build_seconds"] = p.median([](const PlannerRun& r) { return r.build_seconds; });
-  json["query_seconds"] = p.median([](const PlannerRun& r) { return r.query_seconds; });
+  json["build_seconds"] = p.median([](const PlannerRun& r) { return r.build.cpu; });
+  json["query_seconds"] = p.median([](const PlannerRun& r) { return r.query.cpu; });
   json["expanded"] = typical.expanded;
   json["verified"] = typical.verified;
   if (p.runs.size() > 1) json["all_runs"] = all_runs_of(p, comparison);
@@ -67,13 +57,15 @@ Json planner_json(const PlannerRuns& p, const Comparison& comparison) {
 
 }  // namespace
 
-std::string comparison_json(const Comparison& comparison) {
-  Json json{{"program", "taut"}, {"source", comparison.source}, {"seed", comparison.seed}, {"runs", comparison.runs}};
-  json["optimum"] = comparison.optimum ? Json(comparison.optimum->value()) : Json(nullptr);
+Json comparison_json(const Comparison& comparison) {
+  Json json{{"seed", comparison.seed}, {"runs", comparison.runs}};
+  json["start"] = comparison.start;
+  json["goal"] = goal_json(comparison.goal);
+  json["optimum"] = comparison.optimum ? Json(comparison.optimum->value()) : Json();
   json["proven_none"] = comparison.is_shut;
   json["planners"] = Json::array();
   for (const PlannerRuns& p : comparison.planners) json["planners"].push_back(planner_json(p, comparison));
-  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json;
 }
 
-}  // namespace taut::cli
+}  // namespace taut

@@ -1,0 +1,46 @@
+#include <taut/cli/solve/query_source.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include <taut/geometry/errors.h>
+#include <taut/io/worlds/gzip.h>
+
+namespace taut::cli {
+
+namespace {
+
+void require_file(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) throw InputError(path, 0, "is a directory, not a file");
+  if (!std::filesystem::exists(path, error)) throw InputError(path, 0, "no such file");
+}
+
+}  // namespace
+
+QuerySource::QuerySource(const std::string& path) : name_(path == "-" ? "<stdin>" : path) {
+  if (path != "-") {
+    require_file(path);
+    file_.open(path, std::ios::binary);
+    if (!file_) throw InputError(name_, 0, std::string("cannot be opened: ") + std::strerror(errno));
+    in_ = &file_;
+  }
+  if (in_->peek() == 0x1f) unpack();
+}
+
+bool QuerySource::next(std::string& line) {
+  if (std::getline(*in_, line)) return true;
+  if (in_->bad()) throw InputError(name_, 0, "cannot be read");
+  return false;
+}
+
+void QuerySource::unpack() {
+  std::ostringstream all;
+  all << in_->rdbuf();
+  unpacked_.str(gunzip(all.str(), name_));
+  in_ = &unpacked_;
+}
+
+}  // namespace taut::cli

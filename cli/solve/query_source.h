@@ -1,0 +1,32 @@
+// Where the queries of `taut batch` come from.
+#pragma once
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+#include <string>
+
+namespace taut::cli {
+
+/// Lines of a file or of standard input, unpacked where they are gzipped, each as soon as it is there.
+class QuerySource {
+ public:
+  /// `-` is standard input. Throws InputError.
+  explicit QuerySource(const std::string& path);
+
+  const std::string& name() const { return name_; }
+  /// Throws InputError where it cannot be read.
+  bool next(std::string& line);
+  /// Is there no whole line yet, so that the next one has to be waited for?
+  bool may_wait() const { return in_->rdbuf()->in_avail() <= 0; }
+
+ private:
+  void unpack();
+
+  std::string name_;
+  std::ifstream file_;
+  std::istringstream unpacked_;
+  std::istream* in_ = &std::cin;
+};
+
+}  // namespace taut::cli

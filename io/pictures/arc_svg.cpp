@@ -1,0 +1,45 @@
+#include <taut/io/pictures/arc_svg.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <taut/io/pictures/svg.h>
+#include <taut/io/results/words.h>
+
+namespace taut {
+
+namespace {
+
+std::vector<std::string> facts(const ArcAnswer& answer) {
+  const std::string radius = "disc of radius " + number_text(answer.radius);
+  if (answer.result.status != ArcStatus::found)
+    return {answer.barrier.walls.empty() && answer.barrier.gates.empty() ? "not proven" : "no path", radius};
+  const ArcPath& path = answer.result.path;
+  const auto arcs = std::count_if(path.bends.begin(), path.bends.end(), [](const ArcBend& b) { return b.turn != 0; });
+  std::vector<std::string> facts{fmt::format("length {:.6f}", path.value()),
+                                 count_text(static_cast<std::size_t>(arcs), "arc"), radius};
+  if (answer.pinch) facts.push_back("narrowest passage " + answer.pinch->gate.width_text);
+  return facts;
+}
+
+}  // namespace
+
+std::string arc_svg(const ArcAnswer& answer, const FreeSpace& space, const std::string& title) {
+  SvgPicture picture;
+  picture.title = title;
+  picture.facts = facts(answer);
+  picture.start = answer.start;
+  picture.goal.point = answer.goal;
+  picture.separation = answer.barrier.walls;
+  picture.gates = answer.barrier.gate_segments();
+  picture.discs = {{answer.start, answer.radius}, {answer.goal, answer.radius}};
+  if (answer.result.status == ArcStatus::found) picture.arcs = &answer.result.path;
+  if (answer.pinch) {
+    picture.gates.push_back(answer.pinch->gate.at);
+    picture.discs.push_back({answer.pinch->at, answer.radius});
+  }
+  return svg(space, picture);
+}
+
+}  // namespace taut

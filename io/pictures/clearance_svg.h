@@ -1,0 +1,19 @@
+// Paths that keep away from walls, and what stops a disc, as pictures. No times in them. Same input, same bytes.
+#pragma once
+
+#include <string>
+
+#include <taut/search/clearance_planner.h>
+#include <taut/search/passage.h>
+
+namespace taut {
+
+/// svg() with the path and its pinch; a tradeoff beside its step chart. `space` is a point's free space; `map` is drawn
+/// below the path when there is one.
+std::string clearance_svg(const ClearanceAnswer& answer, const FreeSpace& space, const VoronoiRoadmap& map,
+                          const std::string& title);
+
+/// svg() with the walls and gates that stop the disc, or any larger one.
+std::string passage_svg(const Passage& passage, const FreeSpace& space, const std::string& title);
+
+}  // namespace taut

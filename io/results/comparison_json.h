@@ -1,0 +1,18 @@
+// A comparison of planners as JSON.
+#pragma once
+
+#include <taut/io/results/json.h>
+#include <taut/search/planners.h>
+
+namespace taut {
+
+/// One JSON object; keys are stable:
+///  seed, runs, start, goal
+///  optimum   the length of the shortest path in the plane, null when there is none
+///  proven_none  true when walls prove that there is no path
+///  planners  [{name, roadmap, optimal, solved (0 .. 1, the part of the runs), length, ratio, clearance, points,
+///            vertices, edges, build_seconds, query_seconds (both CPU), expanded, verified, all_runs: [{seed, solved,
+///            length, ...}] when there are several}]; of one that did not run {name, roadmap, unfit: why}
+Json comparison_json(const Comparison& comparison);
+
+}  // namespace taut

@@ -1,0 +1,196 @@
+#include <taut/search/roadmap_kinds.h>
+
+#include <utility>
+
+#include <taut/geometry/corridor_width.h>
+#include <taut/roadmaps/cell_graph.h>
+#include <taut/roadmaps/visibility_graph.h>
+#include <taut/roadmaps/voronoi_legs.h>
+#include <taut/search/cell_search.h>
+#include <taut/search/polyanya.h>
+#include <taut/search/prm_planner.h>
+#include <taut/search/shortest_path.h>
+#include <taut/search/voronoi_search.h>
+
+namespace taut {
+
+namespace {
+
+/// `search` is shortest_path, cell_search, ...: what asks this graph.
+template <typename Graph, typename Search, typename Query>
+PlannedRoadmap planned(std::shared_ptr<const Graph> graph, Search search, Query query) {
+  return {std::shared_ptr<const Roadmap>(graph, &graph->roadmap()),
+          [graph, search](Point from, const Goal& to, GraphMethod method) {
+            return search(*graph, from, to, method);
+          },
+          [graph, query](Point from, const Goal& to) { return query(*graph, from, to); }};
+}
+
+GraphSearchResult search_visibility(const VisibilityGraph& graph, Point from, const Goal& to,
+                                    GraphMethod method) {
+  return shortest_path(graph, from, to, method);
+}
+
+GraphSearchResult search_cells(const CellGraph& graph, Point from, const Goal& to, GraphMethod method) {
+  return cell_search(graph, from, to, method);
+}
+
+RoadmapKind visibility(const char* name, const char* title, const char* what, VisibilityKind kind) {
+  return {name,
+          title,
+          what,
+          true,
+          false,
+          [kind](const FreeSpace& space, const BuildRequest&) {
+            return planned(std::make_shared<const VisibilityGraph>(space, kind), search_visibility, visibility_query);
+          },
+          RoadmapKind::Keeping::rebuilt};
+}
+
+RoadmapKind cells(const char* name, const char* title, const char* what, CellNeighbours neighbours) {
+  return {name,
+          title,
+          what,
+          false,
+          false,
+          [neighbours](const FreeSpace& space, const BuildRequest&) {
+            return planned(std::make_shared<const CellGraph>(space, neighbours), search_cells, cell_query);
+          },
+          RoadmapKind::Keeping::rebuilt};
+}
+
+/// One that is made at once, as it stands.
+PlannedRoadmap prm_alone(const FreeSpace& space, const PrmOptions& options) {
+  PrmCounts counts;
+  auto roadmap = std::make_shared<const Roadmap>(prm(space, options, &counts));
+  PlannedRoadmap planned = planned_prm(space, std::move(roadmap), options.clearance);
+  planned.counts = counts;
+  return planned;
+}
+
+/// A PRM that grows until it joins the ends, when they are known.
+RoadmapKind growing_prm(const char* name, const char* title, const char* what, PrmSampler sampler, bool random) {
+  return {name,
+          title,
+          what,
+          false,
+          random,
+          [sampler](const FreeSpace& space, const BuildRequest& request) {
+            PrmPlan plan = plan_of(request.prm, sampler, request.seed, request.is_limited);
+            plan.progress = request.progress;
+            const double clearance = plan.roadmap.clearance;
+            if (!request.from) return prm_alone(space, plan.roadmap);
+            PrmResult result = prm_path(space, *request.from, request.to, plan);
+            const PrmConnectivity connectivity = result.connectivity();
+            auto planned = planned_prm(space, std::make_shared<const Roadmap>(std::move(result.roadmap)), clearance);
+            planned.prm = connectivity;
+            planned.counts = connectivity.counts;
+            return planned;
+          },
+          RoadmapKind::Keeping::as_prm,
+          true,
+          true,
+          true};
+}
+
+/// As many textbooks have it: a number of samples that is given beforehand, whatever comes of it.
+RoadmapKind fixed_prm() {
+  return {"prm-fixed",
+          "PRM of 500 samples, clearance 0.1, 8 nearest",
+          "500 uniform samples at least 0.1 from every wall, each joined to its 8 nearest; does not grow",
+          false,
+          true,
+          [](const FreeSpace& space, const BuildRequest& request) {
+            PrmOptions options;
+            options.samples = 500;
+            options.seed = request.seed;
+            options.clearance = 0.1;
+            return prm_alone(space, options);
+          },
+          RoadmapKind::Keeping::none,
+          false,
+          true,
+          true};
+}
+
+RoadmapKind voronoi() {
+  return {"voronoi", "segment Voronoi diagram",
+          "the middles between walls: paths keep as far away as they can", false, false, [](const FreeSpace& space, const BuildRequest&) {
+            const double tolerance = corridor_width(space) * kArcTolerance;
+            const auto map = std::make_shared<const VoronoiRoadmap>(space);
+            PlannedRoadmap planned{std::make_shared<const Roadmap>(voronoi_legs(*map, tolerance)),
+                                   [map, tolerance](Point from, const Goal& to, GraphMethod) {
+                                     return voronoi_search(*map, from, to, tolerance);
+                                   }};
+            planned.diagram = map;
+            return planned;
+          }};
+}
+
+/// A search on the navigation mesh; there is no graph.
+RoadmapKind polyanya() {
+  return {"polyanya",
+          "navigation mesh",
+          "no graph: searches the convex polygons of free space; the shortest path",
+          true,
+          false,
+          [](const FreeSpace& space, const BuildRequest& request) {
+            const auto search = std::make_shared<PolyanyaSearch>(
+                Polyanya(space, request.from ? navmesh_between(space, *request.from, request.to) : navmesh(space)));
+            return PlannedRoadmap{std::make_shared<const Roadmap>(),
+                                  [search](Point from, const Goal& to, GraphMethod) {
+                                    search->find(from, to);
+                                    return search->result();
+                                  }};
+          },
+          RoadmapKind::Keeping::none,
+          false,
+          false};
+}
+
+}  // namespace
+
+std::span<const RoadmapKind> roadmap_kinds() {
+  static const RoadmapKind kinds[] = {
+      polyanya(),
+      visibility("visibility", "reduced visibility graph",
+                 "corners a shortest path can bend around, and taut legs between them; the shortest path",
+                 VisibilityKind::reduced),
+      visibility("full", "full visibility graph", "all corners, and all pairs that see each other; the shortest path",
+                 VisibilityKind::full),
+      cells("cells", "cells with 4 neighbours", "the cells of a grid maze, joined to those beside them",
+            CellNeighbours::four),
+      cells("cells8", "cells with 8 neighbours", "likewise, and across corners", CellNeighbours::eight),
+      growing_prm("prm", "probabilistic roadmap", "random samples, drawn until start and goal are joined",
+                  PrmSampler::uniform, true),
+      growing_prm("prm-lattice", "probabilistic roadmap on a lattice",
+                  "likewise, samples on a lattice that becomes finer", PrmSampler::lattice, false),
+      fixed_prm(),
+      voronoi(),
+  };
+  return kinds;
+}
+
+std::string roadmap_kind_names() {
+  std::string names;
+  for (const RoadmapKind& kind : roadmap_kinds()) names.append(names.empty() ? "" : ", ").append(kind.name);
+  return names;
+}
+
+const RoadmapKind* roadmap_kind(const std::string& name) {
+  for (const RoadmapKind& kind : roadmap_kinds())
+    if (name == kind.name) return &kind;
+  return nullptr;
+}
+
+PlannedRoadmap planned_prm(const FreeSpace& space, std::shared_ptr<const Roadmap> roadmap, double clearance) {
+  return {roadmap,
+          [space, roadmap, clearance](Point from, const Goal& to, GraphMethod method) {
+            return graph_search(*roadmap, prm_query(space, *roadmap, from, to, clearance), method);
+          },
+          [space, roadmap, clearance](Point from, const Goal& to) {
+            return prm_query(space, *roadmap, from, to, clearance);
+          }};
+}
+
+}  // namespace taut
