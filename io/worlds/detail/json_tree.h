@@ -26,4 +26,7 @@ struct Json {
 /// nested deeper than 64, and on numbers beyond the range of double.
 Json parse_json(std::string_view bytes, const std::string& source);
 
+/// The same of one text, or of several: one a line, or one behind each RS character (RFC 8142).
+std::vector<Json> parse_json_texts(std::string_view bytes, const std::string& source);
+
 }  // namespace taut::detail
