@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <taut/cli/messages.h>
 #include <taut/geometry/errors.h>
 
 namespace taut::cli {
@@ -12,6 +13,7 @@ Input read_input(const WorldOptions& options, const QueryOptions& query) {
   if (options.wall_thickness) world = world.with_wall_thickness(*options.wall_thickness);
   if (query.from || query.to) world = world.with_ends(query.from, query.to);
   std::string name = world.source();
+  for (const std::string& remark : notes.remarks) note("taut: " + name + ": " + remark);
   return {std::move(world), notes, std::move(name)};
 }
 

@@ -127,7 +127,7 @@ Footprint footprint_of(const std::string& text) {
 
 Format format_of(const std::string& text) {
   const std::optional<Format> format = format_named(text);
-  if (!format) refuse(text, "one of segments, cells, drawing, maz, num, wkt, geojson, movingai");
+  if (!format) refuse(text, "one of segments, cells, drawing, maz, num, wkt, geojson, movingai, ros, picture, blocks");
   return *format;
 }
 
@@ -151,7 +151,8 @@ Option add_world_options(CommandLine& app, WorldOptions& options) {
   Option file = app.add_option("FILE", options.file, "The world to read; - is standard input").required();
   const auto parse_format = [](const std::string& text) { return std::optional(format_of(text)); };
   add(app, "--format", options.read.format, parse_format,
-      "What FILE is written in: segments, cells, drawing, maz, num, wkt, geojson, movingai (default: found out from "
+      "What FILE is written in: segments, cells, drawing, maz, num, wkt, geojson, movingai, ros, picture, blocks "
+      "(default: found out from "
       "its content)")
       .type_name("NAME")
       .group("World");
@@ -163,6 +164,17 @@ Option add_world_options(CommandLine& app, WorldOptions& options) {
   add(app, "--wall-thickness", options.wall_thickness, parse_thickness,
       "Give every wall this thickness, half of it on each side")
       .type_name("T")
+      .group("World");
+  const auto parse_resolution = [](const std::string& text) {
+    const double value = number_of(text);
+    if (!(value > 0)) refuse(text, "a resolution above 0");
+    return std::optional(value);
+  };
+  add(app, "--resolution", options.read.resolution, parse_resolution,
+      "Metres a pixel: of a PNG or PGM picture, or instead of what a ROS map says")
+      .type_name("R")
+      .group("World");
+  app.add_flag("--unknown-free", options.read.unknown_is_free, "Cells of a ROS map that nobody knows are free")
       .group("World");
   return file;
 }

@@ -1,5 +1,6 @@
 #include <taut/geometry/occupancy_world.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -120,7 +121,9 @@ class Outlines {
 
 }  // namespace
 
-World world_of(const OccupancyGrid& grid, std::string source) {
+namespace {
+
+WorldParts parts_of(const OccupancyGrid& grid, std::string source) {
   if (grid.width == 0 || grid.height == 0) throw InputError(source, 0, "the map has no cells");
   WorldParts parts;
   parts.source = std::move(source);
@@ -128,8 +131,29 @@ World world_of(const OccupancyGrid& grid, std::string source) {
   parts.areas = {{{{{0, 0}, {width, 0}, {width, height}, {0, height}}, {}}, 0}};
   parts.boundary = Boundary::walled;
   parts.solids = Outlines(grid).solids();
+  return parts;
+}
+
+}  // namespace
+
+World world_of(const OccupancyGrid& grid, std::string source) {
+  WorldParts parts = parts_of(grid, std::move(source));
   parts.y_down = true;
   return World(std::move(parts));
+}
+
+WorldParts parts_of(const OccupancyGrid& grid, const std::function<Point(std::uint32_t, std::uint32_t)>& corner,
+                    std::string source) {
+  WorldParts parts = parts_of(grid, std::move(source));
+  const auto place = [&](Ring& ring) {
+    for (Point& p : ring) p = corner(static_cast<std::uint32_t>(p.x), static_cast<std::uint32_t>(p.y));
+  };
+  for (std::vector<Area>* areas : {&parts.areas, &parts.solids})
+    for (Area& area : *areas) {
+      place(area.polygon.outer);
+      std::ranges::for_each(area.polygon.holes, place);
+    }
+  return parts;
 }
 
 }  // namespace taut

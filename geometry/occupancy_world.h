@@ -1,6 +1,7 @@
 // The world of a grid map.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include <taut/geometry/occupancy_grid.h>
@@ -13,5 +14,10 @@ namespace taut {
 /// its outline traced around whole runs of cells; solids that touch at a corner leave no way between them. Throws
 /// InputError when there are no cells. O(cells), and O(n log n) for n corners of outlines.
 World world_of(const OccupancyGrid& grid, std::string source = {});
+
+/// The same, with the cells' corners elsewhere and y upwards, for others to add ends to: `corner(column, row)`, column 0
+/// to width, row 0 to height. Rows and columns stay straight lines, one beside the other (precondition).
+WorldParts parts_of(const OccupancyGrid& grid, const std::function<Point(std::uint32_t, std::uint32_t)>& corner,
+                    std::string source);
 
 }  // namespace taut

@@ -168,8 +168,7 @@ bool ends_beyond(const WorldParts& parts, const Box& box) {
          !std::all_of(room.begin(), room.end(), [&](const Box& b) { return detail::is_within(b, box); });
 }
 
-// The bounding box of the walls, when walls cover at least half its outline; of a box with a bare side only when both
-// ends lie in it.
+// The bounding box of the walls, when walls cover at least half its outline and no end lies beyond.
 std::optional<Box> walled_box(const WorldParts& parts) {
   Bounds bounds;
   for (const Wall& wall : parts.walls) {
@@ -178,16 +177,12 @@ std::optional<Box> walled_box(const WorldParts& parts) {
   }
   const Box& b = bounds.box();
   if (bounds.empty() || !(b.min.x < b.max.x && b.min.y < b.max.y)) return std::nullopt;
-  const double width = b.max.x - b.min.x, height = b.max.y - b.min.y;
+  if (ends_beyond(parts, b)) return std::nullopt;
   double open = 0;
-  bool bare = false;
   const std::vector<Area> areas{{{ring_of(b), {}}, 0}};
-  for (const Segment& s : detail::open_pieces(detail::outline(areas), parts.walls, false)) {
-    const double dx = std::abs(s.b.x - s.a.x), dy = std::abs(s.b.y - s.a.y);
-    open += dx + dy;
-    bare = bare || dx >= width || dy >= height;
-  }
-  if (open > width + height || (bare && ends_beyond(parts, b))) return std::nullopt;
+  for (const Segment& s : detail::open_pieces(detail::outline(areas), parts.walls, false))
+    open += std::abs(s.b.x - s.a.x) + std::abs(s.b.y - s.a.y);
+  if (open > b.max.x - b.min.x + (b.max.y - b.min.y)) return std::nullopt;
   return b;
 }
 

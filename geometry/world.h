@@ -61,9 +61,8 @@ struct WorldParts {
 ///  2. every ring has at least 3 distinct vertices, non-zero area, no two sides cross or overlap, no vertex lies on
 ///     another side; repeated consecutive vertices are dropped; outer rings are counter-clockwise, holes clockwise;
 ///  3. `areas` is not empty. Where the input gave none it is one box: if the walls cover at least half the outline of
-///     their bounding box, that box (Boundary::limit), unless a side of it is bare and an end lies beyond; else a box
-///     around everything, start and goal included, widened on all sides (Boundary::open), so that a shortest path is
-///     never hindered by it;
+///     their bounding box and no end lies beyond, that box (Boundary::limit); else a box around everything, start and
+///     goal included, widened on all sides (Boundary::open), so that a shortest path is never hindered by it;
 ///  4. zero-length walls of zero thickness are dropped (a path may touch a point, so they hinder nobody); count in
 ///     `dropped_walls`;
 ///  5. no start and no goal, Boundary::limit, and exactly two openings: start and goal are their midpoints, the

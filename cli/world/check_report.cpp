@@ -91,6 +91,7 @@ Json CheckReport::json() const {
   json["walls"] = world.walls().size();
   json["dropped_walls"] = world.dropped_walls();
   json["unknown_walls"] = input_.notes.unknown_walls;
+  json["remarks"] = input_.notes.remarks;
   json["solids"] = world.solids().size();
   json["areas"] = world.areas().size();
   json["boundary"] = name_of(world.boundary());

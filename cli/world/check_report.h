@@ -17,6 +17,7 @@ namespace taut::cli {
 /// A valid world, counted. Keys of the result, stable:
 ///  format            its name in options
 ///  walls             number; dropped_walls: of no length; unknown_walls: not looked at, read as open
+///  remarks           what was taken in a way that one may wish to know, a text each
 ///  solids, areas     numbers of obstacle polygons, and of polygons the world is made of
 ///  boundary          "walled", "limit" or "open" (world.h)
 ///  box               [xmin, ymin, xmax, ymax]

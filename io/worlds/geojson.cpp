@@ -10,7 +10,7 @@ namespace taut::detail {
 
 namespace {
 
-enum class Role { none, free, obstacle, wall, start, goal };
+enum class Role { none, free, obstacle, wall, start, goal, door };
 
 struct Properties {
   Role role = Role::none;
@@ -21,8 +21,17 @@ class GeoJson {
  public:
   explicit GeoJson(const ReadOptions& options) : source_(options.source), shapes_(options) {}
 
-  WorldParts read(std::string_view bytes) {
-    const JsonTree root = parse_json(bytes, source_);
+  WorldParts read(std::string_view bytes, ReadNotes& notes) {
+    for (const JsonTree& root : parse_json_texts(bytes, source_)) read_root(root);
+    return shapes_.take(Shapes::Alone::two, notes);
+  }
+
+ private:
+  [[noreturn]] void fail(const JsonTree& at, const std::string& message) const {
+    Place{source_, at.line}.fail(message);
+  }
+
+  void read_root(const JsonTree& root) {
     const std::string type = type_of(root);
     if (type == "FeatureCollection") {
       for (const JsonTree& feature : array(root, "features")) read_feature(feature);
@@ -31,11 +40,7 @@ class GeoJson {
     } else {
       read_geometry(root, {});
     }
-    return shapes_.take();
   }
-
- private:
-  [[noreturn]] void fail(const JsonTree& at, const std::string& message) const { Place{source_, at.line}.fail(message); }
 
   std::string type_of(const JsonTree& value) const {
     if (value.kind != JsonTree::Kind::object) fail(value, "a GeoJSON object is expected");
@@ -46,7 +51,8 @@ class GeoJson {
 
   const std::vector<JsonTree>& array(const JsonTree& object, const char* key) const {
     const JsonTree* value = object.find(key);
-    if (!value || value->kind != JsonTree::Kind::array) fail(object, std::string("\"") + key + "\" is missing or no array");
+    if (!value || value->kind != JsonTree::Kind::array)
+      fail(object, std::string("\"") + key + "\" is missing or no array");
     return value->items;
   }
 
@@ -58,37 +64,35 @@ class GeoJson {
     read_geometry(*geometry, properties_of(feature));
   }
 
+  // They are the writer's own: what is none of our words says nothing.
   Properties properties_of(const JsonTree& feature) {
     Properties result;
     const JsonTree* properties = feature.find("properties");
     if (!properties) return result;
-    if (const JsonTree* role = properties->find("role")) result.role = role_of(*role);
-    if (const JsonTree* thickness = properties->find("thickness")) result.thickness = thickness_of(*thickness);
-    if (const JsonTree* boundary = properties->find("boundary")) read_boundary(*boundary);
+    take_properties(*properties, result);
+    if (const JsonTree* ours = properties->find("taut")) take_properties(*ours, result);
     return result;
   }
 
-  Role role_of(const JsonTree& value) const {
-    const std::string& role = value.string;
-    if (value.kind == JsonTree::Kind::null) return Role::none;
-    if (role == "free") return Role::free;
-    if (role == "obstacle") return Role::obstacle;
-    if (role == "wall") return Role::wall;
-    if (role == "start") return Role::start;
-    if (role == "goal") return Role::goal;
-    fail(value, "role " + quoted(role) + " is not free, obstacle, wall, start or goal");
+  void take_properties(const JsonTree& properties, Properties& result) {
+    if (const JsonTree* role = properties.find("role")) result.role = role_of(*role);
+    const JsonTree* thickness = properties.find("thickness");
+    if (thickness && thickness->kind == JsonTree::Kind::number && thickness->number >= 0 &&
+        thickness->number <= World::kLargest)
+      result.thickness = thickness->number;
+    const JsonTree* boundary = properties.find("boundary");
+    if (!boundary) return;
+    if (boundary->string == "limit") shapes_.set_boundary(Boundary::limit);
+    if (boundary->string == "walled") shapes_.set_boundary(Boundary::walled);
   }
 
-  double thickness_of(const JsonTree& value) const {
-    const double t = number(value);
-    if (t < 0) fail(value, "wall thickness " + text(t) + " is negative");
-    return t;
-  }
-
-  void read_boundary(const JsonTree& value) {
-    if (value.string != "walled" && value.string != "limit")
-      fail(value, "boundary " + quoted(value.string) + " is not walled or limit");
-    shapes_.set_boundary(value.string == "limit" ? Boundary::limit : Boundary::walled);
+  static Role role_of(const JsonTree& value) {
+    static constexpr std::pair<std::string_view, Role> kRoles[] = {
+        {"free", Role::free}, {"obstacle", Role::obstacle}, {"wall", Role::wall},   {"start", Role::start},
+        {"goal", Role::goal}, {"door", Role::door},         {"opening", Role::door}};
+    for (const auto& [name, role] : kRoles)
+      if (value.string == name) return role;
+    return Role::none;
   }
 
   void read_geometry(const JsonTree& geometry, const Properties& p) {
@@ -119,24 +123,22 @@ class GeoJson {
     const Point at = position(value);
     if (p.role == Role::start) return shapes_.set_start(at, line);
     if (p.role == Role::goal) return shapes_.set_goal(at, line);
-    if (p.role != Role::none) fail(value, "a point can only have the role start or goal");
-    shapes_.add_point(at, line);
+    shapes_.add_point(at);
   }
 
   void add_line(const JsonTree& value, const Properties& p, int line) {
-    if (p.role != Role::none && p.role != Role::wall) fail(value, "a line can only have the role wall");
+    if (p.role == Role::door) return shapes_.add_door(chain(value));
     shapes_.add_walls(chain(value), p.thickness, line);
   }
 
   void add_polygon(const JsonTree& value, const Properties& p, int line) {
     Polygon polygon = rings(value);
     switch (p.role) {
-      case Role::none: return shapes_.add_polygon(std::move(polygon), line);
       case Role::free: return shapes_.add_free(std::move(polygon), line);
       case Role::obstacle: return shapes_.add_solid(std::move(polygon), line);
       case Role::goal: return shapes_.add_goal_box(polygon, line);
       case Role::wall: return add_outline(polygon, p, line);
-      case Role::start: fail(value, "a polygon cannot have the role start");
+      default: return shapes_.add_polygon(std::move(polygon), line);
     }
   }
 
@@ -190,6 +192,8 @@ class GeoJson {
 
 }  // namespace
 
-WorldParts read_geojson(std::string_view bytes, const ReadOptions& options) { return GeoJson(options).read(bytes); }
+WorldParts read_geojson(std::string_view bytes, const ReadOptions& options, ReadNotes& notes) {
+  return GeoJson(options).read(bytes, notes);
+}
 
 }  // namespace taut::detail

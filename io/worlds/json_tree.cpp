@@ -55,8 +55,8 @@ std::string readable(const std::string& what) {
 
 class Builder : public nlohmann::json_sax<nlohmann::json> {
  public:
-  Builder(const std::string& source, std::string_view bytes, const int& line)
-      : source_(source), bytes_(bytes), line_(line) {}
+  Builder(const std::string& source, std::string_view bytes, const int& line, int first_line)
+      : source_(source), bytes_(bytes), line_(line), first_line_(first_line) {}
 
   JsonTree take() { return std::move(root_); }
 
@@ -78,7 +78,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   bool parse_error(std::size_t position, const std::string&, const nlohmann::detail::exception& error) override {
     const auto end =
         bytes_.begin() + static_cast<std::ptrdiff_t>(std::min(position > 0 ? position - 1 : 0, bytes_.size()));
-    const int line = 1 + static_cast<int>(std::count(bytes_.begin(), end, '\n'));
+    const int line = first_line_ + static_cast<int>(std::count(bytes_.begin(), end, '\n'));
     throw InputError(source_, line, "not valid JSON: " + readable(error.what()));
   }
 
@@ -109,6 +109,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
   const std::string& source_;
   std::string_view bytes_;
   const int& line_;
+  int first_line_;
   JsonTree root_;
   std::vector<JsonTree*> open_;
   std::string key_;
@@ -121,13 +122,50 @@ const JsonTree* JsonTree::find(std::string_view key) const {
   return at == keys.rend() ? nullptr : &items[static_cast<std::size_t>(keys.rend() - at - 1)];
 }
 
-JsonTree parse_json(std::string_view bytes, const std::string& source) {
-  const std::string_view content = stripped(bytes);
-  int line = 1;
-  Builder builder(source, content, line);
-  const CountingIterator first(content.data(), &line), last(content.data() + content.size(), &line);
+namespace {
+
+// A text that begins in some line of the file.
+JsonTree parse_from_line(std::string_view text, const std::string& source, int first_line) {
+  int line = first_line;
+  Builder builder(source, text, line, first_line);
+  const CountingIterator first(text.data(), &line), last(text.data() + text.size(), &line);
   nlohmann::json::sax_parse(first, last, &builder);
   return builder.take();
+}
+
+bool is_blank(std::string_view text) { return text.find_first_not_of(" \t\r\n\x1e") == std::string_view::npos; }
+
+// A text a line: the first line is a whole text, and another one begins below it.
+bool is_text_a_line(std::string_view bytes) {
+  const std::size_t end = bytes.find('\n');
+  if (end == std::string_view::npos || is_blank(bytes.substr(end))) return false;
+  return nlohmann::json::accept(bytes.substr(0, end)) &&
+         bytes.substr(bytes.find_first_not_of(" \t\r\n", end))[0] == '{';
+}
+
+}  // namespace
+
+JsonTree parse_json(std::string_view bytes, const std::string& source) {
+  return parse_from_line(stripped(bytes), source, 1);
+}
+
+std::vector<JsonTree> parse_json_texts(std::string_view bytes, const std::string& source) {
+  const std::string_view content = stripped(bytes);
+  const char separator = content.find('\x1e') != std::string_view::npos ? '\x1e' : '\n';
+  std::vector<JsonTree> texts;
+  if (separator == '\n' && !is_text_a_line(content)) {
+    texts.push_back(parse_json(bytes, source));
+    return texts;
+  }
+  int line = 1;
+  for (std::size_t from = 0; from < content.size();) {
+    const std::size_t end = std::min(content.find(separator, from), content.size());
+    const std::string_view text = content.substr(from, end - from);
+    if (!is_blank(text)) texts.push_back(parse_from_line(text, source, line));
+    line += static_cast<int>(std::count(text.begin(), text.end(), '\n')) + (separator == '\n' ? 1 : 0);
+    from = end + 1;
+  }
+  return texts;
 }
 
 }  // namespace taut::detail

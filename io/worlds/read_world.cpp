@@ -16,12 +16,14 @@
 #include <taut/io/worlds/detail/text_input.h>
 #include <taut/io/worlds/gzip.h>
 #include <taut/io/worlds/movingai.h>
+#include <taut/io/worlds/raster.h>
+#include <taut/io/worlds/ros_map.h>
 
 namespace taut {
 
 namespace {
 
-constexpr std::array<std::pair<Format, std::string_view>, 8> kNames{{
+constexpr std::array<std::pair<Format, std::string_view>, 11> kNames{{
     {Format::segments, "segments"},
     {Format::cell_values, "cells"},
     {Format::drawing, "drawing"},
@@ -30,11 +32,14 @@ constexpr std::array<std::pair<Format, std::string_view>, 8> kNames{{
     {Format::wkt, "wkt"},
     {Format::geojson, "geojson"},
     {Format::movingai, "movingai"},
+    {Format::ros_map, "ros"},
+    {Format::picture, "picture"},
+    {Format::blocks, "blocks"},
 }};
 
 bool is_text(std::string_view bytes) {
   return std::none_of(bytes.begin(), bytes.end(), [](char c) {
-    return (static_cast<unsigned char>(c) < ' ' && !(c >= '\t' && c <= '\r')) || c == 0x7f;
+    return (static_cast<unsigned char>(c) < ' ' && !(c >= '\t' && c <= '\r') && c != '\x1e') || c == 0x7f;
   });
 }
 
@@ -52,8 +57,9 @@ std::string first_word(std::string_view line) {
 }
 
 bool begins_wkt(const std::string& word) {
-  static constexpr std::array<std::string_view, 8> kinds{
-      "POINT", "LINESTRING", "POLYGON", "MULTIPOINT", "MULTILINESTRING", "MULTIPOLYGON", "GEOMETRYCOLLECTION", "SRID"};
+  static constexpr std::array<std::string_view, 9> kinds{"POINT",        "LINEARRING",         "LINESTRING",
+                                                         "POLYGON",      "MULTIPOINT",         "MULTILINESTRING",
+                                                         "MULTIPOLYGON", "GEOMETRYCOLLECTION", "SRID"};
   return std::any_of(kinds.begin(), kinds.end(), [&](std::string_view kind) {
     if (!word.starts_with(kind)) return false;
     const std::string_view rest = std::string_view(word).substr(kind.size());
@@ -74,7 +80,7 @@ std::size_t count_fields(std::string_view line) {
 
 // Of a line that says something.
 std::optional<Format> format_of_line(std::string_view line) {
-  if (line[0] == '{' || line[0] == '[') return Format::geojson;
+  if (line[0] == '{' || line[0] == '[' || line[0] == '\x1e') return Format::geojson;
   if (detail::is_row_of_posts(line)) return Format::drawing;
   const std::string word = first_word(line);
   if (begins_wkt(word)) return Format::wkt;
@@ -93,6 +99,23 @@ std::optional<Format> format_of_line(std::string_view line) {
 // Comments of the formats that have any; a drawing's are met by its reader.
 bool is_comment(std::string_view line) { return line[0] == '#' || line[0] == '/' || line[0] == '*' || line[0] == ';'; }
 
+// A line `image: ...` among the first ones.
+bool looks_like_ros_map(std::string_view bytes) {
+  for (detail::Lines lines(bytes); lines.next() && lines.number() <= 100;)
+    if (lines.line().starts_with("image:")) return true;
+  return false;
+}
+
+// Any bytes of that length could be one: believed when neighbours and border agree.
+void require_maz(std::string_view bytes, const std::string& source) {
+  try {
+    detail::read_maz(bytes, {});
+  } catch (const InputError& error) {
+    throw InputError(source, 0,
+                     "binary data of " + std::to_string(bytes.size()) + " bytes, but no .maz maze: " + error.what());
+  }
+}
+
 void check_not_utf16(std::string_view bytes, const std::string& source) {
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
     throw InputError(source, 0, "text in UTF-16; save it as UTF-8");
@@ -100,6 +123,22 @@ void check_not_utf16(std::string_view bytes, const std::string& source) {
 
 World read_grid(GridMaze maze, const ReadOptions& options) {
   return world_of(std::make_shared<const GridMaze>(std::move(maze)), options.cell_size, options.source);
+}
+
+World read_picture(std::string_view bytes, const ReadOptions& options) {
+  if (!options.resolution)
+    throw InputError(options.source, 0, "is a picture: how many metres is a pixel (--resolution)?");
+  RosMapInfo info;
+  info.resolution = *options.resolution;
+  return ros_world(occupancy(read_raster(bytes, options.source), info, options.unknown_is_free), info, options.source);
+}
+
+World read_ros_map(std::string_view bytes, const ReadOptions& options) {
+  RosMapInfo info = read_ros_map_info(bytes, options.source);
+  if (options.resolution) info.resolution = *options.resolution;
+  const std::string file = (std::filesystem::path(options.folder) / info.image).string();
+  const Raster raster = read_raster(read_bytes(file), detail::printable_name(file));
+  return ros_world(occupancy(raster, info, options.unknown_is_free), info, options.source);
 }
 
 std::string drain(std::istream& in) {
@@ -129,12 +168,18 @@ std::optional<Format> format_named(std::string_view word) {
 Format detect_format(std::string_view bytes, const std::string& source) {
   if (is_empty(detail::stripped(bytes))) throw InputError(source, 0, "file is empty");
   check_not_utf16(bytes, source);
+  if (is_png(bytes) || is_pgm(bytes)) return Format::picture;
   if (!is_text(detail::stripped(bytes))) {
-    if (detail::is_maz_size(bytes.size())) return Format::maz;
+    if (detail::is_maz_size(bytes.size())) {
+      require_maz(bytes, source);
+      return Format::maz;
+    }
     throw InputError(
         source, 0,
         "binary data of " + std::to_string(bytes.size()) + " bytes; the only binary format, .maz, has 256 or 1024");
   }
+  if (detail::looks_like_blocks(bytes)) return Format::blocks;
+  if (looks_like_ros_map(bytes)) return Format::ros_map;
   bool comment = false;
   for (detail::Lines lines(bytes); lines.next();) {
     const std::string_view line = detail::trimmed(lines.line());
@@ -153,15 +198,18 @@ World read_world(std::string_view bytes, const ReadOptions& options, ReadNotes* 
   if (is_empty(detail::stripped(bytes))) throw InputError(options.source, 0, "file is empty");
   ReadNotes local;
   ReadNotes& seen = notes ? *notes : local;
-  seen = {options.format ? *options.format : detect_format(bytes, options.source), 0};
+  seen = {options.format ? *options.format : detect_format(bytes, options.source), 0, {}};
   switch (seen.format) {
     case Format::segments: return World(detail::read_segments(bytes, options.source));
     case Format::cell_values: return read_grid(detail::read_cell_values(bytes, options.source), options);
     case Format::drawing: return read_grid(detail::read_drawing(bytes, options.source, seen.unknown_walls), options);
     case Format::maz: return read_grid(detail::read_maz(bytes, options.source), options);
     case Format::num: return read_grid(detail::read_num(bytes, options.source), options);
-    case Format::wkt: return World(detail::read_wkt(bytes, options));
-    case Format::geojson: return World(detail::read_geojson(bytes, options));
+    case Format::wkt: return World(detail::read_wkt(bytes, options, seen));
+    case Format::geojson: return World(detail::read_geojson(bytes, options, seen));
+    case Format::ros_map: return read_ros_map(bytes, options);
+    case Format::picture: return read_picture(bytes, options);
+    case Format::blocks: return World(detail::read_blocks(bytes, options.source));
     case Format::movingai: return world_of(read_movingai_map(bytes, options.source), options.source);
   }
   throw InputError(options.source, 0, "unknown format");
@@ -173,6 +221,7 @@ World read_world(std::istream& in, const ReadOptions& options, ReadNotes* notes)
 
 World read_world_file(const std::string& path, ReadOptions options, ReadNotes* notes) {
   options.source = path == "-" ? "<stdin>" : detail::printable_name(path);
+  options.folder = path == "-" ? "" : std::filesystem::path(path).parent_path().string();
   return read_world(read_bytes(path), options, notes);
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <taut/geometry/world.h>
 
@@ -31,23 +32,37 @@ namespace taut {
 ///               wall; high bits are ignored. Neighbours agree.
 ///  num          `X Y N E S W` per line, 1 = wall, every cell once, any order. Neighbours agree.
 ///  wkt          geometries on lines of their own or separated by `;`, upper or lower case, Z and M ignored: POLYGON,
-///               MULTIPOLYGON, LINESTRING, MULTILINESTRING (walls), POINT, MULTIPOINT (first start, then goal),
-///               GEOMETRYCOLLECTION; EMPTY is skipped, so is `SRID=...;` and lines that begin with `#`.
-///  geojson      Geometry, Feature, FeatureCollection (RFC 7946), any coordinate system taken as a plane. Properties:
-///               "role" = "free" | "obstacle" | "wall" | "start" | "goal", "thickness" of walls, "boundary" = "walled"
-///               | "limit" of free polygons. Without a role polygons are as ReadOptions says, lines are walls, the
-///               first point is the start, the second the goal. A goal that is a polygon or multipolygon of
-///               axis-parallel rectangles is a room; the outline of a polygon with role "wall" is walls.
+///               MULTIPOLYGON, LINESTRING, MULTILINESTRING, LINEARRING (walls), POINT, MULTIPOINT (the start, then
+///               the goal; of more than two none, with a remark), GEOMETRYCOLLECTION; EMPTY is skipped,
+///               so is `SRID=...;` and lines that begin with `#`. A table (CSV) with a column of WKT is read as that
+///               column. Z and M may be NaN.
+///  geojson      Geometry, Feature, FeatureCollection (RFC 7946), or one of them a line (with or without the RS
+///               character of RFC 8142); any coordinate system taken as a plane. Properties are the writer's own: of
+///               "role" = "free" | "obstacle" | "wall" | "start" | "goal" | "door" | "opening", "thickness" of walls,
+///               "boundary" = "walled" | "limit" of free polygons, in the properties or in an object "taut" among
+///               them, these values count where they fit the geometry, any other is none. Without a role polygons are
+///               as ReadOptions says, lines are walls; of points two are start and goal when they are all there are,
+///               else none, with a remark. A goal that is a polygon or multipolygon of axis-parallel rectangles is a
+///               room; the outline of a polygon with role "wall" is walls. A line with role "door" or "opening" takes
+///               away what it covers of the walls that it lies on.
 ///  movingai     MovingAI grid map: `type octile`, `height H`, `width W`, `map`, H rows of W cells; `.` `G` `S` free,
 ///               `@` `O` `T` `W` blocked. In the map's own coordinates: cell (column c, row r) is [c, c + 1] x [r, r +
 ///               1], y downwards. No start, no goal.
 ///
+///  ros_map      the yaml file of a ROS map (ros_map.h), whose picture lies beside it: metres, y up, the border walled.
+///  picture      a PNG or a portable grey map (P2, P5) alone, with ReadOptions::resolution: dark is blocked, as a
+///               ROS map with default thresholds and origin 0, 0.
+///  blocks       a cell a character: `#` blocked, blank, `.` or `_` free, `S` (or `s`, `A`) start, `G` (`g`, `E`, `B`,
+///               `X`) goal; or a matrix of 0 (free) and 1 (blocked), with or without blanks, commas and brackets. Rows
+///               from the top, 1 unit a cell, y up; ends are the middles of their cells; short rows end in free cells.
+///
 /// Of drawing, maz and num: without S the start is the bottom left cell; without G the goal is the room in the middle,
 /// 2 cells wide in an even direction and 1 in an odd one, unless the border has exactly two openings: then the world
 /// goes from the one to the other.
-enum class Format { segments, cell_values, drawing, maz, num, wkt, geojson, movingai };
+enum class Format { segments, cell_values, drawing, maz, num, wkt, geojson, movingai, ros_map, picture, blocks };
 
-/// The word for it in options: `segments`, `cells`, `drawing`, `maz`, `num`, `wkt`, `geojson`, `movingai`.
+/// The word for it in options: `segments`, `cells`, `drawing`, `maz`, `num`, `wkt`, `geojson`, `movingai`, `ros`,
+/// `picture`, `blocks`.
 std::string_view name(Format format);
 /// Nothing for any other word.
 std::optional<Format> format_named(std::string_view word);
@@ -61,13 +76,17 @@ struct ReadOptions {
   std::optional<Format> format{};      ///< absent: by content
   Polygons polygons = Polygons::free;  ///< what wkt and geojson polygons without a role are
   double cell_size = 1;                ///< of grid mazes, > 0
+  std::optional<double> resolution{};  ///< of a picture alone: metres a pixel, > 0
+  bool unknown_is_free = false;        ///< of ros_map: cells between the thresholds
+  std::string folder{};                ///< where files lie that the bytes name; read_world_file sets it
   std::string source{};                ///< file name for messages
 };
 
 /// What reading met that a World does not keep.
 struct ReadNotes {
   Format format = Format::segments;
-  std::size_t unknown_walls = 0;  ///< `.` in a drawing
+  std::size_t unknown_walls = 0;       ///< `.` in a drawing
+  std::vector<std::string> remarks{};  ///< what was taken in a way that one may wish to know, a line each
 };
 
 /// The format of these bytes, by content alone. Throws InputError when they are empty or of no known format.

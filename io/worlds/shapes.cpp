@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <taut/geometry/detail/text.h>
+#include <taut/io/worlds/detail/doors.h>
 
 namespace taut::detail {
 
@@ -24,11 +25,10 @@ void Shapes::add_walls(const Ring& chain, double thickness, int line) {
   for (std::size_t i = 1; i < chain.size(); ++i) parts_.walls.push_back({chain[i - 1], chain[i], thickness, line});
 }
 
-void Shapes::add_point(Point p, int line) {
-  if (!parts_.start) return set_start(p, line);
-  if (parts_.goal.point || !parts_.goal.room.empty())
-    at(line).fail("a third point, " + text(p) + "; the first two are start and goal");
-  set_goal(p, line);
+void Shapes::add_point(Point p) { points_.push_back(p); }
+
+void Shapes::add_door(const Ring& chain) {
+  for (std::size_t i = 1; i < chain.size(); ++i) doors_.push_back({chain[i - 1], chain[i]});
 }
 
 void Shapes::set_start(Point p, int line) {
@@ -53,8 +53,19 @@ void Shapes::add_goal_box(const Polygon& polygon, int line) {
   parts_.goal.room.push_back({{x0, y0}, {x1, y1}});
 }
 
-WorldParts Shapes::take() {
+WorldParts Shapes::take(Alone ends, ReadNotes& notes) {
   parts_.boundary = boundary_;
+  const bool has_ends = parts_.start || parts_.goal.point || !parts_.goal.room.empty();
+  if (!has_ends && (points_.size() == 2 || (points_.size() == 1 && ends == Alone::one_or_two))) {
+    parts_.start = points_[0];
+    if (points_.size() == 2) parts_.goal.point = points_[1];
+  } else if (!points_.empty()) {
+    notes.remarks.push_back(std::to_string(points_.size()) + (points_.size() == 1 ? " point" : " points") +
+                            " without a role left out; start and goal are points with these roles, or two alone");
+  }
+  for (const Segment& door : doors_)
+    if (!open_door(parts_.walls, door))
+      notes.remarks.push_back("the door " + text(door.a) + "-" + text(door.b) + " lies on no wall and is left out");
   return std::move(parts_);
 }
 

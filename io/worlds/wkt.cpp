@@ -20,10 +20,10 @@ class Wkt {
   Wkt(std::string_view bytes, const ReadOptions& options)
       : rest_(stripped(bytes)), source_(options.source), shapes_(options) {}
 
-  WorldParts read() {
+  WorldParts read(ReadNotes& notes) {
     for (;;) {
       skip_separators();
-      if (rest_.empty()) return shapes_.take();
+      if (rest_.empty()) return shapes_.take(Shapes::Alone::one_or_two, notes);
       if (!skip_srid()) geometry(0);
     }
   }
@@ -121,9 +121,9 @@ class Wkt {
     const std::string shown = found();
     const std::string what = kind();
     if (take_empty()) return;
-    if (what == "POINT") return list([&] { shapes_.add_point(position(), line); }, false);
+    if (what == "POINT") return list([&] { shapes_.add_point(position()); }, false);
     if (what == "MULTIPOINT") return list([&] { multipoint_member(); });
-    if (what == "LINESTRING") return shapes_.add_walls(chain(), 0, line);
+    if (what == "LINESTRING" || what == "LINEARRING") return shapes_.add_walls(chain(), 0, line);
     if (what == "MULTILINESTRING") return list([&] { line_member(); });
     if (what == "POLYGON") return polygon();
     if (what == "MULTIPOLYGON") return list([&] { polygon(); });
@@ -143,7 +143,7 @@ class Wkt {
   void multipoint_member() {
     if (take_empty()) return;
     const bool wrapped = take('(');
-    shapes_.add_point(position(), line_);
+    shapes_.add_point(position());
     if (wrapped) expect(')');
   }
 
@@ -183,20 +183,29 @@ class Wkt {
     for (int more = 0; more < 2; ++more) {
       skip_space();
       if (rest_.empty() || rest_.front() == ',' || rest_.front() == ')') break;
-      number();
+      skip_number();
     }
     return {x, y};
   }
 
-  double number() {
+  std::string_view field() {
     skip_space();
     std::size_t end = 0;
     while (end < rest_.size() && !is_space(rest_[end]) && rest_[end] != ',' && rest_[end] != '(' && rest_[end] != ')')
       ++end;
     if (end == 0) fail("a number is expected, not " + found());
-    const double value = coordinate(rest_.substr(0, end), {source_, line_});
+    const std::string_view text = rest_.substr(0, end);
     rest_.remove_prefix(end);
-    return value;
+    return text;
+  }
+
+  double number() { return coordinate(field(), {source_, line_}); }
+
+  // Z or M: may be NaN.
+  void skip_number() {
+    const std::string_view text = field();
+    const std::string word = upper(text);
+    if (word != "NAN" && word != "-NAN") coordinate(text, {source_, line_});
   }
 
   std::string_view rest_;
@@ -207,6 +216,8 @@ class Wkt {
 
 }  // namespace
 
-WorldParts read_wkt(std::string_view bytes, const ReadOptions& options) { return Wkt(bytes, options).read(); }
+WorldParts read_wkt(std::string_view bytes, const ReadOptions& options, ReadNotes& notes) {
+  return Wkt(bytes, options).read(notes);
+}
 
 }  // namespace taut::detail

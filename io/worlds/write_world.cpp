@@ -22,7 +22,10 @@ std::string write_world(const World& world, Format format) {
     case Format::num: return write_num(grid_of(world, format));
     case Format::wkt: return write_wkt(world);
     case Format::geojson: return write_geojson(world);
-    case Format::movingai: throw InputError("", 0, "grid maps can be read, not written");
+    case Format::movingai:
+    case Format::ros_map:
+    case Format::picture:
+    case Format::blocks: throw InputError("", 0, std::string(name(format)) + " can be read, not written");
   }
   return {};
 }

@@ -11,8 +11,12 @@
 namespace taut::detail {
 
 WorldParts read_segments(std::string_view bytes, const std::string& source);
-WorldParts read_wkt(std::string_view bytes, const ReadOptions& options);
-WorldParts read_geojson(std::string_view bytes, const ReadOptions& options);
+WorldParts read_wkt(std::string_view bytes, const ReadOptions& options, ReadNotes& notes);
+WorldParts read_geojson(std::string_view bytes, const ReadOptions& options, ReadNotes& notes);
+
+WorldParts read_blocks(std::string_view bytes, const std::string& source);
+/// A drawing in blocks, or a matrix of 0 and 1?
+bool looks_like_blocks(std::string_view bytes);
 
 GridMaze read_cell_values(std::string_view bytes, const std::string& source);
 GridMaze read_drawing(std::string_view bytes, const std::string& source, std::size_t& unknown_walls);

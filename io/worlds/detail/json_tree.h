@@ -15,7 +15,7 @@ struct JsonTree {
   int line = 0;
   double number = 0;  ///< also 0 and 1 of a boolean
   std::string string;
-  std::vector<JsonTree> items;        ///< of an array or, in order, of an object
+  std::vector<JsonTree> items;    ///< of an array or, in order, of an object
   std::vector<std::string> keys;  ///< of an object, one an item
 
   /// The last member of that name, nullptr when there is none or this is no object.
@@ -25,5 +25,8 @@ struct JsonTree {
 /// Parses with nlohmann-json's SAX interface. Throws InputError with the line on anything that is not JSON, on values
 /// nested deeper than 64, and on numbers beyond the range of double.
 JsonTree parse_json(std::string_view bytes, const std::string& source);
+
+/// The same of one text, or of several: one a line, or one behind each RS character (RFC 8142).
+std::vector<JsonTree> parse_json_texts(std::string_view bytes, const std::string& source);
 
 }  // namespace taut::detail

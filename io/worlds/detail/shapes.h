@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <taut/geometry/world.h>
 #include <taut/io/worlds/detail/text_input.h>
@@ -24,8 +25,10 @@ class Shapes {
   /// Each leg a wall; at least two points.
   void add_walls(const Ring& chain, double thickness, int line);
 
-  /// The first point is the start, the second the goal; fails on a third.
-  void add_point(Point p, int line);
+  /// A point that says nothing of itself: see take().
+  void add_point(Point p);
+  /// Each leg takes away what it covers of the walls that it lies on.
+  void add_door(const Ring& chain);
   void set_start(Point p, int line);
   void set_goal(Point p, int line);
   void add_goal_box(const Polygon& polygon, int line);
@@ -33,7 +36,11 @@ class Shapes {
   /// Floor plans (the default) or limits.
   void set_boundary(Boundary boundary) { boundary_ = boundary; }
 
-  WorldParts take();
+  /// Of points that say nothing of themselves, when there are no ends: are two start and goal, is one the start?
+  enum class Alone { two, one_or_two };
+  /// All of it. Other points that say nothing of themselves are left out, with a remark, as are doors that lie on no
+  /// wall.
+  WorldParts take(Alone ends, ReadNotes& notes);
 
  private:
   Place at(int line) const { return {source_, line}; }
@@ -42,6 +49,8 @@ class Shapes {
   ReadOptions::Polygons as_;
   Boundary boundary_ = Boundary::walled;
   WorldParts parts_;
+  std::vector<Point> points_;
+  std::vector<Segment> doors_;
 };
 
 /// Checks that a ring as these formats write it is closed and has at least four positions; cuts off the last, repeated

@@ -65,14 +65,83 @@ std::string message_of(const std::string& bytes) {
 TEST(GeoJson, SaysWhatIsWrong) {
   EXPECT_EQ(message_of(feature(R"({"role": "goal"})", "Polygon", "[[[0, 0], [4, 0], [4, 5], [0, 4], [0, 0]]]")),
             "line 1: a goal polygon must be an axis-parallel rectangle");
-  EXPECT_EQ(message_of(feature(R"({"role": "free"})", "LineString", "[[0, 0], [4, 0]]")),
-            "line 1: a line can only have the role wall");
   EXPECT_EQ(message_of(feature(R"({"thickness": -1})", "LineString", "[[0, 0], [4, 0]]")),
             "line 1: wall thickness -1 is negative");
   EXPECT_EQ(message_of("{\"type\": \"Polygon\"}"), "line 1: Polygon without \"coordinates\"");
   EXPECT_EQ(message_of("{}"), "line 1: a GeoJSON object without \"type\"");
   EXPECT_EQ(message_of("{\"type\": \"FeatureCollection\"}"), "line 1: \"features\" is missing or no array");
   EXPECT_EQ(message_of("{\"type\":\n\n \"Point\"").substr(0, 42), "line 3: not valid JSON: syntax error while");
+}
+
+std::string collection(const std::string& features) {
+  return "{\"type\": \"FeatureCollection\", \"features\": [" + features + "]}";
+}
+
+// RFC 7946, 3.2: what others write there is none of our business.
+TEST(GeoJson, LeavesPropertiesThatAreNoneOfItsWordsToTheirWriter) {
+  const World world = read_world(
+      collection(feature(R"({"boundary": "census", "role": "outer", "thickness": null})", "Polygon", kSquare) + "," +
+                 feature(R"({"role": "start", "thickness": -2})", "LineString", "[[1, 1], [1, 2]]") + "," +
+                 feature(R"({"role": 7, "thickness": "thin"})", "LineString", "[[2, 1], [2, 2]]")));
+  EXPECT_EQ(world.boundary(), Boundary::walled);
+  ASSERT_EQ(world.walls().size(), 2U);
+  EXPECT_EQ(world.walls()[0].thickness, 0);
+}
+
+TEST(GeoJson, FindsItsWordsInAnObjectOfItsOwn) {
+  const World world =
+      read_world(collection(feature(R"({"role": "outer", "taut": {"role": "obstacle"}})", "Polygon", kSquare) + "," +
+                            feature(R"({"taut": {"thickness": 0.25}})", "LineString", "[[9, 9], [9, 8]]")));
+  EXPECT_EQ(world.solids().size(), 1U);
+  EXPECT_EQ(world.walls().at(0).thickness, 0.25);
+}
+
+TEST(GeoJson, TakesTwoPointsForEndsOnlyWhenTheyAreAllThereAre) {
+  const std::string a = feature("{}", "Point", "[1, 1]"), b = feature("{}", "Point", "[3, 3]"),
+                    square = feature("{}", "Polygon", kSquare);
+  ReadNotes notes;
+  EXPECT_EQ(read_world(collection(square + "," + a + "," + b), {}, &notes).goal().point, (Point{3, 3}));
+  EXPECT_TRUE(notes.remarks.empty());
+  EXPECT_FALSE(read_world(collection(square + "," + a + "," + b + "," + b), {}, &notes).start());
+  ASSERT_EQ(notes.remarks.size(), 1U);
+  EXPECT_EQ(notes.remarks[0],
+            "3 points without a role left out; start and goal are points with these roles, or two alone");
+  const std::string start = feature(R"({"role": "start"})", "Point", "[2, 2]");
+  EXPECT_EQ(read_world(collection(square + "," + a + "," + start), {}, &notes).start(), (Point{2, 2}));
+  EXPECT_EQ(notes.remarks.size(), 1U);
+}
+
+TEST(GeoJson, OpensTheWallThatADoorLiesOn) {
+  const auto world_with = [](const std::string& door, const std::string& thickness, ReadNotes* notes = nullptr) {
+    return read_world(collection(feature("{}", "Polygon", kSquare) + "," +
+                                 feature(R"({"thickness": )" + thickness + "}", "LineString", "[[2, 4], [2, 0]]") +
+                                 "," + feature(R"({"role": "door"})", "LineString", door)),
+                      {}, notes);
+  };
+  const World opened = world_with("[[2, 1], [2, 2]]", "0");
+  ASSERT_EQ(opened.walls().size(), 2U);
+  EXPECT_EQ(opened.walls()[0].b, (Point{2, 1}));
+  EXPECT_EQ(opened.walls()[1].a, (Point{2, 2}));
+  const World thick = world_with("[[2, 2], [2, 1]]", "0.5");  // caps do not reach into the door
+  EXPECT_EQ(thick.walls()[0].b, (Point{2, 0.75}));
+  EXPECT_EQ(thick.walls()[1].a, (Point{2, 2.25}));
+  EXPECT_TRUE(world_with("[[2, -1], [2, 5]]", "0").walls().empty());
+  ReadNotes notes;
+  EXPECT_EQ(world_with("[[1, 1], [1, 2]]", "0", &notes).walls().size(), 1U);
+  EXPECT_EQ(notes.remarks.at(0), "the door (1, 1)-(1, 2) lies on no wall and is left out");
+}
+
+TEST(GeoJson, ReadsOneFeatureALineWithOrWithoutRecordSeparators) {
+  const std::string square = feature("{}", "Polygon", kSquare), wall = feature("{}", "LineString", "[[1, 1], [1, 2]]");
+  for (const std::string& text :
+       {square + "\n" + wall + "\n", square + "\r\n\n" + wall, "\x1e" + square + "\n\x1e" + wall + "\n"}) {
+    const World world = read_world(text);
+    EXPECT_EQ(world.areas().size(), 1U);
+    EXPECT_EQ(world.walls().size(), 1U);
+  }
+  EXPECT_EQ(test::refusal_of([&] { read_world(square + "\n" + wall + "\n{\"type\": 3}\n"); }),
+            "line 3: a GeoJSON object without \"type\"");
+  EXPECT_EQ(test::refusal_of([&] { read_world(square + "\n{\"type\": \n"); }).substr(0, 23), "line 2: not valid JSON:");
 }
 
 }  // namespace

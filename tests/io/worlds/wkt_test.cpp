@@ -58,5 +58,19 @@ TEST(Wkt, SaysWhatItExpected) {
   EXPECT_EQ(message_of("POINT EMPTY"), "no walls and no areas");
 }
 
+TEST(Wkt, ReadsWhatShapelyAndGdalWrite) {
+  const World world =
+      read_world("LINEARRING (0 0, 4 0, 4 4, 0 0)\nPOINT Z (1 1 NaN)\nLINESTRING ZM (0 0 nan -nan, 1 0 2 nan)");
+  EXPECT_EQ(world.walls().size(), 4U);
+  EXPECT_EQ(world.start(), (Point{1, 1}));
+  EXPECT_EQ(message_of("POINT (nan 1)"), "line 1: 'nan' is not a finite number");
+}
+
+TEST(Wkt, LeavesOutPointsThatCannotBeEnds) {
+  ReadNotes notes;
+  EXPECT_FALSE(read_world("LINESTRING (0 0, 1 0)\nMULTIPOINT (0 1, 1 1, 2 1)", {}, &notes).start());
+  EXPECT_EQ(notes.remarks.size(), 1U);
+}
+
 }  // namespace
 }  // namespace taut

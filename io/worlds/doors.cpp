@@ -1,0 +1,60 @@
+#include <taut/io/worlds/detail/doors.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <taut/geometry/predicates.h>
+
+namespace taut::detail {
+
+namespace {
+
+// Where a point of the wall's line lies along it, by its longer axis.
+class Axis {
+ public:
+  explicit Axis(const Wall& wall) : along_x_(std::abs(wall.b.x - wall.a.x) >= std::abs(wall.b.y - wall.a.y)) {}
+  double of(Point p) const { return along_x_ ? p.x : p.y; }
+
+ private:
+  bool along_x_;
+};
+
+bool lies_on_line_of(const Wall& wall, const Segment& door) {
+  return wall.a != wall.b && orientation(wall.a, wall.b, door.a) == 0 && orientation(wall.a, wall.b, door.b) == 0;
+}
+
+// `from` moved by half the wall's thickness towards `to`, for the cap; nothing where that leaves no wall.
+bool drawn_back(Point& from, Point to, double thickness) {
+  const double length = std::hypot(to.x - from.x, to.y - from.y), back = thickness / 2;
+  if (thickness == 0) return length > 0;
+  if (length <= back) return false;
+  from = {from.x + (to.x - from.x) / length * back, from.y + (to.y - from.y) / length * back};
+  return true;
+}
+
+}  // namespace
+
+bool open_door(std::vector<Wall>& walls, const Segment& door) {
+  bool opened = false;
+  std::vector<Wall> left;
+  for (const Wall& wall : walls) {
+    const Axis axis(wall);
+    Point a = wall.a, b = wall.b, from = door.a, to = door.b;
+    if (axis.of(a) > axis.of(b)) std::swap(a, b);
+    if (axis.of(from) > axis.of(to)) std::swap(from, to);
+    if (!lies_on_line_of(wall, door) || axis.of(to) <= axis.of(a) || axis.of(from) >= axis.of(b)) {
+      left.push_back(wall);
+      continue;
+    }
+    opened = true;
+    if (axis.of(from) > axis.of(a) && drawn_back(from, a, wall.thickness))
+      left.push_back({a, from, wall.thickness, wall.line});
+    if (axis.of(to) < axis.of(b) && drawn_back(to, b, wall.thickness))
+      left.push_back({to, b, wall.thickness, wall.line});
+  }
+  walls = std::move(left);
+  return opened;
+}
+
+}  // namespace taut::detail
