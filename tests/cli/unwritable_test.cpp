@@ -77,6 +77,8 @@ constexpr Row kRows[] = {
     {"convert @room --as wkt", 0, "LINESTRING"},
     {"convert @room --as geojson", 0, "FeatureCollection"},
     {"convert @room new --as wkt", 3, "", "new: "},
+    {"space @sloped -o - --as wkt", 0, "POLYGON"},
+    {"space @sloped -o new.wkt", 3, "", "new.wkt: "},
     {"batch @sloped @queries", 0, "1 ", "1 query"},
     {"batch @sealed @queries", 1, "1 none", "1 query"},
     {"grid solve @grid --from 0,0 --to 2,3", 0, "cost"},
