@@ -20,17 +20,17 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Start and goal: what they lie on may bend elsewhere, not there.
-std::vector<Point> ends_of(const World& world) {
-  std::vector<Point> ends;
+/// Where paths will end: what these points lie on may bend elsewhere, not there.
+std::vector<Point> ends_of(const World& world, std::span<const Point> places) {
+  std::vector<Point> ends(places.begin(), places.end());
   if (world.start()) ends.push_back(*world.start());
   if (world.goal().point) ends.push_back(*world.goal().point);
   return ends;
 }
 
 /// The outlines of the obstacles and the zero-thickness walls, split where they meet.
-detail::Noded noded_edges(const World& world, const Footprint& footprint) try {
-  const std::vector<Point> ends = ends_of(world);
+detail::Noded noded_edges(const World& world, const Footprint& footprint, std::span<const Point> places) try {
+  const std::vector<Point> ends = ends_of(world, places);
   const detail::Obstacles obstacles = detail::obstacles_of(world, footprint, ends);
   detail::Outline outline = detail::outline_of_union(obstacles.pieces, world.box(), ends);
   std::vector<detail::Edge> edges = std::move(outline.edges);
@@ -113,10 +113,10 @@ bool looks_towards(const Triangulation& tri, const Location& at, Point q) {
 
 }  // namespace
 
-FreeSpace::FreeSpace(World world, Footprint footprint) {
+FreeSpace::FreeSpace(World world, Footprint footprint, std::span<const Point> places) {
   FreeSpaceReport report;
   auto start = std::chrono::steady_clock::now();
-  detail::Noded noded = noded_edges(world, footprint);
+  detail::Noded noded = noded_edges(world, footprint, places);
   report.crossings = noded.crossings;
   report.displacement = noded.displacement;
   report.seconds_union = seconds_since(start);

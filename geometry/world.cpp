@@ -145,9 +145,9 @@ Box roomy_box(const WorldParts& parts) {
   const Box b = bounds_of_everything(parts).box();
   const double extent = std::max(b.max.x - b.min.x, b.max.y - b.min.y);
   const double margin = extent > 0 ? extent / 4 : 0.5;
-  // Below one a decimal, so that the box lies on the lattice of what it is around.
-  const double step = margin >= 1 ? std::exp2(std::floor(std::log2(margin)))
-                                  : written::number(1, -static_cast<int>(std::floor(std::log10(margin))));
+  // Of small worlds a decimal, so that the box lies on the lattice of what it is around.
+  const double step = margin >= 0.01 ? std::exp2(std::floor(std::log2(margin)))
+                                     : written::number(1, -static_cast<int>(std::floor(std::log10(margin))));
   const Box wide{{widened(b.min.x, margin, step, -1), widened(b.min.y, margin, step, -1)},
                  {widened(b.max.x, margin, step, 1), widened(b.max.y, margin, step, 1)}};
   for (double v : {wide.min.x, wide.min.y, wide.max.x, wide.max.y})

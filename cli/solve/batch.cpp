@@ -19,6 +19,7 @@
 #include <taut/cli/report.h>
 #include <taut/cli/timing.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/written_places.h>
 #include <taut/io/worlds/gzip.h>
 #include <taut/io/worlds/query_lines.h>
 #include <taut/search/no_path.h>
@@ -133,6 +134,7 @@ class Batch {
     Polyanya polyanya(space);
     PolyanyaSearch search(polyanya);
     const NoPath no_path(space);
+    const WrittenPlaces places(space);
     prepared_ = total_.seconds();
     begin_stage("search");
     QueryReader reader(source.name());
@@ -145,7 +147,10 @@ class Batch {
         throw InputError(source.name(), number,
                          fmt::format("is for a map of {} x {} cells, {} has {} x {}", query->map.x, query->map.y,
                                      input.name, box.max.x, box.max.y));
-      answer(space, search, no_path, *query, source.name());
+      if (places.is_moved(query->from) || places.is_moved(query->to))
+        answer_on_walls(input.world, *query, source.name());
+      else
+        answer(space, search, no_path, *query, source.name());
       if (out_.size() >= kBlock || source.may_wait()) flush();
       if (!is_worth_landmarks(polyanya)) continue;
       const Stopwatch watch;
@@ -180,6 +185,14 @@ class Batch {
     }
     if (options_.quiet) return;
     options_.json ? put_json(query, answer, search, matches) : put_line(query, answer, search);
+  }
+
+  /// Ends on sloped walls that bend nearby: a space of their own keeps them there.
+  void answer_on_walls(const World& world, const QueryLine& query, const std::string& source) {
+    const Point ends[] = {query.from, query.to};
+    const FreeSpace space(world, options_.query.robot, ends);
+    PolyanyaSearch search{Polyanya(space)};
+    answer(space, search, NoPath(space), query, source);
   }
 
   bool is_worth_landmarks(const Polyanya& polyanya) const {

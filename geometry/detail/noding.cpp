@@ -132,7 +132,7 @@ class Splitting {
   std::pair<double, double> along(const Cut& cut) const {
     const Edge& c = pieces_[cut.first];
     const double dx = c.b.x - c.a.x, dy = c.b.y - c.a.y;
-    if (std::abs(dx) >= std::abs(dy)) return {cut.second.x, cut.second.y};
+    if (std::abs(dx) >= std::abs(dy)) return {cut.second.x, dy < 0 ? -cut.second.y : cut.second.y};
     return dy > 0 ? std::pair(cut.second.y, cut.second.x) : std::pair(-cut.second.y, cut.second.x);
   }
 

@@ -9,6 +9,9 @@
 #include <support/exact_arrangement.h>
 #include <support/small_world.h>
 #include <taut/geometry/written.h>
+#include <taut/roadmaps/tangent_graph.h>
+#include <taut/search/arc_search.h>
+#include <taut/search/disc_passage.h>
 #include <taut/search/shortest_path.h>
 #include <taut/search/verify.h>
 
@@ -166,6 +169,40 @@ TEST(DecimalWorld, HasTheShortestPathsOfTheExactArrangement) {
         << k << ", places " << drawn.places << "\n"
         << drawn.text();
     ASSERT_TRUE(verify(*path, space, *world.start(), world.goal()).valid) << drawn.text();
+  }
+}
+
+TEST(DecimalWorld, LetsADiscThroughAGapThatIsExactlyAsWide) {
+  Draw draw(5);
+  for (int k = 0; k < worlds(100); ++k) {
+    const int size = draw.between(1, 30);  // of the gap: 3, 4, 5 hundredths each
+    const int x = draw.between(100, 700), y = draw.between(300, 500);
+    const Point a = place(x, y, 2), b = place(x + 3 * size, y + 4 * size, 2);
+    const SmallWorld walls{.walls = {{{0, a.y}, a}, {b, {10, b.y}}}};
+    const FreeSpace space = walls.space();
+    const Point below = place(x, y - 250, 2), above = place(x + 3 * size, y + 4 * size + 250, 2);
+    const double r = written::number(25 * size, 3), more = written::number(25 * size + 1, 3);
+    EXPECT_EQ(disc_passage(space, below, above, r).status, PassageStatus::reachable) << k;
+    EXPECT_EQ(disc_passage(space, below, above, more).status, PassageStatus::separated) << k;
+    EXPECT_EQ(widest_passage(space, below, above).value().radius, r);
+    EXPECT_EQ(arc_search(TangentGraph(space, r), below, above).status, ArcStatus::found) << k;
+    EXPECT_EQ(arc_search(TangentGraph(space, more), below, above).status, ArcStatus::none) << k;
+  }
+}
+
+TEST(DecimalWorld, HasWallsAsThickAsTheyAreWritten) {
+  Draw draw(6);
+  for (int k = 0; k < worlds(100); ++k) {
+    // Two thick walls whose faces touch: nothing gets between them. A hundredth apart it does.
+    const int y = draw.between(100, 800), t = draw.between(1, 40);
+    for (const int gap : {0, 1}) {
+      const double above = written::number(y + t + gap, 2);
+      const SmallWorld walls{
+          .walls = {{{0, written::number(y, 2)}, {7, written::number(y, 2)}}, {{0, above}, {7, above}}},
+          .thickness = written::number(t, 2)};
+      const Point middle{3, written::middle(written::number(y, 2), above)};
+      EXPECT_EQ(walls.space().locate(middle).kind != Location::Kind::outside, gap == 1) << k;
+    }
   }
 }
 
