@@ -48,7 +48,7 @@ bool is_open_towards(const FreeSpace& space, Point p, Point q) {
   const Point a = tri.points[corners[Triangulation::ccw(at.index)]],
               b = tri.points[corners[Triangulation::cw(at.index)]];
   const std::uint32_t across = tri.neighbours[at.triangle][at.index];
-  return orientation(a, b, q) >= 0 || (across != kNone && tri.free[across]);
+  return written::orientation(a, b, q) >= 0 || (across != kNone && tri.free[across]);
 }
 
 }  // namespace
