@@ -6,8 +6,8 @@
 
 #include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
-#include <taut/geometry/predicates.h>
 #include <taut/geometry/world.h>
+#include <taut/geometry/written.h>
 
 namespace taut {
 
@@ -20,9 +20,9 @@ double checked_radius(double r) {
 }
 
 bool is_convex_around_origin(const Ring& ring) {
-  if (ring.size() < 3 || side_of_ring({0, 0}, ring) <= 0) return false;
+  if (ring.size() < 3 || written::side_of_ring({0, 0}, ring) <= 0) return false;
   for (std::size_t i = 0; i < ring.size(); ++i)
-    if (orientation(ring[i], ring[(i + 1) % ring.size()], ring[(i + 2) % ring.size()]) <= 0) return false;
+    if (written::orientation(ring[i], ring[(i + 1) % ring.size()], ring[(i + 2) % ring.size()]) <= 0) return false;
   return true;
 }
 

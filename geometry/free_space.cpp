@@ -10,7 +10,7 @@
 #include <taut/geometry/detail/outline_rings.h>
 #include <taut/geometry/detail/ray_walk.h>
 #include <taut/geometry/detail/triangulate.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut {
 
@@ -20,15 +20,24 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Where paths will end: what these points lie on may bend elsewhere, not there.
+std::vector<Point> ends_of(const World& world, std::span<const Point> places) {
+  std::vector<Point> ends(places.begin(), places.end());
+  if (world.start()) ends.push_back(*world.start());
+  if (world.goal().point) ends.push_back(*world.goal().point);
+  return ends;
+}
+
 /// The outlines of the obstacles and the zero-thickness walls, split where they meet.
-detail::Noded noded_edges(const World& world, const Footprint& footprint) try {
-  const detail::Obstacles obstacles = detail::obstacles_of(world, footprint);
-  detail::Outline outline = detail::outline_of_union(obstacles.pieces, world.box());
+detail::Noded noded_edges(const World& world, const Footprint& footprint, std::span<const Point> places) try {
+  const std::vector<Point> ends = ends_of(world, places);
+  const detail::Obstacles obstacles = detail::obstacles_of(world, footprint, ends);
+  detail::Outline outline = detail::outline_of_union(obstacles.pieces, world.box(), ends);
   std::vector<detail::Edge> edges = std::move(outline.edges);
   if (footprint.kind() == Footprint::Kind::point)
     for (std::uint32_t i = 0; i < world.walls().size(); ++i)
       if (const Wall& wall = world.walls()[i]; wall.thickness == 0) edges.push_back({wall.a, wall.b, 0, i});
-  detail::Noded noded = detail::node(std::move(edges));
+  detail::Noded noded = detail::node(std::move(edges), detail::Unit(world.box()), ends);
   noded.crossings += outline.crossings;
   noded.displacement = std::max({noded.displacement, outline.displacement, obstacles.excess});
   return noded;
@@ -98,16 +107,16 @@ bool looks_towards(const Triangulation& tri, const Location& at, Point q) {
   if (at.kind != Location::Kind::side) return true;
   const auto& corners = tri.triangles[at.triangle];
   const std::uint32_t n = tri.neighbours[at.triangle][at.index];
-  return (n != kNone && tri.free[n]) || orientation(tri.points[corners[Triangulation::ccw(at.index)]],
-                                                    tri.points[corners[Triangulation::cw(at.index)]], q) >= 0;
+  return (n != kNone && tri.free[n]) || written::orientation(tri.points[corners[Triangulation::ccw(at.index)]],
+                                                             tri.points[corners[Triangulation::cw(at.index)]], q) >= 0;
 }
 
 }  // namespace
 
-FreeSpace::FreeSpace(World world, Footprint footprint) {
+FreeSpace::FreeSpace(World world, Footprint footprint, std::span<const Point> places) {
   FreeSpaceReport report;
   auto start = std::chrono::steady_clock::now();
-  detail::Noded noded = noded_edges(world, footprint);
+  detail::Noded noded = noded_edges(world, footprint, places);
   report.crossings = noded.crossings;
   report.displacement = noded.displacement;
   report.seconds_union = seconds_since(start);

@@ -68,12 +68,16 @@ struct FreeSpaceReport {
 ///  2. polygons() is the closure of what is left; two free regions, or parts of one, that touch in a point are
 ///     not connected there.
 ///  3. Zero-thickness walls of a point robot are constraints, split where they meet. A crossing that is no pair of
-///     doubles is rounded to the nearest, so a wall may bend there by report().displacement.
+///     doubles is rounded to the nearest decimals, so a wall may bend there by report().displacement.
+///  4. Numbers mean what was written (written.h), rounding is to the finest decimals that leave 15 digits. A wall or
+///     an outline that bends at a rounded crossing still passes through the world's start and goal, and those of
+///     `places`, that lie on it as written.
 /// Throws InputError when obstacles meet so sharply that no pair of doubles lies in the free wedge between them. O((n +
 /// k) log n) for n input edges with k contacts.
 class FreeSpace {
  public:
-  explicit FreeSpace(World world, Footprint footprint = Footprint::point());
+  /// `places`: further points that will be asked about, see 4.
+  explicit FreeSpace(World world, Footprint footprint = Footprint::point(), std::span<const Point> places = {});
 
   const World& world() const;
   const Footprint& footprint() const;

@@ -7,7 +7,7 @@
 #include <taut/geometry/detail/expects.h>
 #include <taut/geometry/detail/free_space_impl.h>
 #include <taut/geometry/detail/segment_distance.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut {
 
@@ -143,7 +143,7 @@ class Outline {
   /// Where a ray meets the side a b.
   Point end_of(const auto& ray, Point a, Point b) {
     for (const Point p : {a, b})
-      if (orientation(origin_, ray.through, p) == 0) return p;
+      if (written::orientation(origin_, ray.through, p) == 0) return p;
     const detail::ExactPoint exact = detail::line_crossing({origin_, ray.through}, {a, b});
     const Point p = detail::nearest_point(exact);
     result_.rounding = std::max(result_.rounding, detail::displacement(exact, p));

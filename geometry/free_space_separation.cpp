@@ -2,6 +2,7 @@
 #include <taut/geometry/detail/expects.h>
 #include <taut/geometry/detail/free_space_impl.h>
 #include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut {
 
@@ -59,8 +60,8 @@ int winding_number(const Ring& ring, Point p) {
   int winding = 0;
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
     const Point a = ring[j], b = ring[i];
-    if (a.y <= p.y && b.y > p.y && orientation(a, b, p) > 0) ++winding;
-    if (a.y > p.y && b.y <= p.y && orientation(a, b, p) < 0) --winding;
+    if (a.y <= p.y && b.y > p.y && written::orientation(a, b, p) > 0) ++winding;
+    if (a.y > p.y && b.y <= p.y && written::orientation(a, b, p) < 0) --winding;
   }
   return winding;
 }

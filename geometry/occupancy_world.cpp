@@ -4,7 +4,7 @@
 #include <array>
 #include <utility>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut {
 
@@ -103,7 +103,7 @@ class Outlines {
     for (const Point p : ring) at_[corner(static_cast<std::int64_t>(p.x), static_cast<std::int64_t>(p.y))] = kNowhere;
     ring_.resize(first);
     Polygon& polygon = solids_[piece].polygon;
-    if (ring_orientation(ring) > 0)
+    if (written::ring_orientation(ring) > 0)
       polygon.outer = std::move(ring);
     else
       polygon.holes.push_back(std::move(ring));

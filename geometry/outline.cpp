@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <taut/geometry/detail/box_index.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -17,7 +17,7 @@ Ring corners(const Ring& ring) {
   Ring kept;
   const std::size_t n = ring.size();
   for (std::size_t i = 0; i < n; ++i)
-    if (orientation(ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]) != 0) kept.push_back(ring[i]);
+    if (written::orientation(ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n]) != 0) kept.push_back(ring[i]);
   return kept;
 }
 
@@ -69,7 +69,7 @@ class Cover {
  private:
   void add(std::uint32_t i, Point p, Point q) {
     const Segment& s = sides_[i];
-    if (p == q || orientation(s.a, s.b, p) != 0 || orientation(s.a, s.b, q) != 0) return;
+    if (p == q || written::orientation(s.a, s.b, p) != 0 || written::orientation(s.a, s.b, q) != 0) return;
     if (Along(s).before(q, p)) std::swap(p, q);
     pieces_[i].push_back({p, q});
   }

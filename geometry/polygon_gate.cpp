@@ -9,7 +9,7 @@
 #include <taut/geometry/detail/box_index.h>
 #include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -30,7 +30,7 @@ void drop_repeats(Ring& ring) {
 }
 
 // The rays from p to x and from p to y are the same. x, y != p.
-bool same_ray(Point p, Point x, Point y) { return orientation(p, x, y) == 0 && !on_segment(p, x, y); }
+bool same_ray(Point p, Point x, Point y) { return written::orientation(p, x, y) == 0 && !written::on_segment(p, x, y); }
 
 // What a ring looks like around one of its points: it comes from `before` and leaves to `after`.
 struct Corner {
@@ -42,9 +42,9 @@ struct Corner {
 
   // Is the direction at -> p strictly to the left of the chain? Precondition: it is on neither arm.
   bool left(Point p) const {
-    const bool left_of_in = orientation(before, at, p) > 0;
-    const bool left_of_out = orientation(at, after, p) > 0;
-    return orientation(before, at, after) > 0 ? left_of_in && left_of_out : left_of_in || left_of_out;
+    const bool left_of_in = written::orientation(before, at, p) > 0;
+    const bool left_of_out = written::orientation(at, after, p) > 0;
+    return written::orientation(before, at, after) > 0 ? left_of_in && left_of_out : left_of_in || left_of_out;
   }
 };
 
@@ -78,7 +78,7 @@ class Gate {
   }
 
   static void turn(Ring& ring, int wanted) {
-    if (ring_orientation(ring) != wanted) std::reverse(ring.begin() + 1, ring.end());
+    if (written::ring_orientation(ring) != wanted) std::reverse(ring.begin() + 1, ring.end());
   }
 
   void collect_sides() {
@@ -108,14 +108,14 @@ class Gate {
   // Sides of one ring, s before t. Neighbours meet only at their common vertex, unless there is a spike.
   void check_pair(const Side& s, const Side& t) const {
     const bool neighbours = t.index == s.index + 1 || (s.index == 0 && t.index == ring(s.ring).size() - 1);
-    if (!neighbours && segments_meet(s.segment(), t.segment())) fail_pair(s, t);
+    if (!neighbours && written::segments_meet(s.segment(), t.segment())) fail_pair(s, t);
   }
 
   void check_spikes(const Ring& r) const {
     const std::size_t n = r.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Point a = r[i], b = r[(i + 1) % n], c = r[(i + 2) % n];
-      if (orientation(a, b, c) == 0 && !on_segment(b, a, c))
+      if (written::orientation(a, b, c) == 0 && !written::on_segment(b, a, c))
         fail("ring has a spike at " + text(b) + ": side " + text(Segment{b, c}) + " folds back over side " +
              text(Segment{a, b}));
     }
@@ -123,12 +123,12 @@ class Gate {
 
   [[noreturn]] void fail_pair(const Side& s, const Side& t) const {
     const std::string sides = "side " + text(s.segment()) + " and side " + text(t.segment());
-    if (cross_properly(s.segment(), t.segment())) fail("ring crosses itself: " + sides);
+    if (written::cross_properly(s.segment(), t.segment())) fail("ring crosses itself: " + sides);
     std::vector<Point> shared;
     for (Point p : {t.a, t.b})
-      if (on_segment(p, s.a, s.b)) shared.push_back(p);
+      if (written::on_segment(p, s.a, s.b)) shared.push_back(p);
     for (Point p : {s.a, s.b})
-      if (on_segment(p, t.a, t.b)) shared.push_back(p);
+      if (written::on_segment(p, t.a, t.b)) shared.push_back(p);
     if (shared.front() != shared.back()) fail("ring overlaps itself: " + sides);
     fail("ring touches itself at " + text(shared.front()) + ": " + sides);
   }
@@ -138,11 +138,11 @@ class Gate {
     index_.meeting(box_around(s.a, s.b), [&](std::uint32_t j) {
       const Side& t = sides_[j];
       if (t.ring <= s.ring) return;
-      if (cross_properly(s.segment(), t.segment())) fail_rings(s, t, "crosses");
+      if (written::cross_properly(s.segment(), t.segment())) fail_rings(s, t, "crosses");
       for (Point p : {s.a, s.b})
-        if (on_segment(p, t.a, t.b)) check_touch(s, t, p);
+        if (written::on_segment(p, t.a, t.b)) check_touch(s, t, p);
       for (Point p : {t.a, t.b})
-        if (on_segment(p, s.a, s.b)) check_touch(s, t, p);
+        if (written::on_segment(p, s.a, s.b)) check_touch(s, t, p);
     });
   }
 
@@ -189,10 +189,10 @@ class Gate {
     index_.meeting({p, {right, p.y}}, [&](std::uint32_t j) {
       Point a = sides_[j].a, b = sides_[j].b;
       if (sides_[j].ring == hole) return;
-      if (on_segment(p, a, b)) touched[sides_[j].ring] = true;
+      if (written::on_segment(p, a, b)) touched[sides_[j].ring] = true;
       if ((a.y > p.y) == (b.y > p.y)) return;
       if (a.y > b.y) std::swap(a, b);
-      if (orientation(a, b, p) > 0) inside[sides_[j].ring] ^= true;
+      if (written::orientation(a, b, p) > 0) inside[sides_[j].ring] ^= true;
     });
     if (!touched.contains(0) && !inside[0]) fail_place(hole, 0, p);
     for (const auto& [other, in] : inside)

@@ -45,10 +45,9 @@ struct Triangulation {
   std::vector<std::uint32_t> sector_of;   ///< 3 * t + i -> sector, kNone in solid triangles
   std::vector<Sector> sectors;            ///< ordered by vertex
 
-  /// The points times 2^scale as integers below 2^29, when all of them are; else empty. Predicates on them fit an
-  /// int64.
+  /// The points as integers below 2^29 over one unit (a power of ten or two) and counted from one corner, when what
+  /// they mean is on such a lattice; else empty. Predicates on them fit an int64.
   std::vector<std::array<std::int32_t, 2>> lattice;
-  int lattice_scale = 0;
 
   bool is_constrained(std::uint32_t t, int i) const { return (constrained[t] >> i) & 1; }
 

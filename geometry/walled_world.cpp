@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut {
 
@@ -40,7 +40,7 @@ World walled_world(const World& world, const std::vector<Point>& ends) {
   parts.start = world.start();
   parts.goal = world.goal();
   for (const Segment& door : world.openings()) {
-    const auto stands_on_it = [&](Point p) { return on_segment(p, door.a, door.b); };
+    const auto stands_on_it = [&](Point p) { return written::on_segment(p, door.a, door.b); };
     if (is_on_a_side(door, world.box()) && std::any_of(ends.begin(), ends.end(), stands_on_it))
       parts.areas.push_back({Polygon{porch(door, world.box()), {}}, 0});
   }

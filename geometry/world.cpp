@@ -9,6 +9,7 @@
 #include <taut/geometry/detail/polygon_gate.h>
 #include <taut/geometry/detail/room_cut.h>
 #include <taut/geometry/detail/text.h>
+#include <taut/geometry/written.h>
 
 namespace taut {
 
@@ -139,7 +140,8 @@ Bounds bounds_of_everything(const WorldParts& parts) {
 // One coordinate of the widened box: away from `value` by at least `margin`, a multiple of `step` where doubles allow
 // it.
 double widened(double value, double margin, double step, int direction) {
-  const double aim = std::floor((direction * value + margin) / step) * step + step;
+  const double steps = std::floor((direction * value + margin) / step) + 1;
+  const double aim = std::abs(steps) < 1e15 ? written::times(static_cast<std::int64_t>(steps), step) : steps * step;
   const double result = direction * aim;
   const double least = std::nextafter(value, direction * std::numeric_limits<double>::infinity());
   return direction * result < direction * least ? least : result;
@@ -150,7 +152,9 @@ Box roomy_box(const WorldParts& parts) {
   const Box b = bounds_of_everything(parts).box();
   const double extent = std::max(b.max.x - b.min.x, b.max.y - b.min.y);
   const double margin = extent > 0 ? extent / 4 : 0.5;
-  const double step = std::exp2(std::floor(std::log2(margin)));
+  // Of small worlds a decimal, so that the box lies on the lattice of what it is around.
+  const double step = margin >= 0.01 ? std::exp2(std::floor(std::log2(margin)))
+                                     : written::number(1, -static_cast<int>(std::floor(std::log10(margin))));
   const Box wide{{widened(b.min.x, margin, step, -1), widened(b.min.y, margin, step, -1)},
                  {widened(b.max.x, margin, step, 1), widened(b.max.y, margin, step, 1)}};
   for (double v : {wide.min.x, wide.min.y, wide.max.x, wide.max.y})
@@ -192,11 +196,9 @@ void imply_area(WorldParts& parts) {
   parts.areas = {{{ring_of(walled ? *walled : roomy_box(parts)), {}}, 0}};
 }
 
-Point midpoint(const Segment& s) { return {s.a.x + (s.b.x - s.a.x) / 2, s.a.y + (s.b.y - s.a.y) / 2}; }
-
 void end_at_openings(WorldParts& parts, const std::vector<Segment>& openings) {
   if (parts.start || parts.goal.point || !parts.goal.room.empty() || openings.size() != 2) return;
-  const auto [first, second] = std::minmax({midpoint(openings[0]), midpoint(openings[1])});
+  const auto [first, second] = std::minmax({written::middle(openings[0]), written::middle(openings[1])});
   parts.start = first;
   parts.goal.point = second;
 }
@@ -252,7 +254,7 @@ void World::fit_area() {
 
 World world_of(std::shared_ptr<const GridMaze> grid, double cell_size, std::string source) {
   const int width = grid->width(), height = grid->height();
-  const auto corner = [&](int x, int y) { return Point{x * cell_size, y * cell_size}; };
+  const auto corner = [&](int x, int y) { return Point{written::times(x, cell_size), written::times(y, cell_size)}; };
   WorldParts parts;
   parts.source = std::move(source);
   parts.areas = {{{ring_of({corner(0, 0), corner(width, height)}), {}}, 0}};
@@ -273,7 +275,8 @@ World world_of(std::shared_ptr<const GridMaze> grid, double cell_size, std::stri
     }
   for (Cell c : grid->goal) parts.goal.room.push_back({corner(c.x, c.y), corner(c.x + 1, c.y + 1)});
   const Cell s = grid->start;
-  const Point start{(s.x + 0.5) * cell_size, (s.y + 0.5) * cell_size};
+  const double half = written::middle(0, cell_size);
+  const Point start{written::times(2 * s.x + 1, half), written::times(2 * s.y + 1, half)};
   if (!grid->goal.empty()) parts.start = start;
   parts.grid = std::move(grid);
   World world(std::move(parts));

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut {
 
@@ -166,7 +166,7 @@ std::optional<Vertex> CellGraph::nearest_seen(Point p) const {
     const Vertex v = vertex_of(c);
     if (v == kNone) return;
     const Point q = roadmap_.point(v);
-    const int nearer = best ? compare_distance(p, q, roadmap_.point(*best)) : -1;
+    const int nearer = best ? written::compare_distance(p, q, roadmap_.point(*best)) : -1;
     if (nearer > 0 || (nearer == 0 && v > *best) || !space_.sees(p, q)) return;
     best = v;
     reach = std::hypot(q.x - p.x, q.y - p.y);

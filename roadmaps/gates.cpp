@@ -60,23 +60,10 @@ std::vector<std::uint32_t> order_of(const std::vector<mpq_class>& squares, const
   return order;
 }
 
-/// The number as it is printed, when that is plain.
-std::optional<mpq_class> decimal(double v) {
-  std::string text = fmt::format("{}", v);
-  if (text.find_first_not_of("-.0123456789") != std::string::npos) return std::nullopt;
-  const std::size_t dot = text.find('.');
-  const std::size_t places = dot == std::string::npos ? 0 : text.size() - dot - 1;
-  if (dot != std::string::npos) text.erase(dot, 1);
-  mpq_class result(mpz_class(text, 10), 1);
-  for (std::size_t i = 0; i < places; ++i) result /= 10;
-  return result;
-}
-
-/// The distance of the printed points, when it is a fraction with a small denominator.
+/// The distance of two points, when it is a fraction with a small denominator.
 std::optional<std::string> printed_distance(Point p, Point q, int times) {
-  const auto px = decimal(p.x), py = decimal(p.y), qx = decimal(q.x), qy = decimal(q.y);
-  if (!px || !py || !qx || !qy) return std::nullopt;
-  const mpq_class dx = *px - *qx, dy = *py - *qy, square = dx * dx + dy * dy;
+  const detail::ExactPoint from(p), to(q);
+  const mpq_class dx = from.x - to.x, dy = from.y - to.y, square = dx * dx + dy * dy;
   if (!mpz_perfect_square_p(square.get_num_mpz_t()) || !mpz_perfect_square_p(square.get_den_mpz_t()))
     return std::nullopt;
   mpq_class root(sqrt(square.get_num()), sqrt(square.get_den()));
@@ -110,7 +97,7 @@ const std::vector<Gate>& Gates::gates() const { return impl_->gates; }
 bool Gates::is_opening(std::uint32_t constraint) const { return impl_->walls.is_opening(constraint); }
 
 std::strong_ordering Gates::compare_width(std::uint32_t i, double diameter) const {
-  const mpq_class d(diameter);
+  const mpq_class d = detail::meaning(diameter);
   return compare(impl_->squared[i], d * d);
 }
 

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include <taut/geometry/detail/expects.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 #include <taut/roadmaps/detail/tangent_graph_impl.h>
 
 namespace taut {
@@ -18,10 +18,10 @@ using Tri = Triangulation;
 /// The first and last of directions that lie in an open half-plane, counter-clockwise; nothing when they do not.
 std::optional<std::array<Point, 2>> hull_of(Point c, const std::vector<Point>& ends) {
   for (const Point first : ends) {
-    const auto is_left = [&](Point p) { return p == first || orientation(c, first, p) > 0; };
+    const auto is_left = [&](Point p) { return p == first || written::orientation(c, first, p) > 0; };
     if (!std::all_of(ends.begin(), ends.end(), is_left)) continue;
-    const Point last =
-        *std::max_element(ends.begin(), ends.end(), [&](Point p, Point q) { return orientation(c, p, q) > 0; });
+    const Point last = *std::max_element(ends.begin(), ends.end(),
+                                         [&](Point p, Point q) { return written::orientation(c, p, q) > 0; });
     return std::array{first, last};
   }
   return std::nullopt;
@@ -36,7 +36,7 @@ bool is_free_beyond(const GateWalls& walls, std::uint32_t v, const std::array<Po
     if (!tri.free[t]) return false;
     const int i = tri.corner(t, v);
     const Point a = tri.points[tri.triangles[t][Tri::ccw(i)]], b = tri.points[tri.triangles[t][Tri::cw(i)]];
-    return orientation(c, hull[0], a) < 0 || orientation(c, b, hull[1]) < 0;
+    return written::orientation(c, hull[0], a) < 0 || written::orientation(c, b, hull[1]) < 0;
   });
 }
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include <taut/geometry/detail/contact.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut {
 
@@ -69,7 +69,7 @@ class BruteForce {
     if (!u.tangent(q) || !v.tangent(p)) return false;
     return std::none_of(corners_.begin(), corners_.end(), [&](const Corner& c) {
       const Point w = c.star.centre();
-      return c.reflex && w != p && w != q && on_segment(w, p, q);
+      return c.reflex && w != p && w != q && written::on_segment(w, p, q);
     });
   }
 

@@ -116,8 +116,8 @@ class View {
   void from_side(const Location& at, std::optional<Point> towards) {
     const std::uint32_t n = tri_.neighbours[at.triangle][at.index];
     const auto& corners = tri_.triangles[at.triangle];
-    const int turn = towards ? orientation(tri_.points[corners[Tri::ccw(at.index)]],
-                                           tri_.points[corners[Tri::cw(at.index)]], *towards)
+    const int turn = towards ? written::orientation(tri_.points[corners[Tri::ccw(at.index)]],
+                                                    tri_.points[corners[Tri::cw(at.index)]], *towards)
                              : 0;
     if (turn >= 0) around(at.triangle, at.index);
     if (turn <= 0 && n != kNone && tri_.free[n]) around(n, tri_.mirror(at.triangle, at.index));

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 #include <taut/roadmaps/detail/voronoi_parts.h>
 #include <taut/roadmaps/voronoi.h>
 
@@ -59,7 +59,7 @@ class Join {
       if (pieces[i].a != end && pieces[i].b != end) continue;
       const Point d = unit(pieces[i].a, pieces[i].b);
       if (std::abs(d.x * u.x + d.y * u.y) < 1e-9)
-        off_piece(i, pieces[i].a == end ? 0 : 1, orientation(pieces[i].a, pieces[i].b, p));
+        off_piece(i, pieces[i].a == end ? 0 : 1, written::orientation(pieces[i].a, pieces[i].b, p));
     }
   }
 
@@ -143,7 +143,7 @@ std::vector<VoronoiJunction> VoronoiRoadmap::join(Point p) const {
   } else if (nearest.distance == 0) {
     join.off_both_sides(nearest.constraint, along);
   } else if (along >= -1e-14 && along <= 1 + 1e-14) {
-    join.off_piece(nearest.constraint, along, orientation(c.a, c.b, p));
+    join.off_piece(nearest.constraint, along, written::orientation(c.a, c.b, p));
   } else {
     const Point end = along < 0 ? c.a : c.b;
     join.off_end(end_site(*impl_, end), p);

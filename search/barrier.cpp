@@ -9,6 +9,7 @@
 #include <taut/geometry/detail/segment_distance.h>
 #include <taut/geometry/predicates.h>
 #include <taut/geometry/walled_world.h>
+#include <taut/geometry/written.h>
 
 namespace taut {
 
@@ -57,7 +58,7 @@ std::vector<Constraint> without_border(std::vector<Constraint> chain, const Box&
 }
 
 bool goes_on(const Segment& s, const Segment& next) {
-  return s.b == next.a && orientation(s.a, s.b, next.b) == 0 && on_segment(s.b, s.a, next.b);
+  return s.b == next.a && written::orientation(s.a, s.b, next.b) == 0 && written::on_segment(s.b, s.a, next.b);
 }
 
 }  // namespace

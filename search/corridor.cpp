@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut {
 
@@ -37,7 +37,7 @@ class CorridorWalk {
   };
 
   Point corner(std::uint32_t t, int i) const { return tri_.points[tri_.triangles[t][i]]; }
-  int side(Point x) const { return orientation(at_, to_, x); }
+  int side(Point x) const { return written::orientation(at_, to_, x); }
 
   /// x, on the line, lies ahead of the current point.
   bool is_ahead(Point x) const {
@@ -47,7 +47,7 @@ class CorridorWalk {
 
   bool holds(std::uint32_t t, Point p) const {
     for (int i = 0; i < 3; ++i)
-      if (orientation(corner(t, i), corner(t, Tri::ccw(i)), p) < 0) return false;
+      if (written::orientation(corner(t, i), corner(t, Tri::ccw(i)), p) < 0) return false;
     return true;
   }
 
@@ -144,7 +144,7 @@ class CorridorWalk {
 
   bool is_loose(int turned) const {
     if (states_[parent_].parent == kNone) return false;
-    const int turn = orientation(before_, at_, to_);
+    const int turn = written::orientation(before_, at_, to_);
     const bool is_straight = turn == 0 && !is_ahead(before_);
     return !is_straight && (turned == 0 || turn * turned < 0);
   }
@@ -163,7 +163,7 @@ class CorridorWalk {
   /// Out of t by side i and on, to a vertex, the end of the leg, or a constraint.
   void pass(std::uint32_t t, int i) {
     for (;;) {
-      if (orientation(corner(t, Tri::ccw(i)), corner(t, Tri::cw(i)), to_) >= 0) return arrive(t, kNone);
+      if (written::orientation(corner(t, Tri::ccw(i)), corner(t, Tri::cw(i)), to_) >= 0) return arrive(t, kNone);
       if (tri_.is_constrained(t, i) || tri_.neighbours[t][i] == kNone) return;
       const std::uint32_t n = tri_.neighbours[t][i];
       const int k = tri_.mirror(t, i), turn = side(corner(n, k));

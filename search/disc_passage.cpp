@@ -48,7 +48,7 @@ NearestWall nearest_wall(const Gates& gates, Point p) {
 bool is_outside(const Gates& gates, Point p) { return gates.space().locate(p).kind == Location::Kind::outside; }
 
 bool is_too_near(const NearestWall& wall, double r) {
-  return wall.constraint != kNone && wall.squared < mpq_class(r) * mpq_class(r);
+  return wall.constraint != kNone && wall.squared < detail::meaning(r) * detail::meaning(r);
 }
 
 /// Nothing when the disc can be at p; else the wall that is too near, or no wall when p is outside.
@@ -67,7 +67,10 @@ std::uint32_t count_narrower(const Gates& gates, const mpq_class& squared) {
 
 /// The largest double r with r^2 <= squared.
 double root_below(const mpq_class& squared) {
-  const auto fits = [&](double r) { return mpq_class(r) * mpq_class(r) <= squared; };
+  const auto fits = [&](double r) {
+    const mpq_class exact = detail::meaning(r);
+    return exact * exact <= squared;
+  };
   double r = std::sqrt(squared.get_d());
   while (!fits(r)) r = std::nextafter(r, 0.0);
   for (double next = r; fits(next = std::nextafter(r, HUGE_VAL));) r = next;
@@ -119,7 +122,7 @@ Ends limit_of_ends(const Gates& gates, Point s, Point g) {
 DiscPassage disc_passage(const Gates& gates, Point s, Point g, double r) {
   if (auto wall = blocked_at(gates, s, r)) return {PassageStatus::start_blocked, std::move(*wall)};
   if (auto wall = blocked_at(gates, g, r)) return {PassageStatus::goal_blocked, std::move(*wall)};
-  const mpq_class diameter = 2 * mpq_class(r);
+  const mpq_class diameter = 2 * detail::meaning(r);
   auto chain = detail::separating_chain(gates, s, g, count_narrower(gates, diameter * diameter));
   if (!chain) return {};
   return {PassageStatus::separated, std::move(chain->pieces)};

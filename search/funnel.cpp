@@ -5,7 +5,7 @@
 #include <vector>
 
 #include <taut/geometry/detail/expects.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 #include <taut/search/detail/taut_string.h>
 
 namespace taut {
@@ -27,7 +27,7 @@ Portal portal_between(const Tri& tri, std::uint32_t t, std::uint32_t next) {
 }
 
 bool is_on(const Tri& tri, Point p, const Portal& portal) {
-  return on_segment(p, tri.points[portal.right], tri.points[portal.left]);
+  return written::on_segment(p, tri.points[portal.right], tri.points[portal.left]);
 }
 
 /// Without the portals that an end lies on: these do not part it from the rest.

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 #include <taut/search/detail/room_entries.h>
 
 namespace taut {
@@ -42,7 +42,8 @@ bool meet(const Triangulation& tri, std::uint32_t t, const Box& box) {
   const Point ring[] = {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
   for (std::size_t i = 0; i < 3; ++i) {
     const Point a = corner[i], b = corner[(i + 1) % 3];
-    if (std::all_of(std::begin(ring), std::end(ring), [&](Point q) { return orientation(a, b, q) <= 0; })) return false;
+    if (std::all_of(std::begin(ring), std::end(ring), [&](Point q) { return written::orientation(a, b, q) <= 0; }))
+      return false;
   }
   return true;
 }

@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 #include <taut/search/detail/landmarks.h>
 #include <taut/search/detail/polyanya_engine.h>
 #include <taut/search/detail/room_entries.h>
@@ -39,15 +39,15 @@ class PolygonsAt {
     out.push_back(polygon);
     for (std::uint32_t c = mesh_.first[polygon]; c < mesh_.first[polygon + 1]; ++c) {
       const std::uint32_t across = mesh_.corners[c].across;
-      if (across != kNone && on_segment(p, mesh_.corners[c].point, mesh_.corners[mesh_.next(c)].point))
+      if (across != kNone && written::on_segment(p, mesh_.corners[c].point, mesh_.corners[mesh_.next(c)].point))
         out.push_back(mesh_.corners[across].polygon);
     }
   }
 
   void on_side(const Location& at, std::optional<Point> towards, std::vector<std::uint32_t>& out) const {
     const auto& corners = tri_.triangles[at.triangle];
-    const int turn = towards ? orientation(tri_.points[corners[Triangulation::ccw(at.index)]],
-                                           tri_.points[corners[Triangulation::cw(at.index)]], *towards)
+    const int turn = towards ? written::orientation(tri_.points[corners[Triangulation::ccw(at.index)]],
+                                                    tri_.points[corners[Triangulation::cw(at.index)]], *towards)
                              : 0;
     const std::uint32_t n = tri_.neighbours[at.triangle][at.index];
     if (turn >= 0) out.push_back(mesh_.polygon_of[at.triangle]);

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut {
 
@@ -14,8 +14,9 @@ namespace {
 bool in_world(const World& world, Point p) {
   return std::any_of(world.areas().begin(), world.areas().end(), [p](const Area& area) {
     const auto& holes = area.polygon.holes;
-    return side_of_ring(p, area.polygon.outer) >= 0 &&
-           std::none_of(holes.begin(), holes.end(), [p](const Ring& hole) { return side_of_ring(p, hole) > 0; });
+    return written::side_of_ring(p, area.polygon.outer) >= 0 &&
+           std::none_of(holes.begin(), holes.end(),
+                        [p](const Ring& hole) { return written::side_of_ring(p, hole) > 0; });
   });
 }
 
@@ -28,7 +29,7 @@ double depth(const Wall& wall, Point p) {
 
 std::string culprit(const World& world, Point p) {
   for (const Area& solid : world.solids())
-    if (side_of_ring(p, solid.polygon.outer) >= 0)
+    if (written::side_of_ring(p, solid.polygon.outer) >= 0)
       return fmt::format("the obstacle at ({}, {}){}", solid.polygon.outer[0].x, solid.polygon.outer[0].y,
                          solid.line > 0 ? fmt::format(", line {}", solid.line) : "");
   const auto nearest = std::min_element(world.walls().begin(), world.walls().end(),

@@ -9,7 +9,7 @@
 
 #include <taut/geometry/detail/contact.h>
 #include <taut/geometry/detail/text.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 #include <taut/search/detail/leg_contacts.h>
 
 namespace taut {
@@ -32,9 +32,9 @@ bool readable(Point p) {
 }
 
 bool inside(Point p, const Polygon& polygon) {
-  if (side_of_ring(p, polygon.outer) < 0) return false;
+  if (written::side_of_ring(p, polygon.outer) < 0) return false;
   return std::none_of(polygon.holes.begin(), polygon.holes.end(),
-                      [p](const Ring& hole) { return side_of_ring(p, hole) > 0; });
+                      [p](const Ring& hole) { return written::side_of_ring(p, hole) > 0; });
 }
 
 bool inside_any(Point p, const std::vector<Polygon>& polygons) {

@@ -7,9 +7,13 @@
 #include <memory>
 #include <optional>
 
+#include <taut/geometry/detail/exact.h>
+
 namespace taut {
 
 namespace {
+
+using detail::meaning;
 
 /// a + b sqrt(c) with a c that all numbers of one question share.
 struct Number {
@@ -43,14 +47,15 @@ struct End {
 /// A leg with its tangent points, exactly.
 class ExactLeg {
  public:
-  ExactLeg(const End& p, const End& q, double r) : r2_(mpq_class(r) * mpq_class(r)) {
-    const mpq_class dx = mpq_class(q.at.x) - p.at.x, dy = mpq_class(q.at.y) - p.at.y, d2 = dx * dx + dy * dy;
-    const mpq_class k = mpq_class(r) * (q.turn - p.turn);
+  ExactLeg(const End& p, const End& q, double r) : r2_(meaning(r) * meaning(r)) {
+    const mpq_class dx = meaning(q.at.x) - meaning(p.at.x), dy = meaning(q.at.y) - meaning(p.at.y),
+                    d2 = dx * dx + dy * dy;
+    const mpq_class k = meaning(r) * (q.turn - p.turn);
     root_ = d2 - k * k;
     if (sgn(d2) == 0 || sgn(root_) < 0) return;
     const Place normal{Number{k * dx / d2, -dy / d2, &root_}, Number{k * dy / d2, dx / d2, &root_}};
     const auto touch = [&](const End& end) {
-      const Number s = number(mpq_class(r) * end.turn), ex = number(end.at.x), ey = number(end.at.y);
+      const Number s = number(meaning(r) * end.turn), ex = number(meaning(end.at.x)), ey = number(meaning(end.at.y));
       return Place{ex - s * normal.x, ey - s * normal.y};
     };
     from_ = touch(p);
@@ -64,7 +69,7 @@ class ExactLeg {
   const Place& from() const { return *from_; }
   const Place& to() const { return *to_; }
   const mpq_class& root() const { return root_; }
-  Place place(Point p) const { return {number(p.x), number(p.y)}; }
+  Place place(Point p) const { return {number(meaning(p.x)), number(meaning(p.y))}; }
   Number number(const mpq_class& v) const { return {v, 0, &root_}; }
 
   bool keeps_away(const Segment& wall) const {
@@ -111,6 +116,7 @@ constexpr int kBits = 512;
 struct Fine {
   mpf_class x, y;
 };
+mpf_class fine(double v) { return mpf_class(meaning(v), kBits); }
 Fine fine(const Place& p) {
   const mpf_class root = sqrt(mpf_class(*p.x.c, kBits));
   return {mpf_class(p.x.a, kBits) + mpf_class(p.x.b, kBits) * root,
@@ -122,8 +128,8 @@ class Arc {
   Arc(const End& end, const ExactLeg& in, const ExactLeg& out, double r)
       : end_(end), in_(in), out_(out), r_(r), from_(fine(in.to())), to_(fine(out.from())) {
     for (Fine* p : {&from_, &to_}) {
-      p->x -= end.at.x;
-      p->y -= end.at.y;
+      p->x -= fine(end.at.x);
+      p->y -= fine(end.at.y);
     }
     const mpf_class together = from_.x * to_.x + from_.y * to_.y, t(end.turn, kBits);
     mpf_class mx(0, kBits), my(0, kBits);
@@ -141,14 +147,14 @@ class Arc {
   bool is_sound() const { return turn_from(middle_x_, middle_y_) > 0 && turn_to(middle_x_, middle_y_) > 0; }
 
   bool keeps_away(const Segment& wall) const {
-    const mpq_class fx = mpq_class(wall.b.x) - wall.a.x, fy = mpq_class(wall.b.y) - wall.a.y;
-    mpq_class x = mpq_class(wall.a.x) - end_.at.x, y = mpq_class(wall.a.y) - end_.at.y;
+    const mpq_class fx = meaning(wall.b.x) - meaning(wall.a.x), fy = meaning(wall.b.y) - meaning(wall.a.y);
+    mpq_class x = meaning(wall.a.x) - meaning(end_.at.x), y = meaning(wall.a.y) - meaning(end_.at.y);
     mpq_class t = -(x * fx + y * fy) / (fx * fx + fy * fy);
     if (t < 0) t = 0;
     if (t > 1) t = 1;
     x += t * fx;
     y += t * fy;
-    if (x * x + y * y >= 4 * mpq_class(r_) * mpq_class(r_)) return true;
+    if (x * x + y * y >= 4 * meaning(r_) * meaning(r_)) return true;
     if (x == 0 && y == 0) {
       x = t == 0 ? fx : mpq_class(-fx);
       y = t == 0 ? fy : mpq_class(-fy);
@@ -157,11 +163,10 @@ class Arc {
   }
 
   bool crosses_opening(const Segment& s) const {
-    const mpf_class ax(s.a.x - 0.0, kBits), ay(s.a.y - 0.0, kBits);
-    const mpf_class x = ax - end_.at.x, y = ay - end_.at.y, fx = mpf_class(s.b.x, kBits) - ax,
-                    fy = mpf_class(s.b.y, kBits) - ay;
+    const mpf_class ax = fine(s.a.x), ay = fine(s.a.y), r = fine(r_);
+    const mpf_class x = ax - fine(end_.at.x), y = ay - fine(end_.at.y), fx = fine(s.b.x) - ax, fy = fine(s.b.y) - ay;
     const mpf_class F = fx * fx + fy * fy, half = (x * fx + y * fy) / F;
-    const mpf_class disc = half * half - (x * x + y * y - mpf_class(r_, kBits) * r_) / F;
+    const mpf_class disc = half * half - (x * x + y * y - r * r) / F;
     if (disc <= tiny()) return false;
     for (const int way : {-1, 1}) {
       const mpf_class at = -half + way * sqrt(disc);

@@ -14,6 +14,7 @@
 #include <taut/cli/solve/batch_answers.h>
 #include <taut/cli/solve/query_source.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/written_places.h>
 #include <taut/io/worlds/query_lines.h>
 #include <taut/search/no_path.h>
 #include <taut/search/polyanya.h>
@@ -92,12 +93,15 @@ class Batch {
   void answer_all(QuerySource& source, const Input& input, const FreeSpace& space, Polyanya& polyanya,
                   const NoPath& no_path) {
     PolyanyaSearch search(polyanya);
+    const WrittenPlaces places(space);
     QueryReader reader(source.name());
     std::string line;
     for (int number = 1; source.next(line); ++number) {
       const std::optional<QueryLine> query = read(reader, line, number, source, input);
       if (!query) continue;
-      answers_.add(*query, ask(space, search, no_path, *query), source.name());
+      const bool on_bent_walls = places.is_moved(query->from) || places.is_moved(query->to);
+      answers_.add(*query, on_bent_walls ? ask_on_walls(input.world, *query) : ask(space, search, no_path, *query),
+                   source.name());
       answers_.flush(source.may_wait());
       if (!is_worth_landmarks(polyanya)) continue;
       const Stopwatch watch;
@@ -122,6 +126,14 @@ class Batch {
       answers_.flush(true);
       throw;
     }
+  }
+
+  /// Ends on sloped walls that bend nearby: a space of their own keeps them there.
+  QueryAnswer ask_on_walls(const World& world, const QueryLine& query) {
+    const Point ends[] = {query.from, query.to};
+    const FreeSpace space(world, options_.query.robot, ends);
+    PolyanyaSearch search{Polyanya(space)};
+    return ask(space, search, NoPath(space), query);
   }
 
   bool is_worth_landmarks(const Polyanya& polyanya) const {

@@ -65,7 +65,11 @@ int run(const CheckOptions& options, Run& run) {
   std::optional<ClaimedPath> claimed;
   if (!options.path.empty())
     claimed = read_path(read_bytes(options.path), options.path == "-" ? "<stdin>" : options.path);
-  const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world, options.query.robot); });
+  const FreeSpace space = run.stage("space", [&] {
+    // What a path that is to be judged lies on must not have bent away from it.
+    return FreeSpace(input.world, options.query.robot,
+                     claimed ? std::span<const Point>(claimed->points) : std::span<const Point>());
+  });
   require_free_ends(space);
   CheckReport report(input, space);
   run.so_far(report.json(), report.text());

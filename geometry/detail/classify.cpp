@@ -3,7 +3,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -75,7 +75,7 @@ bool opens_cw(const Triangulation& tri, std::uint32_t t, int i) {
 }
 
 bool is_reflex(const Triangulation& tri, const Triangulation::Sector& s) {
-  return s.right == s.left || orientation(tri.points[s.vertex], tri.points[s.right], tri.points[s.left]) < 0;
+  return s.right == s.left || written::orientation(tri.points[s.vertex], tri.points[s.right], tri.points[s.left]) < 0;
 }
 
 /// Makes the sector of corner i of t.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -17,7 +17,7 @@ bool lower_half(Point c, Point p) { return p.y < c.y || (p.y == c.y && p.x < c.x
 int compare_angle(Point c, Point p, Point q) {
   const bool p_low = lower_half(c, p), q_low = lower_half(c, q);
   if (p_low != q_low) return p_low ? 1 : -1;
-  return -orientation(c, p, q);
+  return -written::orientation(c, p, q);
 }
 
 bool contains(const Sectors& sectors, std::uint32_t sector) {
@@ -55,7 +55,7 @@ Sectors Star::free_sectors() const {
 bool Star::reflex(std::uint32_t sector) const {
   if (rays_.empty()) return false;
   if (rays_.size() == 1) return true;
-  return orientation(centre_, rays_[sector].towards, rays_[(sector + 1) % rays_.size()].towards) < 0;
+  return written::orientation(centre_, rays_[sector].towards, rays_[(sector + 1) % rays_.size()].towards) < 0;
 }
 
 Star::Direction Star::direction(Point to) const {
@@ -92,7 +92,7 @@ Sectors Star::arrive(Point from, Sides sides) const {
 bool Star::tangent(Point q) const {
   bool left = false, right = false;
   for (const Ray& r : rays_) {
-    const int side = orientation(centre_, q, r.towards);
+    const int side = written::orientation(centre_, q, r.towards);
     left |= side > 0;
     right |= side < 0;
   }
@@ -111,11 +111,11 @@ bool overlap_on_line(const Segment& leg, const Constraint& c) {
 }  // namespace
 
 Contact contact(const Segment& leg, const Constraint& c) {
-  if (leg.a == leg.b) return on_segment(leg.a, c.a, c.b) ? Contact::touch : Contact::none;
-  const int a = orientation(leg.a, leg.b, c.a), b = orientation(leg.a, leg.b, c.b);
+  if (leg.a == leg.b) return written::on_segment(leg.a, c.a, c.b) ? Contact::touch : Contact::none;
+  const int a = written::orientation(leg.a, leg.b, c.a), b = written::orientation(leg.a, leg.b, c.b);
   if (a * b > 0) return Contact::none;
   if (a == 0 && b == 0) return overlap_on_line(leg, c) ? Contact::touch : Contact::none;
-  const int from = orientation(c.a, c.b, leg.a), to = orientation(c.a, c.b, leg.b);
+  const int from = written::orientation(c.a, c.b, leg.a), to = written::orientation(c.a, c.b, leg.b);
   if (from * to > 0) return Contact::none;
   // Neither is on one side of the other's line, so they meet in one point; inside both unless an end lies on the
   // other's line.
@@ -125,7 +125,7 @@ Contact contact(const Segment& leg, const Constraint& c) {
 Star star_at(Point centre, std::span<const Constraint> constraints, std::span<const std::uint32_t> touching) {
   std::vector<std::uint32_t> pieces;
   for (const std::uint32_t i : touching)
-    if (on_segment(centre, constraints[i].a, constraints[i].b)) pieces.push_back(i);
+    if (written::on_segment(centre, constraints[i].a, constraints[i].b)) pieces.push_back(i);
   return Star(centre, constraints, pieces);
 }
 
@@ -145,9 +145,9 @@ std::vector<Touch> touches_along(const Segment& leg, std::span<const Constraint>
   for (const std::uint32_t i : touching) {
     const Constraint& c = constraints[i];
     for (const Point p : {c.a, c.b})
-      if (on_segment(p, leg.a, leg.b)) result.push_back({p, i});
+      if (written::on_segment(p, leg.a, leg.b)) result.push_back({p, i});
     for (const Point p : {leg.a, leg.b})
-      if (p != c.a && p != c.b && on_segment(p, c.a, c.b)) result.push_back({p, i});
+      if (p != c.a && p != c.b && written::on_segment(p, c.a, c.b)) result.push_back({p, i});
   }
   // On a line the lexicographic order is the order along it.
   const bool forward = leg.a < leg.b;

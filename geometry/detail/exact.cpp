@@ -3,13 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <utility>
 #include <vector>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/detail/written_integers.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -18,10 +19,11 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool on_free_side(Point p, std::span<const Segment> edges) {
-  return std::all_of(edges.begin(), edges.end(), [p](const Segment& e) { return orientation(e.a, e.b, p) <= 0; });
+  return std::all_of(edges.begin(), edges.end(),
+                     [p](const Segment& e) { return written::orientation(e.a, e.b, p) <= 0; });
 }
 
-mpq_class squared_distance(const ExactPoint& a, Point b) {
+mpq_class squared_distance(const ExactPoint& a, const ExactPoint& b) {
   const mpq_class dx = a.x - b.x, dy = a.y - b.y;
   return dx * dx + dy * dy;
 }
@@ -32,42 +34,65 @@ double step(double from, int ulps) {
   return from;
 }
 
-/// How many binary places after the point the coordinates have at most; negative when they all end in zeros.
-int common_scale(std::initializer_list<Point> points) {
-  int scale = std::numeric_limits<int>::min();
-  for (const Point p : points)
-    for (const double c : {p.x, p.y}) {
-      if (c == 0) continue;
-      int exponent = 0;
-      std::frexp(c, &exponent);
-      scale = std::max(scale, 53 - exponent);
-    }
-  return scale == std::numeric_limits<int>::min() ? 0 : scale;
-}
-
-/// c * 2^scale, an integer.
-mpz_class scaled(double c, int scale) {
-  int exponent = 0;
-  mpz_class result(std::ldexp(std::frexp(c, &exponent), 53));
-  if (c != 0) result <<= static_cast<mp_bitcnt_t>(exponent - 53 + scale);
+mpz_class power_of_ten(int exponent) {
+  mpz_class result;
+  mpz_ui_pow_ui(result.get_mpz_t(), 10, static_cast<unsigned long>(exponent));
   return result;
 }
 
-/// numerator / denominator / 2^scale in lowest terms.
-mpq_class ratio(mpz_class numerator, mpz_class denominator, int scale) {
-  (scale >= 0 ? denominator : numerator) <<= static_cast<mp_bitcnt_t>(std::abs(scale));
+mpq_class over_power(const mpz_class& digits, int places) {
+  if (places <= 0) return mpz_class(digits * power_of_ten(-places));
+  mpq_class result(digits, power_of_ten(places));
+  result.canonicalize();
+  return result;
+}
+
+/// The nearest integer; halves go up.
+mpz_class rounded(const mpq_class& q) {
+  mpz_class result;
+  const mpz_class twice = 2 * q.get_num() + q.get_den(), whole = 2 * q.get_den();
+  mpz_fdiv_q(result.get_mpz_t(), twice.get_mpz_t(), whole.get_mpz_t());
+  return result;
+}
+
+/// Eight coordinates as integers over one denominator, so that there are no common divisors on the way.
+struct Common {
+  mpz_class ax, ay, bx, by, cx, cy, dx, dy;
+  mpz_class denominator;
+};
+
+Common common(const Segment& s, const Segment& t) {
+  const double values[] = {s.a.x, s.a.y, s.b.x, s.b.y, t.a.x, t.a.y, t.b.x, t.b.y};
+  if (const int places = common_places(values, 8); places >= 0) {
+    const auto integer = [places](double v) { return mpz_class(integer_over(v, places)); };
+    return {integer(s.a.x), integer(s.a.y), integer(s.b.x), integer(s.b.y),      integer(t.a.x),
+            integer(t.a.y), integer(t.b.x), integer(t.b.y), power_of_ten(places)};
+  }
+  std::array<mpq_class, 8> exact;
+  mpz_class whole = 1;
+  for (std::size_t i = 0; i < 8; ++i) {
+    exact[i] = meaning(values[i]);
+    whole = lcm(whole, exact[i].get_den());
+  }
+  const auto integer = [&](std::size_t i) { return mpz_class(exact[i].get_num() * (whole / exact[i].get_den())); };
+  return {integer(0), integer(1), integer(2), integer(3), integer(4), integer(5), integer(6), integer(7), whole};
+}
+
+mpq_class ratio(const mpz_class& numerator, const mpz_class& denominator) {
   mpq_class result(numerator, denominator);
   result.canonicalize();
   return result;
 }
 
-/// Doubles around an exact point, the nearer ones first (as far as doubles can tell).
-std::vector<Point> surroundings(const ExactPoint& exact, Point centre) {
-  const double off_x = mpq_class(exact.x - centre.x).get_d(), off_y = mpq_class(exact.y - centre.y).get_d();
+/// Points around an exact point, the nearer ones first (as far as doubles can tell).
+template <class Step>
+std::vector<Point> surroundings(const ExactPoint& exact, Point centre, Step step_from) {
+  const ExactPoint here(centre);
+  const double off_x = mpq_class(exact.x - here.x).get_d(), off_y = mpq_class(exact.y - here.y).get_d();
   std::vector<std::pair<double, Point>> by_distance;
   for (int i = -2; i <= 2; ++i)
     for (int j = -2; j <= 2; ++j) {
-      const Point p{step(centre.x, i), step(centre.y, j)};
+      const Point p{step_from(centre.x, i), step_from(centre.y, j)};
       by_distance.emplace_back(std::hypot(p.x - centre.x - off_x, p.y - centre.y - off_y), p);
     }
   std::sort(by_distance.begin(), by_distance.end());
@@ -90,15 +115,36 @@ Point free_direction(std::span<const Segment> edges) {
 
 }  // namespace
 
+mpq_class meaning(double v) {
+  if (const auto d = written::decimal(v)) return over_power(mpz_class(static_cast<long>(d->digits)), d->places);
+  return mpq_class(v);
+}
+
+Unit::Unit(double largest) {
+  // floor(log10) may be one too low next to a power of ten: that leaves 14 digits there.
+  places_ = largest > 0 ? 14 - static_cast<int>(std::floor(std::log10(largest))) : 14;
+}
+
+Unit::Unit(const Box& box)
+    : Unit(std::max({std::abs(box.min.x), std::abs(box.min.y), std::abs(box.max.x), std::abs(box.max.y)})) {}
+
+double Unit::nearest(const mpq_class& q) const {
+  const mpz_class digits =
+      rounded(places_ >= 0 ? mpq_class(q * power_of_ten(places_)) : mpq_class(q / power_of_ten(-places_)));
+  if (abs(digits) > 1'000'000'000'000'000) return nearest_double(q);
+  return written::number(digits.get_si(), places_);
+}
+
+double Unit::step(double from, int steps) const {
+  return steps == 0 ? from : nearest(meaning(from) + over_power(mpz_class(steps), places_));
+}
+
 ExactPoint line_crossing(const Segment& s, const Segment& t) {
-  // Doubles are integers over a power of two; as such they need no common divisors on the way.
-  const int scale = common_scale({s.a, s.b, t.a, t.b});
-  const mpz_class ax = scaled(s.a.x, scale), ay = scaled(s.a.y, scale), sx = scaled(s.b.x, scale) - ax,
-                  sy = scaled(s.b.y, scale) - ay;
-  const mpz_class cx = scaled(t.a.x, scale), cy = scaled(t.a.y, scale), tx = scaled(t.b.x, scale) - cx,
-                  ty = scaled(t.b.y, scale) - cy;
-  const mpz_class along = (cx - ax) * ty - (cy - ay) * tx, whole = sx * ty - sy * tx;
-  return {ratio(ax * whole + along * sx, whole, scale), ratio(ay * whole + along * sy, whole, scale)};
+  const Common n = common(s, t);
+  const mpz_class sx = n.bx - n.ax, sy = n.by - n.ay, tx = n.dx - n.cx, ty = n.dy - n.cy;
+  const mpz_class along = (n.cx - n.ax) * ty - (n.cy - n.ay) * tx, whole = sx * ty - sy * tx;
+  const mpz_class denominator = whole * n.denominator;
+  return {ratio(n.ax * whole + along * sx, denominator), ratio(n.ay * whole + along * sy, denominator)};
 }
 
 double nearest_double(const mpq_class& q) {
@@ -110,14 +156,22 @@ double nearest_double(const mpq_class& q) {
 
 Point nearest_point(const ExactPoint& p) { return {nearest_double(p.x), nearest_double(p.y)}; }
 
+std::optional<Point> exactly(const ExactPoint& p) {
+  const Point q = nearest_point(p);
+  return ExactPoint(q) == p ? std::optional(q) : std::nullopt;
+}
+
 double displacement(const ExactPoint& exact, Point rounded) {
-  const double squared = squared_distance(exact, rounded).get_d();
+  const double squared = squared_distance(exact, ExactPoint(rounded)).get_d();
   return squared == 0 ? 0 : std::nextafter(std::sqrt(std::nextafter(squared, kInfinity)), kInfinity);
 }
 
-Point round_outward(const ExactPoint& exact, std::span<const Segment> edges) {
+Point round_outward(const ExactPoint& exact, std::span<const Segment> edges, const Unit& unit) {
+  const auto by_units = [&](double from, int steps) { return unit.step(from, steps); };
+  for (const Point p : surroundings(exact, unit.nearest(exact), by_units))
+    if (on_free_side(p, edges)) return p;
   const Point centre = nearest_point(exact);
-  for (const Point p : surroundings(exact, centre))
+  for (const Point p : surroundings(exact, centre, step))
     if (on_free_side(p, edges)) return p;
   const Point direction = free_direction(edges);
   double limit = kInfinity;

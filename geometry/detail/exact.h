@@ -3,6 +3,7 @@
 
 #include <gmpxx.h>
 
+#include <optional>
 #include <span>
 #include <stdexcept>
 
@@ -16,16 +17,38 @@ class TooFine : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// What a number means (written.h), exactly.
+mpq_class meaning(double v);
+
 /// A point with rational coordinates.
 struct ExactPoint {
   mpq_class x;
   mpq_class y;
 
-  explicit ExactPoint(Point p) : x(p.x), y(p.y) {}
+  /// What the point means.
+  explicit ExactPoint(Point p) : x(meaning(p.x)), y(meaning(p.y)) {}
   ExactPoint(mpq_class abscissa, mpq_class ordinate) : x(std::move(abscissa)), y(std::move(ordinate)) {}
 
   friend bool operator==(const ExactPoint& a, const ExactPoint& b) { return a.x == b.x && a.y == b.y; }
   friend bool operator<(const ExactPoint& a, const ExactPoint& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+};
+
+/// Where constructed points are put: on multiples of a power of ten, so fine that coordinates up to `largest` keep 15
+/// significant digits. Such a point means what is printed of it.
+class Unit {
+ public:
+  explicit Unit(double largest);
+  explicit Unit(const Box& box);
+
+  /// The multiple nearest to q; the nearest double where q is too large to have 15 digits left.
+  double nearest(const mpq_class& q) const;
+  Point nearest(const ExactPoint& p) const { return {nearest(p.x), nearest(p.y)}; }
+  /// `steps` multiples from a rounded coordinate.
+  double step(double from, int steps) const;
+  int places() const { return places_; }
+
+ private:
+  int places_ = 0;
 };
 
 /// Where the lines through s and t meet. Precondition: they are not parallel.
@@ -37,13 +60,17 @@ double nearest_double(const mpq_class& q);
 /// Both coordinates rounded to the nearest doubles.
 Point nearest_point(const ExactPoint& p);
 
+/// The point that means p, when there is one.
+std::optional<Point> exactly(const ExactPoint& p);
+
 /// An upper bound of the distance between an exact point and its rounding.
 double displacement(const ExactPoint& exact, Point rounded);
 
-/// A point with double coordinates near `exact`, not to the left of any of `edges` (directed, solid on the left;
-/// `exact` lies on all of them): what is solid stays so. The nearest of the 25 pairs of doubles around it that does;
-/// failing that, the first found going out along the middle of the free wedge. Precondition: the edges leave a free
-/// wedge at `exact`. Throws TooFine when no double lies in it within a thousandth of the shortest edge.
-Point round_outward(const ExactPoint& exact, std::span<const Segment> edges);
+/// A point near `exact`, not to the left of any of `edges` (directed, solid on the left; `exact` lies on all of them):
+/// what is solid stays so. The nearest of the 25 multiples of the unit around it that does; failing that, of the 25
+/// pairs of doubles; failing that, the first found going out along the middle of the free wedge. Precondition: the
+/// edges leave a free wedge at `exact`. Throws TooFine when no double lies in it within a thousandth of the shortest
+/// edge.
+Point round_outward(const ExactPoint& exact, std::span<const Segment> edges, const Unit& unit);
 
 }  // namespace taut::detail

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <taut/geometry/predicates.h>
 #include <taut/geometry/triangulation.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -35,7 +35,7 @@ class DoubleCoordinates {
 
   explicit DoubleCoordinates(const Triangulation& tri) : points_(tri.points.data()) {}
   Place at(std::uint32_t v) const { return points_[v]; }
-  static int side(Place a, Place b, Place c) { return orientation(a, b, c); }
+  static int side(Place a, Place b, Place c) { return written::orientation(a, b, c); }
 
  private:
   const Point* points_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -13,7 +13,7 @@ using Tri = Triangulation;
 
 int side_of(const Tri& tri, std::uint32_t t, int i, Point p) {
   const auto& v = tri.triangles[t];
-  return orientation(tri.points[v[Tri::ccw(i)]], tri.points[v[Tri::cw(i)]], p);
+  return written::orientation(tri.points[v[Tri::ccw(i)]], tri.points[v[Tri::cw(i)]], p);
 }
 
 bool contains(const Tri& tri, std::uint32_t t, Point p) {

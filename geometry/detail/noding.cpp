@@ -9,7 +9,7 @@
 #include <taut/geometry/detail/box_index.h>
 #include <taut/geometry/detail/exact.h>
 #include <taut/geometry/detail/quick_crossing.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -76,7 +76,8 @@ std::vector<Edge> unite_equal(std::vector<Edge> pieces) {
 /// One round of splitting.
 class Splitting {
  public:
-  Splitting(const std::vector<Edge>& pieces, Noded& log) : pieces_(pieces), cuts_(), log_(log) {}
+  Splitting(const std::vector<Edge>& pieces, const Unit& unit, std::span<const Point> fixed, Noded& log)
+      : pieces_(pieces), unit_(unit), fixed_(fixed), cuts_(), log_(log) {}
 
   /// Was a crossing no pair of doubles? Then the pieces have moved and may meet anew.
   bool rounded() const { return rounded_; }
@@ -90,6 +91,7 @@ class Splitting {
       index.meeting(boxes[i], [&](std::uint32_t j) {
         if (j > i) meet(i, j);
       });
+    if (rounded_) hold_fixed(index);
     return !cuts_.empty();
   }
 
@@ -111,6 +113,14 @@ class Splitting {
  private:
   using Cut = std::pair<std::uint32_t, Point>;  // which piece, where
 
+  /// Pieces that may bend keep the fixed points on them. Axis-parallel ones do not bend.
+  void hold_fixed(const BoxIndex& index) {
+    for (const Point p : fixed_)
+      index.meeting({p, p}, [&](std::uint32_t i) {
+        if (!axis_parallel(pieces_[i])) touch(i, p, written::orientation(pieces_[i].a, pieces_[i].b, p));
+      });
+  }
+
   static void emit(std::vector<Edge>& result, Edge& rest, Point end) {
     Edge c = rest;
     c.b = end;
@@ -122,7 +132,7 @@ class Splitting {
   std::pair<double, double> along(const Cut& cut) const {
     const Edge& c = pieces_[cut.first];
     const double dx = c.b.x - c.a.x, dy = c.b.y - c.a.y;
-    if (std::abs(dx) >= std::abs(dy)) return {cut.second.x, cut.second.y};
+    if (std::abs(dx) >= std::abs(dy)) return {cut.second.x, dy < 0 ? -cut.second.y : cut.second.y};
     return dy > 0 ? std::pair(cut.second.y, cut.second.x) : std::pair(-cut.second.y, cut.second.x);
   }
 
@@ -132,9 +142,9 @@ class Splitting {
 
   void meet(std::uint32_t i, std::uint32_t j) {
     const Edge &s = pieces_[i], &t = pieces_[j];
-    const int o1 = orientation(s.a, s.b, t.a), o2 = orientation(s.a, s.b, t.b);
+    const int o1 = written::orientation(s.a, s.b, t.a), o2 = written::orientation(s.a, s.b, t.b);
     if (o1 * o2 > 0) return;
-    const int o3 = orientation(t.a, t.b, s.a), o4 = orientation(t.a, t.b, s.b);
+    const int o3 = written::orientation(t.a, t.b, s.a), o4 = written::orientation(t.a, t.b, s.b);
     if (o3 * o4 > 0) return;
     if (o1 * o2 < 0 && o3 * o4 < 0) return cross(i, j);
     touch(i, t.a, o1);
@@ -144,7 +154,7 @@ class Splitting {
   }
 
   void touch(std::uint32_t i, Point p, int side) {
-    if (side == 0 && on_segment(p, pieces_[i].a, pieces_[i].b)) cut(i, p);
+    if (side == 0 && written::on_segment(p, pieces_[i].a, pieces_[i].b)) cut(i, p);
   }
 
   void cross(std::uint32_t i, std::uint32_t j) {
@@ -159,11 +169,12 @@ class Splitting {
     if (s.a.x == s.b.x && t.a.y == t.b.y) return {s.a.x, t.a.y};
     if (t.a.x == t.b.x && s.a.y == s.b.y) return {t.a.x, s.a.y};
     if (s.turn == 0 && t.turn == 0)
-      if (const auto quick = quick_crossing(segment(s), segment(t)))
+      if (const auto quick = quick_crossing(segment(s), segment(t), unit_))
         return rounded_to(quick->point, quick->displacement);
     const ExactPoint exact = line_crossing(segment(s), segment(t));
+    if (const auto p = exactly(exact)) return *p;
     const Point p = round(exact, s, t);
-    return ExactPoint(p) == exact ? p : rounded_to(p, detail::displacement(exact, p));
+    return rounded_to(p, detail::displacement(exact, p));
   }
 
   Point rounded_to(Point p, double displacement) {
@@ -172,14 +183,16 @@ class Splitting {
     return p;
   }
 
-  static Point round(const ExactPoint& exact, const Edge& s, const Edge& t) {
+  Point round(const ExactPoint& exact, const Edge& s, const Edge& t) const {
     std::vector<Segment> outlines;
     for (const Edge& c : {s, t})
       if (c.turn != 0) outlines.push_back(c.turn > 0 ? segment(c) : Segment{c.b, c.a});
-    return outlines.empty() ? nearest_point(exact) : round_outward(exact, outlines);
+    return outlines.empty() ? unit_.nearest(exact) : round_outward(exact, outlines, unit_);
   }
 
   const std::vector<Edge>& pieces_;
+  const Unit& unit_;
+  std::span<const Point> fixed_;
   std::vector<Cut> cuts_;
   Noded& log_;
   bool rounded_ = false;
@@ -187,13 +200,13 @@ class Splitting {
 
 }  // namespace
 
-Noded node(std::vector<Edge> edges) {
+Noded node(std::vector<Edge> edges, const Unit& unit, std::span<const Point> fixed) {
   Noded result;
   std::erase_if(edges, [](const Edge& c) { return c.a == c.b; });
   for (Edge& c : edges) c = ordered(c);
   std::vector<Edge> pieces = unite_equal(merge_runs(std::move(edges)));
   for (int round = 0; round < kRounds; ++round) {
-    Splitting splitting(pieces, result);
+    Splitting splitting(pieces, unit, fixed, result);
     const bool contacts = splitting.find();
     if (contacts) pieces = unite_equal(splitting.split());
     if (!contacts || !splitting.rounded()) {

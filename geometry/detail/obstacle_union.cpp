@@ -9,7 +9,7 @@
 
 #include <taut/geometry/detail/box_index.h>
 #include <taut/geometry/detail/exact.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -33,26 +33,32 @@ class Axis {
         forward_(by_x_ ? side.a.x < side.b.x : side.a.y < side.b.y) {}
 
   Cut at(Point p) const {
-    const double c = signed_coordinate(by_x_ ? p.x : p.y);
-    return {p, std::nullopt, c, c};
+    const Interval c = by_x_ ? written::enclosure(p.x) : written::enclosure(p.y);
+    return {p, std::nullopt, forward_ ? c.lo : -c.hi, forward_ ? c.hi : -c.lo};
   }
 
   Cut crossing(const Segment& line) const {
     if (axis_parallel(side_) && axis_parallel(line))
       return at(side_.a.x == side_.b.x ? Point{side_.a.x, line.a.y} : Point{line.a.x, side_.a.y});
-    using Interval = CGAL::Interval_nt<true>;
-    const Interval sx = Interval(side_.b.x) - side_.a.x, sy = Interval(side_.b.y) - side_.a.y;
-    const Interval tx = Interval(line.b.x) - line.a.x, ty = Interval(line.b.y) - line.a.y;
-    const Interval along =
-        ((Interval(line.a.x) - side_.a.x) * ty - (Interval(line.a.y) - side_.a.y) * tx) / (sx * ty - sy * tx);
-    const Interval c = by_x_ ? Interval(side_.a.x) + along * sx : Interval(side_.a.y) + along * sy;
+    using Number = CGAL::Interval_nt<true>;
+    const auto number = [](double v) {
+      const Interval i = written::enclosure(v);
+      return Number(i.lo, i.hi);
+    };
+    const Number ax = number(side_.a.x), ay = number(side_.a.y), cx = number(line.a.x), cy = number(line.a.y);
+    const Number sx = number(side_.b.x) - ax, sy = number(side_.b.y) - ay;
+    const Number tx = number(line.b.x) - cx, ty = number(line.b.y) - cy;
+    const Number along = ((cx - ax) * ty - (cy - ay) * tx) / (sx * ty - sy * tx);
+    const Number c = by_x_ ? ax + along * sx : ay + along * sy;
     return {{}, line, forward_ ? c.inf() : -c.sup(), forward_ ? c.sup() : -c.inf()};
   }
 
   int compare(const Cut& c, const Cut& d) const {
     if (c.hi < d.lo) return -1;
     if (c.lo > d.hi) return 1;
-    if (!c.line && !d.line) return 0;  // both are doubles and neither is less
+    if (!c.line && !d.line)
+      return forward_ ? order(coordinate(c.point), coordinate(d.point))
+                      : order(coordinate(d.point), coordinate(c.point));
     const mpq_class difference = exact_coordinate(c) - exact_coordinate(d);
     return forward_ ? sgn(difference) : -sgn(difference);
   }
@@ -60,7 +66,8 @@ class Axis {
   ExactPoint exact(const Cut& c) const { return c.line ? line_crossing(side_, *c.line) : ExactPoint(c.point); }
 
  private:
-  double signed_coordinate(double c) const { return forward_ ? c : -c; }
+  double coordinate(Point p) const { return by_x_ ? p.x : p.y; }
+  static int order(double c, double d) { return (c > d) - (c < d); }
   mpq_class exact_coordinate(const Cut& c) const {
     const ExactPoint p = exact(c);
     return by_x_ ? p.x : p.y;
@@ -86,7 +93,7 @@ class Cover {
     signs_.resize(ring.size());
     int least = 1, greatest = -1;
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      signs_[i] = orientation(side_.a, side_.b, ring[i]);
+      signs_[i] = written::orientation(side_.a, side_.b, ring[i]);
       least = std::min(least, signs_[i]);
       greatest = std::max(greatest, signs_[i]);
     }
@@ -128,6 +135,7 @@ struct Stretch {
   Segment side;
   std::uint32_t wall;
   Point from, to;
+  bool bent = false;  // an end was rounded
 };
 
 struct Incidence {
@@ -137,8 +145,8 @@ struct Incidence {
 
 class Union {
  public:
-  Union(const std::vector<ConvexPiece>& pieces, const Box& within)
-      : pieces_(pieces), within_(within), index_(boxes(pieces)) {}
+  Union(const std::vector<ConvexPiece>& pieces, const Box& within, std::span<const Point> fixed)
+      : pieces_(pieces), within_(within), fixed_(fixed), unit_(within), index_(boxes(pieces)) {}
 
   Outline run() {
     for (std::uint32_t p = 0; p < pieces_.size(); ++p)
@@ -147,8 +155,7 @@ class Union {
     for (const auto& [place, incidences] : crossings_) settle(place, incidences);
     outline_.crossings = crossings_.size();
     for (const Stretch& s : stretches_)
-      if (s.from != s.to && within_.contains(s.from) && within_.contains(s.to))
-        outline_.edges.push_back({s.from, s.to, 1, s.wall});
+      if (s.from != s.to && within_.contains(s.from) && within_.contains(s.to)) draw(s);
     return std::move(outline_);
   }
 
@@ -206,19 +213,31 @@ class Union {
       if (!out.leaves) continue;
       const Incidence& in = partner(out, incidences);
       const Segment edges[] = {stretches_[in.stretch].side, stretches_[out.stretch].side};
-      const Point p = round_outward(place, edges);
+      const Point p = round_outward(place, edges, unit_);
       outline_.displacement = std::max(outline_.displacement, displacement(place, p));
       end_of(in) = end_of(out) = p;
+      stretches_[in.stretch].bent = stretches_[out.stretch].bent = true;
+    }
+  }
+
+  /// A bent stretch keeps the fixed points on its side.
+  void draw(const Stretch& s) {
+    Point reached = s.from;
+    std::vector<Point> stops;
+    for (const Point p : fixed_)
+      if (s.bent && p != s.from && p != s.to && box_around(s.from, s.to).contains(p) &&
+          written::on_segment(p, s.side.a, s.side.b))
+        stops.push_back(p);
+    std::sort(stops.begin(), stops.end(), [&](Point p, Point q) { return (p < q) == (s.side.a < s.side.b) && p != q; });
+    stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+    stops.push_back(s.to);
+    for (const Point p : stops) {
+      outline_.edges.push_back({reached, p, 1, s.wall});
+      reached = p;
     }
   }
 
   Point& end_of(const Incidence& i) { return i.leaves ? stretches_[i.stretch].from : stretches_[i.stretch].to; }
-
-  static std::optional<Point> exactly(const ExactPoint& place) {
-    const Point p = nearest_point(place);
-    if (ExactPoint(p) == place) return p;
-    return std::nullopt;
-  }
 
   /// The stretch that arrives on the other side of the free wedge to the right of `out`. At a place that is no pair of
   /// doubles as many stretches arrive as leave: all of them end in crossings.
@@ -245,6 +264,8 @@ class Union {
 
   const std::vector<ConvexPiece>& pieces_;
   Box within_;
+  std::span<const Point> fixed_;
+  Unit unit_;
   BoxIndex index_;
   std::vector<Span> covered_;
   std::vector<Stretch> stretches_;
@@ -267,7 +288,7 @@ std::vector<Edge> join_collinear(const std::vector<Edge>& edges) {
     const bool alone =
         e < edges.size() && edges[by_end[e]].b == p && (e + 1 == edges.size() || edges[by_end[e + 1]].b != p) &&
         (s == 0 || edges[by_start[s - 1]].a != p) && (s + 1 == edges.size() || edges[by_start[s + 1]].a != p);
-    if (!alone || orientation(edges[by_end[e]].a, p, edges[by_start[s]].b) != 0) continue;
+    if (!alone || written::orientation(edges[by_end[e]].a, p, edges[by_start[s]].b) != 0) continue;
     following[by_end[e]] = by_start[s];
     continues[by_start[s]] = true;
   }
@@ -283,8 +304,8 @@ std::vector<Edge> join_collinear(const std::vector<Edge>& edges) {
 
 }  // namespace
 
-Outline outline_of_union(const std::vector<ConvexPiece>& pieces, const Box& within) {
-  Outline outline = Union(pieces, within).run();
+Outline outline_of_union(const std::vector<ConvexPiece>& pieces, const Box& within, std::span<const Point> fixed) {
+  Outline outline = Union(pieces, within, fixed).run();
   outline.edges = join_collinear(outline.edges);
   return outline;
 }

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include <taut/geometry/detail/polygon_triangles.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -14,13 +14,13 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kUlp = 0x1p-52;
 
+/// What a + b means, or the number below it.
 double sum_down(double a, double b) {
-  const double s = a + b, t = s - a;
-  const double error = (a - (s - t)) + (b - t);  // s + error == a + b, exactly (Knuth's two-sum)
-  return error < 0 ? std::nextafter(s, -kInfinity) : s;
+  const double s = written::sum(a, b);
+  return written::compare_sum(a, b, s) < 0 ? std::nextafter(s, -kInfinity) : s;
 }
 double sum_up(double a, double b) { return -sum_down(-a, -b); }
-bool sum_is_exact(double a, double b) { return sum_down(a, b) == sum_up(a, b); }
+bool sum_is_exact(double a, double b) { return written::compare_sum(a, b, written::sum(a, b)) == 0; }
 
 double magnitude(const Ring& ring) {
   double m = 0;
@@ -59,7 +59,7 @@ double widening_error(const Box& a, double w) {
 
 class Builder {
  public:
-  Builder(const World& world, const Footprint& footprint) : world_(world) {
+  Builder(const World& world, const Footprint& footprint, std::span<const Point> fixed) : world_(world), fixed_(fixed) {
     for (const Point p : footprint.ring()) reflected_.push_back({-p.x, -p.y});
     footprint_is_box_ = is_box(reflected_);
   }
@@ -87,7 +87,7 @@ class Builder {
 
   /// The wall's rectangle, square caps included.
   Ring rectangle(const Wall& wall) {
-    const double h = wall.thickness / 2;
+    const double h = written::middle(0, wall.thickness);
     if (wall.a.x == wall.b.x || wall.a.y == wall.b.y) {
       const Box box = bounds({wall.a, wall.b});
       note(widening_error(box, h));
@@ -117,12 +117,14 @@ class Builder {
     for (const Point p : points)
       for (const Point f : reflected_) exact = exact && sum_is_exact(p.x, f.x) && sum_is_exact(p.y, f.y);
     // Widening the footprint moves every side outwards by more than rounding can move it back.
-    const double slack = exact ? 0 : 2 * kUlp * (magnitude(points) + magnitude(reflected_)),
+    const double slack = exact ? 0 : 4 * kUlp * (magnitude(points) + magnitude(reflected_)),
                  factor = 1 + slack / inradius();
     note(slack * magnitude(reflected_) / inradius() * 2);
     std::vector<Point> sums;
     for (const Point p : points)
-      for (const Point f : reflected_) sums.push_back({p.x + f.x * factor, p.y + f.y * factor});
+      for (const Point f : reflected_)
+        sums.push_back(exact ? Point{written::sum(p.x, f.x), written::sum(p.y, f.y)}
+                             : Point{p.x + f.x * factor, p.y + f.y * factor});
     result_.pieces.push_back({convex_hull(std::move(sums)), wall});
   }
 
@@ -146,28 +148,30 @@ class Builder {
   void add_polygon(const Polygon& polygon) {
     if (polygon.holes.empty() && is_strictly_convex(polygon.outer)) return add_convex(polygon.outer, !is_point());
     const Polygon* const one[] = {&polygon};
-    add_triangles(inside_triangles(one), !is_point());
+    add_triangles(inside_triangles(one, unit_, fixed_), !is_point());
   }
 
   static bool is_strictly_convex(const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i)
-      if (orientation(ring[i], ring[(i + 1) % ring.size()], ring[(i + 2) % ring.size()]) <= 0) return false;
+      if (written::orientation(ring[i], ring[(i + 1) % ring.size()], ring[(i + 2) % ring.size()]) <= 0) return false;
     return true;
   }
 
   /// What lies outside the areas. Only walled outlines hold a footprint back by more than its reference point.
   void add_outside() {
     const Box box = world_.box();
-    const double margin =
+    const double least =
         std::max({box.max.x - box.min.x, box.max.y - box.min.y, 1e-300}) / 4 + magnitude(corners(box)) * kUlp * 64;
-    const Box frame{{box.min.x - margin, box.min.y - margin}, {box.max.x + margin, box.max.y + margin}};
+    // One digit, so that the frame lies on the lattice of the world.
+    const double margin = written::number(1, -static_cast<int>(std::ceil(std::log10(least))));
+    const Box frame = widened(box, margin, margin, margin, margin);
     const bool grows = !is_point() && world_.boundary() == Boundary::walled;
     if (world_.areas().size() == 1 && world_.areas()[0].polygon.holes.empty() &&
         is_box(world_.areas()[0].polygon.outer))
       return add_frame(box, frame, grows);
     std::vector<const Polygon*> polygons;
     for (const Area& area : world_.areas()) polygons.push_back(&area.polygon);
-    add_triangles(outside_triangles(polygons, frame), grows);
+    add_triangles(outside_triangles(polygons, frame, unit_, fixed_), grows);
   }
 
   void add_frame(const Box& box, const Box& frame, bool grows) {
@@ -186,6 +190,8 @@ class Builder {
   void note(double excess) { result_.excess = std::max(result_.excess, excess); }
 
   const World& world_;
+  std::span<const Point> fixed_;
+  Unit unit_{world_.box()};
   Ring reflected_;
   bool footprint_is_box_ = false;
   Obstacles result_;
@@ -201,7 +207,8 @@ Ring convex_hull(std::vector<Point> points) {
   const auto chain = [&](auto first, auto last) {
     const std::size_t base = hull.size();
     for (; first != last; ++first) {
-      while (hull.size() >= base + 2 && orientation(hull[hull.size() - 2], hull.back(), *first) <= 0) hull.pop_back();
+      while (hull.size() >= base + 2 && written::orientation(hull[hull.size() - 2], hull.back(), *first) <= 0)
+        hull.pop_back();
       hull.push_back(*first);
     }
     hull.pop_back();
@@ -211,6 +218,8 @@ Ring convex_hull(std::vector<Point> points) {
   return hull;
 }
 
-Obstacles obstacles_of(const World& world, const Footprint& footprint) { return Builder(world, footprint).run(); }
+Obstacles obstacles_of(const World& world, const Footprint& footprint, std::span<const Point> fixed) {
+  return Builder(world, footprint, fixed).run();
+}
 
 }  // namespace taut::detail

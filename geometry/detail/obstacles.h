@@ -1,6 +1,7 @@
 // What a robot's reference point must keep out of, as convex pieces.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include <taut/geometry/detail/obstacle_union.h>
@@ -19,8 +20,9 @@ struct Obstacles {
 /// Solids are cut into triangles unless convex; what lies outside the areas is cut into triangles out to a frame around
 /// `box()`; walls with a thickness are rectangles; each is Minkowski-summed with the reflected footprint. With a point,
 /// zero-thickness walls are left to the noding; with any other footprint they become pieces. Corners that are no pair
-/// of doubles are moved outwards: the piece is widened by `excess` before rounding. O(n log n).
-Obstacles obstacles_of(const World& world, const Footprint& footprint);
+/// of doubles are moved outwards: the piece is widened by `excess` before rounding. Outlines keep the `fixed` points
+/// on them, as in node(). O(n log n).
+Obstacles obstacles_of(const World& world, const Footprint& footprint, std::span<const Point> fixed = {});
 
 /// The convex hull, strictly convex and counter-clockwise. Exact. O(n log n).
 Ring convex_hull(std::vector<Point> points);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -92,11 +92,11 @@ class Tracer {
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const Point before = tri_.points[loop[(k + loop.size() - 1) % loop.size()]], p = tri_.points[loop[k]],
                   after = tri_.points[loop[(k + 1) % loop.size()]];
-      if (orientation(before, p, after) != 0) ring.push_back(p);
+      if (written::orientation(before, p, after) != 0) ring.push_back(p);
     }
     if (ring.size() < 3) return;
     std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
-    if (ring_orientation(ring) > 0)
+    if (written::ring_orientation(ring) > 0)
       polygons_[region].outer = std::move(ring);
     else
       polygons_[region].holes.push_back(std::move(ring));

@@ -4,7 +4,7 @@
 
 #include <taut/geometry/detail/noding.h>
 #include <taut/geometry/detail/triangulate.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -16,9 +16,9 @@ void add_ring(const Ring& ring, int turn, std::vector<Edge>& edges) {
 }
 
 bool contains(const Polygon& polygon, Point p) {
-  return side_of_ring(p, polygon.outer) > 0 &&
+  return written::side_of_ring(p, polygon.outer) > 0 &&
          std::none_of(polygon.holes.begin(), polygon.holes.end(),
-                      [p](const Ring& hole) { return side_of_ring(p, hole) >= 0; });
+                      [p](const Ring& hole) { return written::side_of_ring(p, hole) >= 0; });
 }
 
 /// The parts of a triangulation that no edge divides, told apart by one point each.
@@ -61,7 +61,9 @@ class Regions {
     for (const std::uint32_t t : region) {
       const auto [a, b, c] = corners(t);
       const Point m{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
-      if (orientation(a, b, m) <= 0 || orientation(b, c, m) <= 0 || orientation(c, a, m) <= 0) continue;
+      if (written::orientation(a, b, m) <= 0 || written::orientation(b, c, m) <= 0 ||
+          written::orientation(c, a, m) <= 0)
+        continue;
       const bool covered =
           std::any_of(polygons_.begin(), polygons_.end(), [m](const Polygon* p) { return contains(*p, m); });
       for (const std::uint32_t u : region) covered_[u] = covered;
@@ -75,14 +77,15 @@ class Regions {
   std::vector<bool> covered_;
 };
 
-PolygonTriangles triangles_of(std::span<const Polygon* const> polygons, const Box* frame) {
+PolygonTriangles triangles_of(std::span<const Polygon* const> polygons, const Box* frame, const Unit& unit,
+                              std::span<const Point> fixed) {
   std::vector<Edge> edges;
   for (const Polygon* polygon : polygons) {
     add_ring(polygon->outer, -1, edges);
     for (const Ring& hole : polygon->holes) add_ring(hole, -1, edges);
   }
   if (frame) add_ring({frame->min, {frame->max.x, frame->min.y}, frame->max, {frame->min.x, frame->max.y}}, 0, edges);
-  const Noded noded = node(std::move(edges));
+  const Noded noded = node(std::move(edges), unit, fixed);
   const Mesh mesh = triangulate(noded.edges);
   PolygonTriangles result = Regions(mesh.triangulation, polygons).select(frame == nullptr);
   result.displacement = noded.displacement;
@@ -91,10 +94,14 @@ PolygonTriangles triangles_of(std::span<const Polygon* const> polygons, const Bo
 
 }  // namespace
 
-PolygonTriangles inside_triangles(std::span<const Polygon* const> polygons) { return triangles_of(polygons, nullptr); }
+PolygonTriangles inside_triangles(std::span<const Polygon* const> polygons, const Unit& unit,
+                                  std::span<const Point> fixed) {
+  return triangles_of(polygons, nullptr, unit, fixed);
+}
 
-PolygonTriangles outside_triangles(std::span<const Polygon* const> polygons, const Box& frame) {
-  return triangles_of(polygons, &frame);
+PolygonTriangles outside_triangles(std::span<const Polygon* const> polygons, const Box& frame, const Unit& unit,
+                                   std::span<const Point> fixed) {
+  return triangles_of(polygons, &frame, unit, fixed);
 }
 
 }  // namespace taut::detail

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include <taut/geometry/detail/exact.h>
 #include <taut/geometry/point.h>
 
 namespace taut::detail {
@@ -15,10 +16,13 @@ struct PolygonTriangles {
 };
 
 /// Triangles that tile the union of `polygons` (rings oriented as World does), which may touch and overlap.
-PolygonTriangles inside_triangles(std::span<const Polygon* const> polygons);
+/// Crossings are rounded as by node().
+PolygonTriangles inside_triangles(std::span<const Polygon* const> polygons, const Unit& unit,
+                                  std::span<const Point> fixed);
 
 /// Triangles that tile the rest of the box `frame`, which contains the polygons in its interior. Crossings of
 /// overlapping polygons are rounded into the polygons: what is outside stays so.
-PolygonTriangles outside_triangles(std::span<const Polygon* const> polygons, const Box& frame);
+PolygonTriangles outside_triangles(std::span<const Polygon* const> polygons, const Box& frame, const Unit& unit,
+                                   std::span<const Point> fixed);
 
 }  // namespace taut::detail

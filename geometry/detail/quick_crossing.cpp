@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include <taut/geometry/detail/root.h>
+#include <taut/geometry/detail/written_integers.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -37,42 +39,66 @@ struct Bounded {
   double error = 0;
 };
 
-Bounded cross(Pair ax, Pair ay, Pair bx, Pair by) {
+/// What v means, to within 2^-104 of it.
+Pair meaning_pair(double v) {
+  const auto d = written::decimal(v);
+  if (!d || d->places <= 0 || d->places > 22) return {v, 0};
+  // v is the decimal rounded, so what is left of the decimal is a double before it is divided.
+  const double power = kPowersOfTen[d->places];
+  const Pair back = two_product(v, power);
+  return {v, ((static_cast<double>(d->digits) - back.high) - back.low) / power};
+}
+
+/// a x b, whose parts are each off by at most `error`.
+Bounded cross(Pair ax, Pair ay, Pair bx, Pair by, double error) {
   const Pair p = times(ax, by), q = times(ay, bx);
-  return {add(p, negative(q)), 2 * kProduct * (std::abs(p.high) + std::abs(q.high))};
+  const double reach = std::abs(ax.high) + std::abs(ay.high) + std::abs(bx.high) + std::abs(by.high);
+  return {add(p, negative(q)), 2 * kProduct * (std::abs(p.high) + std::abs(q.high)) + 2 * error * reach};
 }
 
-/// from + along * step, where `relative` bounds the relative error of `along`.
-Bounded walk(double from, Pair along, double relative, Pair step) {
+/// from + along * step, where `relative` bounds the relative error of `along` and `error` those of the others.
+Bounded walk(Pair from, Pair along, double relative, Pair step, double error) {
   const Pair way = times(along, step);
-  const Pair value = add({from, 0}, way);
-  return {value, 1.001 * (std::abs(way.high) * (relative + kProduct) + std::abs(value.high) * kSum)};
+  const Pair value = add(from, way);
+  return {value, 1.001 * (std::abs(way.high) * (relative + kProduct) + std::abs(value.high) * kSum) + 3 * error};
 }
 
-/// Is the value surely neither a double nor half way between two, so that its high part is its rounding?
-bool is_rounded(const Bounded& v) {
-  const double high = std::abs(v.value.high), low = std::abs(v.value.low);
-  const double half = (high - std::nextafter(high, 0)) / 2;
-  return low > v.error && low + v.error < half;
+/// The multiple of the unit that the value surely rounds to, and how far off; nothing when it may be a multiple itself
+/// or half way between two.
+std::optional<std::pair<double, double>> rounded(const Bounded& v, int places) {
+  const Pair power{kPowersOfTen[places], 0};
+  const Pair scaled = times(v.value, power);
+  const double error = (v.error * power.high + std::abs(scaled.high) * kProduct) * 1.001;
+  const double digits = std::nearbyint(scaled.high), rest = (scaled.high - digits) + scaled.low;
+  if (std::abs(digits) > kLargestInteger || std::abs(rest) <= error || std::abs(rest) + error >= 0.5)
+    return std::nullopt;
+  return std::pair(digits / power.high, (std::abs(rest) + error) / power.high);
 }
 
 }  // namespace
 
-std::optional<RoundedCrossing> quick_crossing(const Segment& s, const Segment& t) {
+std::optional<RoundedCrossing> quick_crossing(const Segment& s, const Segment& t, const Unit& unit) {
   for (const Point p : {s.a, s.b, t.a, t.b})
     if (std::max(std::abs(p.x), std::abs(p.y)) > 0x1p300) return std::nullopt;
-  const Pair sx = two_sum(s.b.x, -s.a.x), sy = two_sum(s.b.y, -s.a.y), tx = two_sum(t.b.x, -t.a.x),
-             ty = two_sum(t.b.y, -t.a.y);
-  const Bounded part = cross(two_sum(t.a.x, -s.a.x), two_sum(t.a.y, -s.a.y), tx, ty), whole = cross(sx, sy, tx, ty);
+  const int places = unit.places();
+  if (places < 0 || places > 22) return std::nullopt;
+  double size = 0;
+  for (const Point p : {s.a, s.b, t.a, t.b}) size = std::max({size, std::abs(p.x), std::abs(p.y)});
+  const double error = size * 0x1p-100;  // of a coordinate and of a difference
+  const Pair ax = meaning_pair(s.a.x), ay = meaning_pair(s.a.y), cx = meaning_pair(t.a.x), cy = meaning_pair(t.a.y);
+  const auto minus = [](double v, Pair from) { return add(meaning_pair(v), negative(from)); };
+  const Pair sx = minus(s.b.x, ax), sy = minus(s.b.y, ay), tx = minus(t.b.x, cx), ty = minus(t.b.y, cy);
+  const Bounded part = cross(add(cx, negative(ax)), add(cy, negative(ay)), tx, ty, error),
+                whole = cross(sx, sy, tx, ty, error);
   if (!(part.error > 0x1p-900 && whole.error > 0x1p-900)) return std::nullopt;  // low parts may underflow
   const double relative =
       1.001 * (part.error / std::abs(part.value.high) + whole.error / std::abs(whole.value.high) + kQuotient);
   if (!(relative < 0x1p-58)) return std::nullopt;
   const Pair along = over(part.value, whole.value);
-  const Bounded x = walk(s.a.x, along, relative, sx), y = walk(s.a.y, along, relative, sy);
-  if (!is_rounded(x) || !is_rounded(y)) return std::nullopt;
-  const double off_x = std::abs(x.value.low) + x.error, off_y = std::abs(y.value.low) + y.error;
-  return RoundedCrossing{{x.value.high, y.value.high}, (off_x + off_y) * (1 + 0x1p-50)};
+  const auto x = rounded(walk(ax, along, relative, sx, error), places),
+             y = rounded(walk(ay, along, relative, sy, error), places);
+  if (!x || !y) return std::nullopt;
+  return RoundedCrossing{{x->first, y->first}, (x->second + y->second) * (1 + 0x1p-50)};
 }
 
 }  // namespace taut::detail

@@ -1,12 +1,12 @@
 #include <taut/geometry/detail/ray_walk.h>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
 using Tri = Triangulation;
 
-int RayWalk::side(Point x) const { return orientation(p_, q_, x); }
+int RayWalk::side(Point x) const { return written::orientation(p_, q_, x); }
 
 bool RayWalk::ahead(Point from, Point x) const {
   if (p_.x != q_.x) return (q_.x > p_.x) == (x.x > from.x) && x.x != from.x;
@@ -53,7 +53,7 @@ void RayWalk::join(Stand& found, const Stand& next) {
 RayWalk::End RayWalk::in_triangle(std::uint32_t t) {
   if (bounded_) {
     bool inside = true;
-    for (int i = 0; i < 3; ++i) inside = inside && orientation(corner(t, i), corner(t, Tri::ccw(i)), q_) >= 0;
+    for (int i = 0; i < 3; ++i) inside = inside && written::orientation(corner(t, i), corner(t, Tri::ccw(i)), q_) >= 0;
     if (inside) return End::reached;
   }
   int sides[3];
@@ -69,7 +69,7 @@ RayWalk::End RayWalk::in_triangle(std::uint32_t t) {
 RayWalk::End RayWalk::from_side(std::uint32_t t, int i, std::optional<Point> towards) {
   const std::uint32_t n = tri_.neighbours[t][i];
   const Point a = corner(t, Tri::ccw(i)), b = corner(t, Tri::cw(i));
-  const int wanted = towards ? orientation(a, b, *towards) : 0, turn = orientation(a, b, q_);
+  const int wanted = towards ? written::orientation(a, b, *towards) : 0, turn = written::orientation(a, b, q_);
   const bool here = wanted >= 0, there = wanted <= 0 && n != kNone && tri_.free[n];
   if (turn > 0) return here ? in_triangle(t) : End::blocked;
   if (turn < 0) return there ? in_triangle(n) : End::blocked;
@@ -87,7 +87,7 @@ RayWalk::End RayWalk::from_side(std::uint32_t t, int i, std::optional<Point> tow
 /// Out of triangle t by side i, and on.
 RayWalk::End RayWalk::through(std::uint32_t t, int i) {
   for (;;) {
-    if (bounded_ && orientation(corner(t, Tri::ccw(i)), corner(t, Tri::cw(i)), q_) >= 0) return End::reached;
+    if (bounded_ && written::orientation(corner(t, Tri::ccw(i)), corner(t, Tri::cw(i)), q_) >= 0) return End::reached;
     if (tri_.is_constrained(t, i)) return End::blocked;
     const std::uint32_t n = tri_.neighbours[t][i];
     if (n == kNone) return End::blocked;

@@ -7,7 +7,8 @@
 #include <gmpxx.h>
 #include <mpfr.h>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -19,16 +20,21 @@ constexpr double kEps = 0x1p-53;
 Interval difference(double a, double b) {
   const double d = a - b, part = d - a;
   const double lost = (a - (d - part)) - (b + part);
+  if (d != 0 && !(written::is_plain(a) && written::is_plain(b))) {
+    const Interval x = written::enclosure(a), y = written::enclosure(b);
+    const double low = std::min(std::abs(x.lo - y.hi), std::abs(x.hi - y.lo)),
+                 high = std::max(std::abs(x.lo - y.hi), std::abs(x.hi - y.lo));
+    return {low * (1 - 2 * kEps), high * (1 + 2 * kEps)};
+  }
   return lost == 0 ? Interval{std::abs(d), std::abs(d)}
                    : Interval{std::abs(d) * (1 - 2 * kEps), std::abs(d) * (1 + 2 * kEps)};
 }
 
 bool between(double v, double a, double b) { return std::min(a, b) <= v && v <= std::max(a, b); }
 
-/// The distance of p and the closed segment a b. Every difference, product and root adds at most kEps of its own size.
-Interval enclose(Point p, Point a, Point b) {
-  if (a.x == b.x && between(p.y, a.y, b.y)) return difference(p.x, a.x);
-  if (a.y == b.y && between(p.x, a.x, b.x)) return difference(p.y, a.y);
+/// The distance of p and the closed segment a b as doubles. Every difference, product and root adds at most kEps of its
+/// own size.
+Interval enclose_doubles(Point p, Point a, Point b) {
   const double ux = b.x - a.x, uy = b.y - a.y, length = std::hypot(ux, uy);
   const double ax = p.x - a.x, ay = p.y - a.y, to_a = std::hypot(ax, ay), to_b = std::hypot(p.x - b.x, p.y - b.y);
   const double end = std::min(to_a, to_b), reach = std::max(to_a, to_b);
@@ -44,6 +50,20 @@ Interval enclose(Point p, Point a, Point b) {
   return {std::max(0.0, std::min(off, end) - wide), std::min(off, end) + wide};
 }
 
+bool is_integer(double v) { return v == std::floor(v); }
+
+/// The distance of what p and the closed segment a b mean.
+Interval enclose(Point p, Point a, Point b) {
+  if (a.x == b.x && between(p.y, a.y, b.y)) return difference(p.x, a.x);
+  if (a.y == b.y && between(p.x, a.x, b.x)) return difference(p.y, a.y);
+  const Interval distance = enclose_doubles(p, a, b);
+  double moved = 0;  // a point is at most so far from what it means, and the distance changes no more
+  for (const Point q : {p, a, b})
+    if (!is_integer(q.x) || !is_integer(q.y)) moved = std::max({moved, std::abs(q.x), std::abs(q.y)});
+  moved *= 6 * kEps;
+  return {std::max(0.0, distance.lo - moved), distance.hi + moved};
+}
+
 Interval least(Interval a, Interval b) { return {std::min(a.lo, b.lo), std::min(a.hi, b.hi)}; }
 
 /// Calls f(p, a, b) with each end of one segment and the other: two disjoint segments are nearest at an end.
@@ -56,8 +76,8 @@ void for_each_end(const Segment& s, const Segment& t, F f) {
 }
 
 mpq_class exact_squared(Point p, Point a, Point b) {
-  const mpq_class ux = mpq_class(b.x) - a.x, uy = mpq_class(b.y) - a.y;
-  const mpq_class vx = mpq_class(p.x) - a.x, vy = mpq_class(p.y) - a.y;
+  const ExactPoint from(a), to(b), at(p);
+  const mpq_class ux = to.x - from.x, uy = to.y - from.y, vx = at.x - from.x, vy = at.y - from.y;
   const mpq_class along = ux * vx + uy * vy, length = ux * ux + uy * uy;
   if (along >= length) {
     const mpq_class wx = vx - ux, wy = vy - uy;
@@ -69,7 +89,7 @@ mpq_class exact_squared(Point p, Point a, Point b) {
 }
 
 mpq_class exact_squared(const Segment& s, const Segment& t) {
-  if (segments_meet(s, t)) return 0;
+  if (written::segments_meet(s, t)) return 0;
   const double reach = segment_distance_interval(s, t).hi;
   mpq_class result = -1;
   for_each_end(s, t, [&](Point p, Point a, Point b) {
@@ -93,7 +113,7 @@ double nearest_root(const mpq_class& value) {
 }  // namespace
 
 Interval segment_distance_interval(const Segment& s, const Segment& t) {
-  if (segments_meet(s, t)) return {0, 0};
+  if (written::segments_meet(s, t)) return {0, 0};
   Interval result{HUGE_VAL, HUGE_VAL};
   for_each_end(s, t, [&](Point p, Point a, Point b) { result = least(result, enclose(p, a, b)); });
   return result;

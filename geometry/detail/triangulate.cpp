@@ -9,7 +9,11 @@
 #include <CGAL/property_map.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+
+#include <taut/geometry/detail/written_integers.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -58,6 +62,29 @@ struct LatticeTraits : Epick {
   static std::int64_t integer(double x) { return static_cast<std::int64_t>(x); }
 };
 
+/// Points that mean what was written.
+struct WrittenTraits : Epick {
+  struct Orientation_2 {
+    using result_type = CGAL::Orientation;
+    result_type operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
+      return static_cast<result_type>(written::orientation(point(p), point(q), point(r)));
+    }
+  };
+
+  struct Side_of_oriented_circle_2 {
+    using result_type = CGAL::Oriented_side;
+    result_type operator()(const Point_2& p, const Point_2& q, const Point_2& r, const Point_2& s) const {
+      return static_cast<result_type>(written::side_of_circle(point(p), point(q), point(r), point(s)));
+    }
+  };
+
+  Orientation_2 orientation_2_object() const { return {}; }
+  Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return {}; }
+
+ private:
+  static Point point(const Point_2& p) { return {p.x(), p.y()}; }
+};
+
 /// The distinct ends of the edges along a Hilbert curve, so that what is near in the plane is near in memory.
 std::vector<Point> ends_of(std::span<const Edge> edges) {
   std::vector<Point> points;
@@ -92,7 +119,7 @@ std::vector<Ends> index_pairs(std::span<const Edge> edges, std::span<const Point
 }
 
 template <class Traits>
-void triangulate_with(Triangulation& out, std::span<const Ends> pairs, double scale) {
+void triangulate_with(Triangulation& out, std::span<const Ends> pairs, std::span<const Point> places) {
   using Vertex = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Traits>;
   using Face = CGAL::Triangulation_face_base_with_info_2<std::uint32_t, Traits,
                                                          CGAL::Constrained_triangulation_face_base_2<Traits>>;
@@ -102,7 +129,7 @@ void triangulate_with(Triangulation& out, std::span<const Ends> pairs, double sc
   std::vector<typename Cdt::Vertex_handle> handles(out.points.size());
   typename Cdt::Face_handle hint;
   for (std::uint32_t i = 0; i < out.points.size(); ++i) {
-    handles[i] = cdt.insert({out.points[i].x * scale, out.points[i].y * scale}, hint);
+    handles[i] = cdt.insert({places[i].x, places[i].y}, hint);
     handles[i]->info() = i;
     hint = handles[i]->face();
   }
@@ -158,22 +185,46 @@ std::vector<std::uint32_t> edges_along_sides(const Triangulation& tri, std::span
   return edge_of;
 }
 
-}  // namespace
-
-std::optional<int> lattice_scale(std::span<const Point> points) {
+/// The values as multiples of a power of two, counted from zero; empty when some are none below the limit.
+std::vector<double> binary_integers(std::span<const double> values, double limit) {
   int lowest = 0;  // the exponent of the lowest bit in use, at most 0
   double largest = 0;
-  for (const Point& p : points)
-    for (const double c : {p.x, p.y}) {
-      largest = std::max(largest, std::abs(c));
-      if (c == 0) continue;
-      int exponent = 0;
-      const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(c, &exponent), 53));
-      lowest = std::min(lowest, exponent - 53 + std::countr_zero(static_cast<std::uint64_t>(mantissa)));
-      if (lowest < -60) return std::nullopt;
-    }
-  if (std::ldexp(largest, -lowest) >= (1 << 29)) return std::nullopt;
-  return -lowest;
+  for (const double c : values) {
+    largest = std::max(largest, std::abs(c));
+    if (c == 0) continue;
+    int exponent = 0;
+    const auto mantissa = static_cast<std::int64_t>(std::ldexp(std::frexp(c, &exponent), 53));
+    lowest = std::min(lowest, exponent - 53 + std::countr_zero(static_cast<std::uint64_t>(mantissa)));
+    if (lowest < -60 || std::ldexp(largest, -lowest) >= limit || !written::is_plain(c)) return {};
+  }
+  std::vector<double> integers(values.begin(), values.end());
+  for (double& v : integers) v = std::ldexp(v, -lowest);
+  return integers;
+}
+
+/// The values, x and y in turn, as multiples of a power of ten, counted from the least x and y; empty likewise.
+std::vector<double> decimal_integers(std::span<const double> values, double limit) {
+  std::vector<double> integers(values.size());
+  if (!to_integers(values.data(), values.size(), integers.data())) return {};
+  double least[2] = {HUGE_VAL, HUGE_VAL};
+  for (std::size_t i = 0; i < integers.size(); ++i) least[i % 2] = std::min(least[i % 2], integers[i]);
+  for (std::size_t i = 0; i < integers.size(); ++i)
+    if ((integers[i] -= least[i % 2]) >= limit) return {};
+  return integers;
+}
+
+}  // namespace
+
+std::vector<Point> lattice_places(std::span<const Point> points) {
+  constexpr double kLimit = 1 << 29;
+  std::vector<double> values;
+  values.reserve(2 * points.size());
+  for (const Point p : points) values.insert(values.end(), {p.x, p.y});
+  std::vector<double> integers = binary_integers(values, kLimit);
+  if (integers.empty()) integers = decimal_integers(values, kLimit);
+  std::vector<Point> result(integers.size() / 2);
+  for (std::size_t i = 0; i < result.size(); ++i) result[i] = {integers[2 * i], integers[2 * i + 1]};
+  return result;
 }
 
 Mesh triangulate(std::span<const Edge> edges) {
@@ -181,15 +232,13 @@ Mesh triangulate(std::span<const Edge> edges) {
   Triangulation& tri = mesh.triangulation;
   tri.points = ends_of(edges);
   const std::vector<Ends> pairs = index_pairs(edges, tri.points);
-  if (const auto scale = lattice_scale(tri.points)) {
-    tri.lattice_scale = *scale;
-    tri.lattice.resize(tri.points.size());
-    for (std::size_t i = 0; i < tri.points.size(); ++i)
-      tri.lattice[i] = {static_cast<std::int32_t>(std::ldexp(tri.points[i].x, *scale)),
-                        static_cast<std::int32_t>(std::ldexp(tri.points[i].y, *scale))};
-    triangulate_with<LatticeTraits>(tri, pairs, std::ldexp(1.0, *scale));
+  if (const std::vector<Point> places = lattice_places(tri.points); !places.empty()) {
+    tri.lattice.resize(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+      tri.lattice[i] = {static_cast<std::int32_t>(places[i].x), static_cast<std::int32_t>(places[i].y)};
+    triangulate_with<LatticeTraits>(tri, pairs, places);
   } else {
-    triangulate_with<Epick>(tri, pairs, 1.0);
+    triangulate_with<WrittenTraits>(tri, pairs, tri.points);
   }
   mesh.edge_of = edges_along_sides(tri, pairs);
   return mesh;

@@ -1,7 +1,6 @@
 // From edges that meet only at end points to the flat triangulation.
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include <taut/geometry/detail/noding.h>
@@ -17,7 +16,7 @@ struct Mesh {
 };
 
 /// Triangulates the convex hull of the edges' ends; edges become constrained sides. Precondition: they meet only at
-/// end points. CGAL's constrained Delaunay triangulation; on lattices with predicates in int64 and int128, which decide
+/// end points. CGAL's constrained Delaunay triangulation of what the points mean; on lattices with predicates in int64 and int128, which decide
 /// the many cocircular quadruples of a grid without multi-precision. Deterministic. O(n log n) expected.
 Mesh triangulate(std::span<const Edge> edges);
 
@@ -26,8 +25,8 @@ Mesh triangulate(std::span<const Edge> edges);
 /// (std::logic_error otherwise).
 void classify(Mesh& mesh, std::span<const Edge> edges);
 
-/// The scale that makes all coordinates integers below 2^29 in magnitude when multiplied by 2^scale; nothing when there
-/// is none.
-std::optional<int> lattice_scale(std::span<const Point> points);
+/// The points as integers of magnitude below 2^29 over one unit: a power of two, counted from the origin, or a power of
+/// ten, counted from the least coordinates. Empty when they are not on such a lattice.
+std::vector<Point> lattice_places(std::span<const Point> points);
 
 }  // namespace taut::detail

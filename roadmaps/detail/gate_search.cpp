@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -12,6 +12,8 @@ namespace {
 /// Screens only save time; what they hide is hidden by more than rounding.
 constexpr double kMargin = 1 + 1e-9;
 constexpr double kSlack = 0x1p-49;
+/// Coordinates are off by that part of themselves from what they mean.
+constexpr double kReading = 4e-16;
 
 }  // namespace
 
@@ -56,8 +58,8 @@ void GateSearch::look_through(const View& view) {
   const int m = tri.mirror(view.triangle, view.side);
   const std::uint32_t z = tri.triangles[n][m];
   const Point at = tri.points[z];
-  const int of_right = orientation(p_, tri.points[view.right], at),
-            of_left = orientation(p_, at, tri.points[view.left]);
+  const int of_right = written::orientation(p_, tri.points[view.right], at),
+            of_left = written::orientation(p_, at, tri.points[view.left]);
   if (of_right >= 0 && of_left >= 0) meet_vertex(z);
   // Seen from n, the near side runs from its corner ccw(m) on the left to cw(m) on the right.
   if (of_right >= 0) views_.push_back({n, Triangulation::ccw(m), view.right, of_left >= 0 ? z : view.left});
@@ -89,12 +91,16 @@ void GateSearch::meet_vertex(std::uint32_t z) {
 
 void GateSearch::add_screen(double x, double y) {
   if (is_hidden(x, y)) return;
-  screens_.push_back({x, y, (x * x + y * y) * kMargin});
+  const double reach = std::abs(x) + std::abs(y);
+  screens_.push_back({x, y, (x * x + y * y) * kMargin + kReading * (reach + std::abs(p_.x) + std::abs(p_.y)) * reach});
 }
 
 bool GateSearch::is_hidden(double x, double y) const {
+  const double here = std::abs(p_.x) + std::abs(p_.y), far = std::abs(x) + std::abs(y);
   return std::any_of(screens_.begin(), screens_.end(), [&](const Screen& s) {
-    return s.x * x + s.y * y - kSlack * (std::abs(s.x * x) + std::abs(s.y * y)) >= s.limit * kMargin;
+    const double reach = far + std::abs(s.x) + std::abs(s.y);
+    const double slack = kSlack * (std::abs(s.x * x) + std::abs(s.y * y)) + kReading * (here + reach) * reach;
+    return s.x * x + s.y * y - slack >= s.limit * kMargin;
   });
 }
 
@@ -105,11 +111,14 @@ bool GateSearch::is_hidden(const View& view) const {
   const Point a = tri.points[corners[Triangulation::ccw(view.side)]],
               b = tri.points[corners[Triangulation::cw(view.side)]];
   const double ax = a.x - p_.x, ay = a.y - p_.y, ux = b.x - a.x, uy = b.y - a.y;
+  const double here = std::abs(p_.x) + std::abs(p_.y);
   double lo = 0, hi = 1;
   // What is left of the side: (a + t u) (x, y) <= limit, a little more for rounding.
   const auto keep = [&](double x, double y, double limit) {
     const double size = std::abs(ax * x) + std::abs(ay * y) + std::abs(ux * x) + std::abs(uy * y);
-    const double at_a = ax * x + ay * y - limit - kSlack * size, rise = ux * x + uy * y;
+    const double reach = std::abs(ax) + std::abs(ay) + std::abs(ux) + std::abs(uy) + std::abs(x) + std::abs(y);
+    const double slack = kSlack * size + kReading * (here + reach) * reach;
+    const double at_a = ax * x + ay * y - limit - slack, rise = ux * x + uy * y;
     if (rise > 0) hi = std::min(hi, -at_a / rise + 1e-12);
     if (rise < 0) lo = std::max(lo, -at_a / rise - 1e-12);
     return (rise != 0 || at_a <= 0) && lo <= hi;

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <initializer_list>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -22,6 +22,13 @@ bool exact_difference(double a, double b, double& d) {
 
 mpq_class dot(const mpq_class& ux, const mpq_class& uy, const mpq_class& vx, const mpq_class& vy) {
   return ux * vx + uy * vy;
+}
+
+/// How far the dot product of two differences of coordinates, those of `from` among them, is off at most (as in
+/// written::orientation).
+double dot_bound(double ux, double uy, double vx, double vy, Point from) {
+  const double reach = std::abs(ux) + std::abs(uy) + std::abs(vx) + std::abs(vy);
+  return 9e-16 * reach * (reach + std::abs(from.x) + std::abs(from.y)) + 1e-290;
 }
 
 /// Small enough for disc_meets_integer: its largest product stays below 2^118.
@@ -51,9 +58,10 @@ bool disc_meets_integer(const std::int64_t* v) {
 
 bool disc_meets_rational(const GateShape& shape, const Segment& wall) {
   const ExactPoint foot = exact_foot(shape);
-  const mpq_class mx = (foot.x + shape.end.x) / 2, my = (foot.y + shape.end.y) / 2;
+  const ExactPoint end(shape.end), from(wall.a), to(wall.b);
+  const mpq_class mx = (foot.x + end.x) / 2, my = (foot.y + end.y) / 2;
   const mpq_class hx = foot.x - mx, hy = foot.y - my, reach = dot(hx, hy, hx, hy);
-  const mpq_class ax = wall.a.x - mx, ay = wall.a.y - my, bx = wall.b.x - mx, by = wall.b.y - my;
+  const mpq_class ax = from.x - mx, ay = from.y - my, bx = to.x - mx, by = to.y - my;
   const mpq_class ux = bx - ax, uy = by - ay, along = -dot(ax, ay, ux, uy), length = dot(ux, uy, ux, uy);
   if (along <= 0) return dot(ax, ay, ax, ay) <= reach;
   if (along >= length) return dot(bx, by, bx, by) <= reach;
@@ -86,54 +94,57 @@ std::optional<GateShape> gate_to_inside(Point p, const Segment& c) {
 }
 
 ExactPoint exact_foot(const GateShape& shape) {
-  const ExactPoint a(shape.facing.a), b(shape.facing.b);
+  const ExactPoint a(shape.facing.a), b(shape.facing.b), end(shape.end);
   if (shape.exact()) return a;
   const mpq_class ux = b.x - a.x, uy = b.y - a.y;
-  const mpq_class t = dot(ux, uy, shape.end.x - a.x, shape.end.y - a.y) / dot(ux, uy, ux, uy);
+  const mpq_class t = dot(ux, uy, end.x - a.x, end.y - a.y) / dot(ux, uy, ux, uy);
   return {a.x + t * ux, a.y + t * uy};
 }
 
 mpq_class squared_width(const GateShape& shape) {
-  const ExactPoint foot = exact_foot(shape);
-  const mpq_class dx = foot.x - shape.end.x, dy = foot.y - shape.end.y;
+  const ExactPoint foot = exact_foot(shape), end(shape.end);
+  const mpq_class dx = foot.x - end.x, dy = foot.y - end.y;
   return dx * dx + dy * dy;
 }
 
 Point nearest_foot(const GateShape& shape) { return shape.exact() ? shape.facing.a : nearest_point(exact_foot(shape)); }
 
 int dot_sign(Point p, Point q, Point x) {
-  const double left = (x.x - p.x) * (q.x - p.x), right = (x.y - p.y) * (q.y - p.y);
-  const double sum = left + right, bound = 8 * kEps * (std::abs(left) + std::abs(right)) + 1e-290;
+  const double xx = x.x - p.x, xy = x.y - p.y, qx = q.x - p.x, qy = q.y - p.y;
+  const double sum = xx * qx + xy * qy, bound = dot_bound(xx, xy, qx, qy, p);
   if (sum > bound) return 1;
   if (-sum > bound) return -1;
-  const mpq_class px(p.x), py(p.y);
-  return sgn(dot(x.x - px, x.y - py, q.x - px, q.y - py));
+  const ExactPoint at(p), u(x), v(q);
+  return sgn(dot(u.x - at.x, u.y - at.y, v.x - at.x, v.y - at.y));
 }
 
 int foot_orientation(Point a, Point b, const GateShape& shape) {
-  if (shape.exact()) return orientation(a, b, shape.facing.a);
-  const int from = orientation(a, b, shape.facing.a), to = orientation(a, b, shape.facing.b);
+  if (shape.exact()) return written::orientation(a, b, shape.facing.a);
+  const int from = written::orientation(a, b, shape.facing.a), to = written::orientation(a, b, shape.facing.b);
   if (from == to) return from;
   const ExactPoint foot = exact_foot(shape);
-  const mpq_class ax(a.x), ay(a.y);
-  return sgn((b.x - ax) * (foot.y - ay) - (b.y - ay) * (foot.x - ax));
+  const ExactPoint start(a), end(b);
+  return sgn((end.x - start.x) * (foot.y - start.y) - (end.y - start.y) * (foot.x - start.x));
 }
 
 int side_of_gate(const GateShape& shape, Point p) {
-  if (shape.exact()) return orientation(shape.end, shape.facing.a, p);
+  if (shape.exact()) return written::orientation(shape.end, shape.facing.a, p);
   const auto [a, b] = shape.facing;
-  const double left = (p.x - shape.end.x) * (b.x - a.x), right = (p.y - shape.end.y) * (b.y - a.y);
-  const double sum = left + right, bound = 8 * kEps * (std::abs(left) + std::abs(right)) + 1e-290;
-  if (std::abs(sum) > bound) return sum > 0 ? 1 : -1;
-  return sgn(
-      dot(mpq_class(p.x) - shape.end.x, mpq_class(p.y) - shape.end.y, mpq_class(b.x) - a.x, mpq_class(b.y) - a.y));
+  const double px = p.x - shape.end.x, py = p.y - shape.end.y, ux = b.x - a.x, uy = b.y - a.y;
+  const double sum = px * ux + py * uy;
+  if (std::abs(sum) > std::max(dot_bound(px, py, ux, uy, shape.end), dot_bound(px, py, ux, uy, a)))
+    return sum > 0 ? 1 : -1;
+  const ExactPoint end(shape.end), at(p), from(a), to(b);
+  return sgn(dot(at.x - end.x, at.y - end.y, to.x - from.x, to.y - from.y));
 }
 
 bool disc_meets(const GateShape& shape, const Segment& wall) {
   if (const auto told = disc_meets_filter(shape, wall)) return *told;
   const Point p = shape.end, q = shape.facing.a, a = wall.a, b = wall.b;
   double d[6];
-  const bool whole = shape.exact() && exact_difference(q.x, p.x, d[0]) && exact_difference(q.y, p.y, d[1]) &&
+  const auto is_plain = [](Point r) { return written::is_plain(r.x) && written::is_plain(r.y); };
+  const bool whole = shape.exact() && is_plain(p) && is_plain(q) && is_plain(a) && is_plain(b) &&
+                     exact_difference(q.x, p.x, d[0]) && exact_difference(q.y, p.y, d[1]) &&
                      exact_difference(a.x, p.x, d[2]) && exact_difference(a.y, p.y, d[3]) &&
                      exact_difference(b.x, p.x, d[4]) && exact_difference(b.y, p.y, d[5]);
   std::int64_t v[6];
@@ -145,10 +156,10 @@ bool disc_entered(const GateShape& shape, Point at, const Segment& wall) {
   const Point away = wall.a == at ? wall.b : wall.a;
   if (shape.exact()) return dot_sign(at, at == shape.end ? shape.facing.a : shape.end, away) > 0;
   // The gate stands upright on `facing`: its direction at the end is the one towards the line.
-  const int side = orientation(shape.facing.a, shape.facing.b, at);
-  const ExactPoint a(shape.facing.a), b(shape.facing.b);
+  const int side = written::orientation(shape.facing.a, shape.facing.b, at);
+  const ExactPoint a(shape.facing.a), b(shape.facing.b), from(at), to(away);
   const mpq_class nx = -(b.y - a.y), ny = b.x - a.x;
-  return sgn(nx * (mpq_class(away.x) - at.x) + ny * (mpq_class(away.y) - at.y)) * side < 0;
+  return sgn(nx * (to.x - from.x) + ny * (to.y - from.y)) * side < 0;
 }
 
 }  // namespace taut::detail

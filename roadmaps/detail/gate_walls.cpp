@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -85,7 +85,9 @@ void GateWalls::find_openings() {
     const auto [a, b] = segment(c);
     if (const Constraint& piece = space_.constraints()[c]; !piece.is_wall() && piece.wall == kNone)
       index.meeting(box_around(a, b), [&, a = a, b = b](std::uint32_t i) {
-        if (on_segment(a, openings[i].a, openings[i].b) && on_segment(b, openings[i].a, openings[i].b)) opening_[c] = 1;
+        if (written::on_segment(a, openings[i].a, openings[i].b) &&
+            written::on_segment(b, openings[i].a, openings[i].b))
+          opening_[c] = 1;
       });
     if (!opening_[c])
       for (const std::uint32_t v : ends_[c]) wall_vertex_[v] = 1;

@@ -8,6 +8,9 @@
 #include <limits>
 #include <optional>
 
+#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/written.h>
+
 namespace taut::detail {
 
 /// An enclosure of a real number. Every operation widens by more than it rounds; what overflows encloses everything.
@@ -28,6 +31,19 @@ inline Range widened(double lo, double hi) {
   hi += std::abs(hi) * 0x1p-52 + 1e-300;
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   return lo >= -1e290 && hi <= 1e290 ? Range(lo, hi) : Range(-kInfinite, kInfinite);
+}
+
+/// What a coordinate or a radius means (written.h).
+template <class Number>
+Number meant(double v);
+template <>
+inline Range meant<Range>(double v) {
+  const Interval i = written::enclosure(v);
+  return {i.lo, i.hi};
+}
+template <>
+inline mpq_class meant<mpq_class>(double v) {
+  return meaning(v);
 }
 
 inline Range operator-(const Range& a) { return {-a.hi, -a.lo}; }

@@ -1,6 +1,6 @@
 #include <taut/roadmaps/detail/tangent_circle.h>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -13,7 +13,7 @@ struct Vector {
 
 template <class Number>
 Vector<Number> vector_of(const PlainDirection& v) {
-  Number x = Number(v.to.x) - Number(v.from.x), y = Number(v.to.y) - Number(v.from.y);
+  Number x = meant<Number>(v.to.x) - meant<Number>(v.from.x), y = meant<Number>(v.to.y) - meant<Number>(v.from.y);
   for (int i = 0; i < v.quarters; ++i) {
     const Number next = -y;
     y = x;
@@ -65,7 +65,7 @@ SurdDirection TangentPoint::exact() const {
 
 int cross_sign(const TangentPoint& a, const TangentPoint& b) {
   if (is_outer(a) && is_outer(b))
-    return a.here.side * b.here.side * orientation(a.here.centre, a.other.centre, b.other.centre);
+    return a.here.side * b.here.side * written::orientation(a.here.centre, a.other.centre, b.other.centre);
   if (const auto known = sign(a.x * b.y - a.y * b.x)) return *known;
   return product_sign(a.exact(), b.exact(), cross);
 }
@@ -102,8 +102,8 @@ std::optional<PlainDirection> direction_forbidden(Point c, double r, Point w, Po
   const auto before = [&](Point p, Point q) {
     return rational_sign([&](auto zero) {
       using Number = decltype(zero);
-      const Number fx = Number(q.x) - Number(p.x), fy = Number(q.y) - Number(p.y);
-      const Number x = Number(c.x) - Number(p.x), y = Number(c.y) - Number(p.y);
+      const Number fx = meant<Number>(q.x) - meant<Number>(p.x), fy = meant<Number>(q.y) - meant<Number>(p.y);
+      const Number x = meant<Number>(c.x) - meant<Number>(p.x), y = meant<Number>(c.y) - meant<Number>(p.y);
       const Number result = fx * x + fy * y;
       return result;
     });
@@ -111,7 +111,8 @@ std::optional<PlainDirection> direction_forbidden(Point c, double r, Point w, Po
   const auto end = [&](Point p) -> std::optional<PlainDirection> {
     const int order = rational_sign([&](auto zero) {
       using Number = decltype(zero);
-      const Number x = Number(p.x) - Number(c.x), y = Number(p.y) - Number(c.y), reach = Number(2.0) * Number(r);
+      const Number x = meant<Number>(p.x) - meant<Number>(c.x), y = meant<Number>(p.y) - meant<Number>(c.y),
+                   reach = Number(2.0) * meant<Number>(r);
       const Number result = x * x + y * y - reach * reach;
       return result;
     });
@@ -122,15 +123,16 @@ std::optional<PlainDirection> direction_forbidden(Point c, double r, Point w, Po
   if (before(v, w) <= 0) return end(v);
   const int order = rational_sign([&](auto zero) {
     using Number = decltype(zero);
-    const Number fx = Number(v.x) - Number(w.x), fy = Number(v.y) - Number(w.y);
-    const Number x = Number(c.x) - Number(w.x), y = Number(c.y) - Number(w.y), reach = Number(2.0) * Number(r);
+    const Number fx = meant<Number>(v.x) - meant<Number>(w.x), fy = meant<Number>(v.y) - meant<Number>(w.y);
+    const Number x = meant<Number>(c.x) - meant<Number>(w.x), y = meant<Number>(c.y) - meant<Number>(w.y),
+                 reach = Number(2.0) * meant<Number>(r);
     const Number off = fx * y - fy * x;
     const Number result = off * off - reach * reach * (fx * fx + fy * fy);
     return result;
   });
   if (order >= 0) return std::nullopt;
   // c to the left of w -> v: the wall is to the right of c, a quarter turn back.
-  return PlainDirection{w, v, orientation(w, v, c) > 0 ? 3 : 1};
+  return PlainDirection{w, v, written::orientation(w, v, c) > 0 ? 3 : 1};
 }
 
 }  // namespace taut::detail

@@ -1,6 +1,6 @@
 #include <taut/roadmaps/detail/tangent_line.h>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -46,7 +46,7 @@ bool TangentLine::clears_own(Point w, Point v, bool second) const {
   // Outer tangents are parallel to d: an orientation, which grids need most.
   if (from_.side == to_.side) {
     const Point a = from_.centre, b = to_.centre;
-    return side * (second ? orientation(b, v, a) : orientation(a, b, v)) >= 0;
+    return side * (second ? written::orientation(b, v, a) : written::orientation(a, b, v)) >= 0;
   }
   return side * decide([&](const auto& frame) { return frame.across(w, v); }) >= 0;
 }
@@ -54,7 +54,7 @@ bool TangentLine::clears_own(Point w, Point v, bool second) const {
 bool TangentLine::clears_end(Point w) const {
   if ((from_.side != 0 && w == from_.centre) || (to_.side != 0 && w == to_.centre)) return true;
   const auto off_by = [&](int sides) {
-    if (sides == from_.side && from_.side == to_.side) return orientation(from_.centre, to_.centre, w);
+    if (sides == from_.side && from_.side == to_.side) return written::orientation(from_.centre, to_.centre, w);
     return decide([&](const auto& frame) { return frame.off(w, sides); });
   };
   if (off_by(1) >= 0 || off_by(-1) <= 0) return true;
@@ -75,7 +75,8 @@ bool TangentLine::tangent_point_clears(Point w, Point v, bool second) const {
 bool TangentLine::clears(Point w, Point v) const {
   const auto beyond = [&](int sides) {
     const auto is_beyond = [&](Point p) {
-      if (sides == from_.side && from_.side == to_.side) return sides * orientation(from_.centre, to_.centre, p) >= 0;
+      if (sides == from_.side && from_.side == to_.side)
+        return sides * written::orientation(from_.centre, to_.centre, p) >= 0;
       return sides * decide([&](const auto& frame) { return frame.off(p, sides); }) >= 0;
     };
     return is_beyond(w) && is_beyond(v);

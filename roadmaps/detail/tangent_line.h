@@ -22,13 +22,13 @@ struct TangentFrame {
   using Value = Surd<Number>;
 
   TangentFrame(const TangentEnd& from, const TangentEnd& to, double radius)
-      : cx(from.centre.x),
-        cy(from.centre.y),
-        r(radius),
+      : cx(meant<Number>(from.centre.x)),
+        cy(meant<Number>(from.centre.y)),
+        r(meant<Number>(radius)),
         s1(r * Number(double(from.side))),
         s2(r * Number(double(to.side))) {
-    dx = Number(to.centre.x) - cx;
-    dy = Number(to.centre.y) - cy;
+    dx = meant<Number>(to.centre.x) - cx;
+    dy = meant<Number>(to.centre.y) - cy;
     D = dx * dx + dy * dy;
     k = s2 - s1;
     R = D - k * k;
@@ -39,22 +39,22 @@ struct TangentFrame {
 
   /// D times the position of w along the line, from the first tangent point.
   Value along(Point w) const {
-    const Number x = Number(w.x) - cx, y = Number(w.y) - cy, q = cross(x, y);
+    const Number x = meant<Number>(w.x) - cx, y = meant<Number>(w.y) - cy, q = cross(x, y);
     return {-(k * q), dot(x, y)};
   }
   /// D times what is left from w to the second tangent point, along the line.
   Value left_over(Point w) const {
-    const Number x = Number(w.x) - cx, y = Number(w.y) - cy, q = cross(x, y);
+    const Number x = meant<Number>(w.x) - cx, y = meant<Number>(w.y) - cy, q = cross(x, y);
     return {k * q, D - dot(x, y)};
   }
   /// D times how far w is to the left of the line, less `sides` radii.
   Value off(Point w, int sides) const {
-    const Number x = Number(w.x) - cx, y = Number(w.y) - cy, p = dot(x, y);
+    const Number x = meant<Number>(w.x) - cx, y = meant<Number>(w.y) - cy, p = dot(x, y);
     return {k * p + (s1 - Number(double(sides)) * r) * D, cross(x, y)};
   }
   /// D times (|w - T|^2 - r^2), T the first or the second tangent point.
   Value reach(Point w, bool second) const {
-    Number x = Number(w.x) - cx, y = Number(w.y) - cy;
+    Number x = meant<Number>(w.x) - cx, y = meant<Number>(w.y) - cy;
     if (second) {
       x = x - dx;
       y = y - dy;
@@ -65,8 +65,8 @@ struct TangentFrame {
   }
   /// D times f (T - w) with f = v - w: where T's foot is on the segment w v; with `from_end`, D (|f|^2 - f (T - w)).
   Value foot(Point w, Point v, bool second, bool from_end) const {
-    const Number fx = Number(v.x) - Number(w.x), fy = Number(v.y) - Number(w.y);
-    Number x = cx - Number(w.x), y = cy - Number(w.y);
+    const Number fx = meant<Number>(v.x) - meant<Number>(w.x), fy = meant<Number>(v.y) - meant<Number>(w.y);
+    Number x = cx - meant<Number>(w.x), y = cy - meant<Number>(w.y);
     if (second) {
       x = x + dx;
       y = y + dy;
@@ -78,8 +78,8 @@ struct TangentFrame {
   }
   /// D times f x (T - w): on which side of the line w -> v the tangent point is.
   Value side(Point w, Point v, bool second) const {
-    const Number fx = Number(v.x) - Number(w.x), fy = Number(v.y) - Number(w.y);
-    Number x = cx - Number(w.x), y = cy - Number(w.y);
+    const Number fx = meant<Number>(v.x) - meant<Number>(w.x), fy = meant<Number>(v.y) - meant<Number>(w.y);
+    Number x = cx - meant<Number>(w.x), y = cy - meant<Number>(w.y);
     if (second) {
       x = x + dx;
       y = y + dy;
@@ -90,25 +90,25 @@ struct TangentFrame {
   }
   /// D^2 |f|^2 times (distance of T from the line w v)^2 - r^2.
   Value beside(Point w, Point v, bool second) const {
-    const Number fx = Number(v.x) - Number(w.x), fy = Number(v.y) - Number(w.y);
+    const Number fx = meant<Number>(v.x) - meant<Number>(w.x), fy = meant<Number>(v.y) - meant<Number>(w.y);
     const Value c = side(w, v, second);
     const Number limit = r * r * (fx * fx + fy * fy) * D * D;
     return {c.a * c.a + c.b * c.b * R - limit, Number(2.0) * c.a * c.b};
   }
   /// D times n f, n the line's unit left normal and f = v - w.
   Value across(Point w, Point v) const {
-    const Number fx = Number(v.x) - Number(w.x), fy = Number(v.y) - Number(w.y);
+    const Number fx = meant<Number>(v.x) - meant<Number>(w.x), fy = meant<Number>(v.y) - meant<Number>(w.y);
     return {k * dot(fx, fy), cross(fx, fy)};
   }
   /// D times f x u, u the line's direction.
   Value turn(Point w, Point v) const {
-    const Number fx = Number(v.x) - Number(w.x), fy = Number(v.y) - Number(w.y);
+    const Number fx = meant<Number>(v.x) - meant<Number>(w.x), fy = meant<Number>(v.y) - meant<Number>(w.y);
     return {-(k * dot(fx, fy)), -cross(fx, fy)};
   }
 
   /// D times f u.
   Value onward(Point w, Point v) const {
-    const Number fx = Number(v.x) - Number(w.x), fy = Number(v.y) - Number(w.y);
+    const Number fx = meant<Number>(v.x) - meant<Number>(w.x), fy = meant<Number>(v.y) - meant<Number>(w.y);
     return {-(k * cross(fx, fy)), dot(fx, fy)};
   }
 

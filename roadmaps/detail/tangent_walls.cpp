@@ -4,7 +4,7 @@
 
 #include <taut/geometry/detail/expansion.h>
 #include <taut/geometry/detail/segment_distance.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -42,7 +42,7 @@ bool in_sector(const Triangulation& tri, const Tri::Sector& sector, int bend, Tu
   if (from_right == 0 && is_along(right)) return bend >= 0;
   if (from_left == 0 && is_along(left)) return bend <= 0;
   if (sector.right == sector.left) return true;
-  const int wide = orientation(v, right, left);
+  const int wide = written::orientation(v, right, left);
   if (wide > 0) return from_right > 0 && from_left < 0;
   if (wide < 0) return !(from_left > 0 && from_right < 0);
   return from_right > 0;
@@ -82,8 +82,9 @@ bool TangentWalls::is_free(const TangentLine& line, std::uint32_t from_sector, s
 }
 
 bool TangentWalls::is_nearer(Point p, const Segment& s) const {
-  const mpq_class fx = mpq_class(s.b.x) - s.a.x, fy = mpq_class(s.b.y) - s.a.y, r2 = mpq_class(r_) * mpq_class(r_);
-  const mpq_class x = mpq_class(p.x) - s.a.x, y = mpq_class(p.y) - s.a.y, F = fx * fx + fy * fy;
+  const mpq_class fx = meaning(s.b.x) - meaning(s.a.x), fy = meaning(s.b.y) - meaning(s.a.y),
+                  r2 = meaning(r_) * meaning(r_);
+  const mpq_class x = meaning(p.x) - meaning(s.a.x), y = meaning(p.y) - meaning(s.a.y), F = fx * fx + fy * fy;
   const mpq_class along = x * fx + y * fy, off = fx * y - fy * x;
   if (along <= 0) return x * x + y * y < r2;
   if (along < F) return off * off < r2 * F;
@@ -123,15 +124,15 @@ CircleObstacles TangentWalls::around(Point centre) const {
     if (const auto direction = direction_forbidden(centre, r_, s.a, s.b)) result.forbidden.push_back(*direction);
   });
   if (openings_.empty()) return result;
-  const mpq_class r2 = mpq_class(r_) * mpq_class(r_);
+  const mpq_class r2 = meaning(r_) * meaning(r_);
   opening_boxes_.meeting(box(1.001 * r_), [&](std::uint32_t i) {
     const std::uint32_t c = openings_[i];
     const Segment s = walls_.segment(c);
-    const mpq_class fx = mpq_class(s.b.x) - s.a.x, fy = mpq_class(s.b.y) - s.a.y;
-    const mpq_class x = mpq_class(s.a.x) - centre.x, y = mpq_class(s.a.y) - centre.y;
+    const mpq_class fx = meaning(s.b.x) - meaning(s.a.x), fy = meaning(s.b.y) - meaning(s.a.y);
+    const mpq_class x = meaning(s.a.x) - meaning(centre.x), y = meaning(s.a.y) - meaning(centre.y);
     for (const std::uint32_t v : walls_.ends()[c]) {
       const Point p = walls_.triangulation().points[v];
-      const mpq_class px = mpq_class(p.x) - centre.x, py = mpq_class(p.y) - centre.y;
+      const mpq_class px = meaning(p.x) - meaning(centre.x), py = meaning(p.y) - meaning(centre.y);
       if (!walls_.is_wall_vertex(v) && px * px + py * py == r2)
         result.crossings.push_back({{px, py, 0, 0, 0}, kNone, v});
     }
@@ -169,7 +170,7 @@ bool TangentWalls::arc_is_free(const TangentPoint& a, const TangentPoint& b, con
     }
     if (!at_a && !at_b) return false;
     const Segment s = walls_.segment(crossing.opening);
-    const mpq_class fx = mpq_class(s.b.x) - s.a.x, fy = mpq_class(s.b.y) - s.a.y;
+    const mpq_class fx = meaning(s.b.x) - meaning(s.a.x), fy = meaning(s.b.y) - meaning(s.a.y);
     const mpq_class plain = fx * crossing.at.ax + fy * crossing.at.ay,
                     rooted = fx * crossing.at.bx + fy * crossing.at.by;
     const int to_left = surd_sign(plain, rooted, crossing.at.R);  // going counter-clockwise
@@ -182,12 +183,13 @@ bool TangentWalls::arc_is_free(const TangentPoint& a, const TangentPoint& b, con
 bool TangentWalls::arc_passes_vertex(Point centre, std::uint32_t v, bool before, bool after) const {
   const Triangulation& tri = walls_.triangulation();
   const Point at = tri.points[v];
-  const mpq_class ux = mpq_class(centre.y) - at.y, uy = mpq_class(at.x) - centre.x;  // the way counter-clockwise
+  const mpq_class ux = meaning(centre.y) - meaning(at.y),
+                  uy = meaning(at.x) - meaning(centre.x);  // the way counter-clockwise
   const std::span<const Tri::Sector> sectors = tri.sectors_at(v);
   return std::any_of(sectors.begin(), sectors.end(), [&](const Tri::Sector& sector) {
     const auto holds = [&](int way) {
       const auto part = [&](Point bound, bool crossed) {
-        const mpq_class fx = mpq_class(bound.x) - at.x, fy = mpq_class(bound.y) - at.y;
+        const mpq_class fx = meaning(bound.x) - meaning(at.x), fy = meaning(bound.y) - meaning(at.y);
         const mpq_class value = crossed ? mpq_class(fx * uy - fy * ux) : mpq_class(fx * ux + fy * uy);
         return way * sign_of(value);
       };
@@ -245,7 +247,7 @@ std::uint32_t TangentWalls::too_near(Point p) const {
   const auto segment = [&](std::uint32_t c) { return walls_.segment(c); };
   walls_.walls_meeting({{p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}}, [&](std::uint32_t c) {
     const Interval distance = segment_distance_interval(here, segment(c));
-    if (distance.lo >= r_ || (distance.hi >= r_ && !is_nearer(p, segment(c)))) return;
+    if (distance.lo > r_ || (distance.hi >= r_ && !is_nearer(p, segment(c)))) return;
     const int order = nearest == kNone ? -1 : compare_segment_distances(here, segment(c), here, segment(nearest));
     if (order < 0 || (order == 0 && c < nearest)) nearest = c;
   });

@@ -7,7 +7,7 @@
 
 #include <gmpxx.h>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -216,7 +216,7 @@ bool is_own_end(const Segment& p, const Segment& s) {
 
 bool go_straight_on(const Segment& s, const Segment& t) {
   if (is_point(s) || is_point(t) || !share_end(s, t)) return false;
-  return orientation(s.a, s.b, t.a) == 0 && orientation(s.a, s.b, t.b) == 0;
+  return written::orientation(s.a, s.b, t.a) == 0 && written::orientation(s.a, s.b, t.b) == 0;
 }
 
 bool parallel(const Segment& s, const Segment& t) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 #include <taut/robots/bug/detail/contours.h>
 #include <taut/robots/bug/detail/heading.h>
 #include <taut/robots/bug/detail/logbook.h>
@@ -117,9 +117,9 @@ class Run {
       const Contours::At edge{hit.contour, at / 2};
       if (at % 2 == 0 && tail(edge) == goal_) return places_.vertex(edge);
       if (at % 2 == 0 || tail(edge) == goal_ || head(edge) == goal_) continue;
-      if (on_segment(goal_, tail(edge), head(edge))) return places_.side(edge, ExactPoint(goal_));
+      if (written::on_segment(goal_, tail(edge), head(edge))) return places_.side(edge, ExactPoint(goal_));
     }
-    if (!hit.is_vertex() && on_segment(goal_, tail(hit.edge()), head(hit.edge())))
+    if (!hit.is_vertex() && written::on_segment(goal_, tail(hit.edge()), head(hit.edge())))
       return places_.side(hit.edge(), ExactPoint(goal_));
     return std::nullopt;
   }
@@ -168,11 +168,11 @@ class Run {
   std::optional<Place> on_line(std::uint32_t contour, std::uint32_t station, const ExactPoint& after) const {
     const Contours::At at{contour, station / 2};
     const Point here = tail(at);
-    const int o = orientation(from_, goal_, here);
+    const int o = written::orientation(from_, goal_, here);
     std::optional<Place> found;
     if (station % 2 == 0) {
       if (o == 0) found = places_.vertex(at);
-    } else if (o * orientation(from_, goal_, head(at)) < 0) {
+    } else if (o * written::orientation(from_, goal_, head(at)) < 0) {
       found = places_.side(at, taut::detail::line_crossing({from_, goal_}, {here, head(at)}));
     }
     return found && is_between(found->stand.at, after) ? found : std::nullopt;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 #include <taut/roadmaps/detail/gate_impl.h>
 
 namespace taut::detail {
@@ -20,7 +20,8 @@ Point inner_point(const FreeSpace& space, Point p, int choice) {
   const Point a = tri.points[corners[0]], b = tri.points[corners[1]], c = tri.points[corners[2]];
   const double u = 0.31 + 0.013 * choice, v = 0.37 - 0.017 * choice, w = 1 - u - v;
   const Point inner{u * a.x + v * b.x + w * c.x, u * a.y + v * b.y + w * c.y};
-  const bool inside = orientation(a, b, inner) > 0 && orientation(b, c, inner) > 0 && orientation(c, a, inner) > 0;
+  const bool inside = written::orientation(a, b, inner) > 0 && written::orientation(b, c, inner) > 0 &&
+                      written::orientation(c, a, inner) > 0;
   return inside ? inner : p;
 }
 
@@ -152,7 +153,7 @@ void CrossingParity::add_leg(Point s, Point g, bool within_triangle) {
   Leg leg{s, g, within_triangle};
   const std::vector<Point>& points = gates_.space().triangulation().points;
   leg.right_of.reserve(points.size());
-  for (const Point p : points) leg.right_of.push_back(orientation(s, g, p) < 0);
+  for (const Point p : points) leg.right_of.push_back(written::orientation(s, g, p) < 0);
   legs_.push_back(std::move(leg));
 }
 
@@ -172,7 +173,7 @@ bool CrossingParity::crosses_constraint(const Leg& leg, std::uint32_t c) const {
   const auto [u, v] = gates_.impl().walls.ends()[c];
   if (leg.within_triangle || leg.right_of[u] == leg.right_of[v]) return false;
   const auto [a, b] = gates_.impl().walls.segment(c);
-  return orientation(a, b, leg.s) * orientation(a, b, leg.g) < 0;
+  return written::orientation(a, b, leg.s) * written::orientation(a, b, leg.g) < 0;
 }
 
 bool CrossingParity::crosses_gate(const Leg& leg, std::uint32_t i) const {
@@ -190,7 +191,7 @@ bool CrossingParity::crosses_gate(const Leg& leg, std::uint32_t i) const {
   }
   if (gate.foot_is_end || leg.within_triangle || foot_right == (leg.right_of[v] != 0)) return odd;
   const auto [a, b] = gates_.impl().walls.segment(gate.facing);
-  return odd ^ (orientation(a, b, leg.s) * orientation(a, b, leg.g) < 0);
+  return odd ^ (written::orientation(a, b, leg.s) * written::orientation(a, b, leg.g) < 0);
 }
 
 std::optional<SeparatingChain> separating_chain(const Gates& gates, Point s, Point g, std::uint32_t count) {

@@ -69,7 +69,7 @@ void PolyanyaEngine::look_around(std::span<const std::uint32_t> polygons) {
       if (a == start) continue;
       see_corner(0, c);
       // Of a side in line with the start nothing is seen through, unless it is on it.
-      if (b != start && (side_of(start, a, b) != 0 || on_segment(start, a, b)))
+      if (b != start && (side_of(start, a, b) != 0 || written::on_segment(start, a, b)))
         pass(cone(0, c, d), c, a, b, true, true);
     }
   }

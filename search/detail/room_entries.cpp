@@ -6,7 +6,7 @@
 #include <map>
 
 #include <taut/geometry/detail/exact.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 #include <taut/search/query_ends.h>
 
 namespace taut::detail {
@@ -18,8 +18,8 @@ bool vertical(const Segment& s) { return s.a.x == s.b.x; }
 std::vector<Point> meeting_points(const Segment& side, const Constraint& c) {
   std::vector<Point> points;
   for (const Point p : {c.a, c.b})
-    if (on_segment(p, side.a, side.b)) points.push_back(p);
-  if (!cross_properly(side, {c.a, c.b})) return points;
+    if (written::on_segment(p, side.a, side.b)) points.push_back(p);
+  if (!written::cross_properly(side, {c.a, c.b})) return points;
   const ExactPoint exact = line_crossing(side, {c.a, c.b});
   const Point p = nearest_point(exact);
   points.push_back(p);
@@ -48,7 +48,7 @@ bool is_open_towards(const FreeSpace& space, Point p, Point q) {
   const Point a = tri.points[corners[Triangulation::ccw(at.index)]],
               b = tri.points[corners[Triangulation::cw(at.index)]];
   const std::uint32_t across = tri.neighbours[at.triangle][at.index];
-  return orientation(a, b, q) >= 0 || (across != kNone && tri.free[across]);
+  return written::orientation(a, b, q) >= 0 || (across != kNone && tri.free[across]);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include <taut/geometry/detail/side.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::detail {
 
@@ -81,7 +81,7 @@ class TautString {
     std::size_t size = 0;
     for (const Point p : path_) {
       if (size > 0 && path_[size - 1] == p) continue;
-      while (size > 1 && on_segment(path_[size - 1], path_[size - 2], p)) --size;
+      while (size > 1 && written::on_segment(path_[size - 1], path_[size - 2], p)) --size;
       path_[size++] = p;
     }
     path_.resize(size);

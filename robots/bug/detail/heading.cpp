@@ -1,6 +1,6 @@
 #include <taut/robots/bug/detail/heading.h>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::bug::detail {
 
@@ -154,7 +154,7 @@ bool is_open(const Triangulation& tri, const Stand& stand, Point goal) {
   if (stand.kind == Stand::Kind::open) return true;
   if (stand.kind == Stand::Kind::vertex) return tri.looks_to(tri.sectors[stand.sector], goal);
   const auto& corners = tri.triangles[stand.t];
-  return orientation(tri.points[corners[Tri::ccw(stand.i)]], tri.points[corners[Tri::cw(stand.i)]], goal) >= 0;
+  return written::orientation(tri.points[corners[Tri::ccw(stand.i)]], tri.points[corners[Tri::cw(stand.i)]], goal) >= 0;
 }
 
 bool leads_off(const Triangulation& tri, const Stand& stand, Point goal) {
@@ -167,7 +167,7 @@ bool leads_off(const Triangulation& tri, const Stand& stand, Point goal) {
                            !runs_along(v, tri.points[sector.left], Spot(goal)));
   }
   const auto& corners = tri.triangles[stand.t];
-  return orientation(tri.points[corners[Tri::ccw(stand.i)]], tri.points[corners[Tri::cw(stand.i)]], goal) > 0;
+  return written::orientation(tri.points[corners[Tri::ccw(stand.i)]], tri.points[corners[Tri::cw(stand.i)]], goal) > 0;
 }
 
 Walk walk_to(const Triangulation& tri, const Stand& stand, const ExactPoint& from, const Spot& goal) {

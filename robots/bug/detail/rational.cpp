@@ -22,22 +22,22 @@ int sign_of_roots(const mpq_class& p, const mpq_class& q, const mpq_class& r) {
 }  // namespace
 
 Spot::Spot(const ExactPoint& p) : exact(p) {
-  const Point q{p.x.get_d(), p.y.get_d()};
+  const Point q = taut::detail::nearest_point(p);
   if (ExactPoint(q) == p) doubles = q;
 }
 
 int orientation(const Spot& a, const Spot& b, Point c) {
-  if (a.doubles && b.doubles) return taut::orientation(*a.doubles, *b.doubles, c);
+  if (a.doubles && b.doubles) return written::orientation(*a.doubles, *b.doubles, c);
   return signed_area(a.exact, b.exact, ExactPoint(c));
 }
 
 int orientation(const Spot& a, Point b, Point c) {
-  if (a.doubles) return taut::orientation(*a.doubles, b, c);
+  if (a.doubles) return written::orientation(*a.doubles, b, c);
   return signed_area(a.exact, ExactPoint(b), ExactPoint(c));
 }
 
 int orientation(Point a, Point b, const Spot& c) {
-  if (c.doubles) return taut::orientation(a, b, *c.doubles);
+  if (c.doubles) return written::orientation(a, b, *c.doubles);
   return signed_area(ExactPoint(a), ExactPoint(b), c.exact);
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include <taut/geometry/detail/exact.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut::bug::detail {
 

@@ -170,7 +170,7 @@ class Tangent {
       return p != u && (v == p || same_way(u, v, p)) && away(p) <= away(v);
     };
     Pass pass{b};
-    if (on_segment(*goal_.doubles, tail, head) && is_between(goal_.exact))
+    if (written::on_segment(*goal_.doubles, tail, head) && is_between(goal_.exact))
       return {places_.on(edge, goal_.exact), Pass::Why::goal};
     if (is_between(start_.stand.at) && places_.on(edge, start_.stand.at) == start_) pass = {start_, Pass::Why::closed};
     const Place foot = places_.on(edge, nearest_on(tail, head, goal_.exact));

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 #include <taut/search/funnel.h>
 
 namespace taut::bug::detail {
@@ -28,24 +29,26 @@ Point rounded(const Triangulation& tri, const Stand& stand) {
                                      Segment{tri.points[c[2]], tri.points[c[1]]},
                                      Segment{tri.points[c[0]], tri.points[c[2]]}};
   const auto is_inside = [&](Point p) {
-    return std::all_of(sides.begin(), sides.end(), [&](const Segment& s) { return orientation(s.a, s.b, p) <= 0; });
+    return std::all_of(sides.begin(), sides.end(),
+                       [&](const Segment& s) { return written::orientation(s.a, s.b, p) <= 0; });
   };
   try {
-    const Point p = taut::detail::round_outward(stand.at, sides);
+    const Point p = taut::detail::round_outward(stand.at, sides,
+                                                taut::detail::Unit(std::max(std::abs(nearest.x), std::abs(nearest.y))));
     if (is_inside(p)) return p;
   } catch (const taut::detail::TooFine&) {
   }
   // No double near it in the triangle: the nearer end of the side is one.
   const Point a = tri.points[c[Tri::ccw(stand.i)]], b = tri.points[c[Tri::cw(stand.i)]];
-  return compare_distance(nearest, a, b) <= 0 ? a : b;
+  return written::compare_distance(nearest, a, b) <= 0 ? a : b;
 }
 
 bool Trail::goes_straight(Point from, Point to, const std::vector<std::uint32_t>& triangles) const {
   for (std::size_t k = 0; k + 1 < triangles.size(); ++k) {
     const int i = side_between(tri_, triangles[k], triangles[k + 1]);
     const auto& c = tri_.triangles[triangles[k]];
-    if (orientation(from, to, tri_.points[c[Tri::ccw(i)]]) >= 0 ||
-        orientation(from, to, tri_.points[c[Tri::cw(i)]]) <= 0)
+    if (written::orientation(from, to, tri_.points[c[Tri::ccw(i)]]) >= 0 ||
+        written::orientation(from, to, tri_.points[c[Tri::cw(i)]]) <= 0)
       return false;
   }
   return true;
