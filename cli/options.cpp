@@ -187,8 +187,6 @@ void add_query_options(CommandLine& app, QueryOptions& options) {
   add(app, "--to", options.to, parse_point, "Go here instead of where FILE says").type_name("X,Y").group("Query");
   app.renamed("--start", "--from");
   app.renamed("--goal", "--to");
-  app.renamed("--start", "--from");
-  app.renamed("--goal", "--to");
   add_robot_option(app, options.robot);
 }
 
