@@ -10,6 +10,10 @@ endfunction()
 file(REMOVE_RECURSE ${SCRATCH})
 run("install" ${CMAKE_COMMAND} --install ${BUILD_TREE} --prefix ${SCRATCH}/prefix)
 
+if(EXISTS ${SCRATCH}/prefix/bin/taut)
+  run("the installed program" ${SCRATCH}/prefix/bin/taut --version)
+endif()
+
 file(GLOB_RECURSE private ${SCRATCH}/prefix/include/*.h)
 list(FILTER private INCLUDE REGEX "/detail/")
 if(private)
