@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <taut/io/pictures/detail/svg_frame.h>
+
 namespace taut {
 
 namespace {
@@ -102,7 +104,7 @@ class Picture {
     if (known & ~drive_.open) keys.push_back({"closed", "seen closed", patch, {}});
     if (all & ~known) keys.push_back({"unknown", "never seen", patch, {}});
     if (what_.values)
-      keys.push_back(what_.values->key);
+      keys.push_back({"values", what_.values->scale, scale, what_.values->colours});
     else
       keys.push_back({"seen", "in sight", patch, {}});
     return keys;

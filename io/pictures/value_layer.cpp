@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include <taut/io/pictures/detail/svg_frame.h>
+
 namespace taut {
 
 namespace {
@@ -43,13 +45,6 @@ std::string arrow(const car::Pose& pose, roadblocks::Action action) {
     return fmt::format("{:.2f} {:.2f}", pose.x + along * c - aside * s, pose.y + along * s + aside * c);
   };
   return "M" + at(-0.3, 0) + "L" + at(0.3, 0) + "M" + at(0.1, 0.16) + "L" + at(0.3, 0) + "L" + at(0.1, -0.16);
-}
-
-detail::SvgKey scale_to(double greatest) {
-  std::vector<std::string> colours;
-  for (int level = 0; level < kShades; level += 3) colours.push_back(shade(level));
-  return {"values", fmt::format("0 to {:.0f} cells to go, best heading", greatest), detail::SvgKey::Sample::scale,
-          std::move(colours)};
 }
 
 }  // namespace
@@ -86,7 +81,8 @@ ValueLayer value_layer(const roadblocks::ValueGrid& grid, const roadblocks::Valu
   layer.arrows = "<path fill=\"none\" stroke=\"#fff\" stroke-width=\".17\" stroke-opacity=\".45\" d=\"" + layer.arrows +
                  "\"/>\n<path fill=\"none\" stroke=\"#22304a\" stroke-width=\".07\" stroke-opacity=\".75\" d=\"" +
                  layer.arrows + "\"/>\n";
-  layer.key = scale_to(greatest / grid.per_unit());
+  layer.scale = fmt::format("0 to {:.0f} cells to go, best heading", greatest / grid.per_unit());
+  for (int shown = 0; shown < kShades; shown += 3) layer.colours.push_back(shade(shown));
   return layer;
 }
 

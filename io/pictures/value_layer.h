@@ -2,8 +2,8 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include <taut/io/pictures/detail/svg_frame.h>
 #include <taut/robots/roadblocks/value_iteration.h>
 
 namespace taut {
@@ -12,9 +12,10 @@ namespace taut {
 /// its headings (light at the goal, dark far away), with an arrow along that heading's best action; where no heading
 /// has a value nothing is drawn. On discretisations finer than cells arrows stand on the cells' centres only.
 struct ValueLayer {
-  std::string surface;  ///< to be drawn before walls
-  std::string arrows;   ///< after them
-  detail::SvgKey key;   ///< the scale
+  std::string surface;               ///< to be drawn before walls
+  std::string arrows;                ///< after them
+  std::string scale;                 ///< what the colours mean
+  std::vector<std::string> colours;  ///< from the least value to the greatest
 };
 ValueLayer value_layer(const roadblocks::ValueGrid& grid, const roadblocks::Values& values);
 
