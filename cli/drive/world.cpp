@@ -15,6 +15,7 @@
 #include <taut/io/results/drive_json.h>
 #include <taut/robots/car/drive_check.h>
 #include <taut/search/no_path.h>
+#include <taut/search/voronoi_search.h>
 
 namespace taut::cli {
 

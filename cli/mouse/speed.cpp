@@ -67,8 +67,8 @@ std::string drives_text(const SpeedRun& run) {
   for (const Drive& d : run.drives)
     out += fmt::format(
         "{:<12} {:>5.1f},{:<5.1f} -> {:>5.1f},{:<5.1f} {:<2} -> {:<2} {:>7.3f} m {:>7.3f} s {:>6.2f} -> {:.2f} m/s\n",
-        name(d), d.from.x / 2.0, d.from.y / 2.0, d.to.x / 2.0, d.to.y / 2.0, heading_name(d.heading),
-        heading_name(d.after), d.metres, d.seconds, d.speed_in, d.speed_out);
+        name(d), d.from.x / 2.0, d.from.y / 2.0, d.to.x / 2.0, d.to.y / 2.0, micromouse::heading_name(d.heading),
+        micromouse::heading_name(d.after), d.metres, d.seconds, d.speed_in, d.speed_out);
   return out;
 }
 

@@ -35,7 +35,9 @@ class GeoJson {
   }
 
  private:
-  [[noreturn]] void fail(const JsonTree& at, const std::string& message) const { Place{source_, at.line}.fail(message); }
+  [[noreturn]] void fail(const JsonTree& at, const std::string& message) const {
+    Place{source_, at.line}.fail(message);
+  }
 
   std::string type_of(const JsonTree& value) const {
     if (value.kind != JsonTree::Kind::object) fail(value, "a GeoJSON object is expected");
@@ -46,7 +48,8 @@ class GeoJson {
 
   const std::vector<JsonTree>& array(const JsonTree& object, const char* key) const {
     const JsonTree* value = object.find(key);
-    if (!value || value->kind != JsonTree::Kind::array) fail(object, std::string("\"") + key + "\" is missing or no array");
+    if (!value || value->kind != JsonTree::Kind::array)
+      fail(object, std::string("\"") + key + "\" is missing or no array");
     return value->items;
   }
 

@@ -15,7 +15,7 @@ struct JsonTree {
   int line = 0;
   double number = 0;  ///< also 0 and 1 of a boolean
   std::string string;
-  std::vector<JsonTree> items;        ///< of an array or, in order, of an object
+  std::vector<JsonTree> items;    ///< of an array or, in order, of an object
   std::vector<std::string> keys;  ///< of an object, one an item
 
   /// The last member of that name, nullptr when there is none or this is no object.
