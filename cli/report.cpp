@@ -13,7 +13,8 @@ void note_stage(const char* stage, double seconds, const std::string& what) {
 
 std::string cpu_text(const Seconds& seconds) {
   const std::string cpu = seconds_text(seconds.cpu) + " CPU";
-  return seconds.cpu > 0.01 && seconds.wall < 0.9 * seconds.cpu ? cpu + ", " + seconds_text(seconds.wall) + " wall" : cpu;
+  return seconds.cpu > 0.01 && seconds.wall < 0.9 * seconds.cpu ? cpu + ", " + seconds_text(seconds.wall) + " wall"
+                                                                : cpu;
 }
 
 std::string peak_memory_text() {

@@ -37,15 +37,15 @@ struct ClearanceAnswer {
   SearchStatus status = SearchStatus::none;  ///< `stopped` when there is a doubt
   Doubt doubt = Doubt::nothing;
   Point start{};
-  Point goal{};                            ///< of several, the one to which the largest disc gets
-  std::vector<ClearanceTrade> found{};     ///< one, of a tradeoff several
-  std::optional<WidestPassage> limit{};    ///< of Kind::widest, by the gates
-  std::optional<std::string> width{};      ///< of the widest's gate, exact where short
-  std::optional<DiscPassage> passage{};    ///< none: what the gates say of the disc
-  Barrier barrier{};                       ///< why there is none, or of Kind::widest: why no larger disc gets through
-  bool verified = false;                   ///< the paths were checked against the walls, their width against the gates
-  std::array<std::size_t, 2> places{};     ///< vertices and edges of the diagram
-  double max_error = 0;                    ///< VoronoiRoadmap::max_error
+  Point goal{};                          ///< of several, the one to which the largest disc gets
+  std::vector<ClearanceTrade> found{};   ///< one, of a tradeoff several
+  std::optional<WidestPassage> limit{};  ///< of Kind::widest, by the gates
+  std::optional<std::string> width{};    ///< of the widest's gate, exact where short
+  std::optional<DiscPassage> passage{};  ///< none: what the gates say of the disc
+  Barrier barrier{};                     ///< why there is none, or of Kind::widest: why no larger disc gets through
+  bool verified = false;                 ///< the paths were checked against the walls, their width against the gates
+  std::array<std::size_t, 2> places{};   ///< vertices and edges of the diagram
+  double max_error = 0;                  ///< VoronoiRoadmap::max_error
 };
 
 /// Answers questions of clearance between a start and a goal.

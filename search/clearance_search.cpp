@@ -176,8 +176,7 @@ std::optional<ClearancePath> ClearanceSearch::widest() const {
   return std::move(impl_->shortest_from(std::min(*rank, impl_->end_rank()))->path);
 }
 
-std::vector<ClearanceTrade> ClearanceSearch::tradeoff(
-    const std::function<void(const ClearanceTrade&)>& told) const {
+std::vector<ClearanceTrade> ClearanceSearch::tradeoff(const std::function<void(const ClearanceTrade&)>& told) const {
   std::vector<ClearanceTrade> result;
   for (std::uint32_t rank = 0; rank <= impl_->end_rank();) {
     auto found = impl_->shortest_from(rank);

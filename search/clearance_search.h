@@ -61,8 +61,7 @@ class ClearanceSearch {
   /// The Pareto front of length and clearance, from the shortest to the widest: clearance and length both strictly
   /// increase (the length may repeat when rounding hides the difference). A search for each entry, after which `told`
   /// gets it.
-  std::vector<ClearanceTrade> tradeoff(
-      const std::function<void(const ClearanceTrade&)>& told = {}) const;
+  std::vector<ClearanceTrade> tradeoff(const std::function<void(const ClearanceTrade&)>& told = {}) const;
 
  private:
   struct Impl;

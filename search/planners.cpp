@@ -109,8 +109,8 @@ void Comparison::add(PlannerRuns runs) {
 }
 
 const PlannerRuns* Comparison::wrong() const {
-  const auto first = std::find_if(planners.begin(), planners.end(),
-                                  [](const PlannerRuns& p) { return !p.all_verified(); });
+  const auto first =
+      std::find_if(planners.begin(), planners.end(), [](const PlannerRuns& p) { return !p.all_verified(); });
   return first == planners.end() ? nullptr : &*first;
 }
 

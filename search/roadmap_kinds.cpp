@@ -20,14 +20,11 @@ namespace {
 template <typename Graph, typename Search, typename Query>
 PlannedRoadmap planned(std::shared_ptr<const Graph> graph, Search search, Query query) {
   return {std::shared_ptr<const Roadmap>(graph, &graph->roadmap()),
-          [graph, search](Point from, const Goal& to, GraphMethod method) {
-            return search(*graph, from, to, method);
-          },
+          [graph, search](Point from, const Goal& to, GraphMethod method) { return search(*graph, from, to, method); },
           [graph, query](Point from, const Goal& to) { return query(*graph, from, to); }};
 }
 
-GraphSearchResult search_visibility(const VisibilityGraph& graph, Point from, const Goal& to,
-                                    GraphMethod method) {
+GraphSearchResult search_visibility(const VisibilityGraph& graph, Point from, const Goal& to, GraphMethod method) {
   return shortest_path(graph, from, to, method);
 }
 
@@ -114,8 +111,12 @@ RoadmapKind fixed_prm() {
 }
 
 RoadmapKind voronoi() {
-  return {"voronoi", "segment Voronoi diagram",
-          "the middles between walls: paths keep as far away as they can", false, false, [](const FreeSpace& space, const BuildRequest&) {
+  return {"voronoi",
+          "segment Voronoi diagram",
+          "the middles between walls: paths keep as far away as they can",
+          false,
+          false,
+          [](const FreeSpace& space, const BuildRequest&) {
             const double tolerance = corridor_width(space) * kArcTolerance;
             const auto map = std::make_shared<const VoronoiRoadmap>(space);
             PlannedRoadmap planned{std::make_shared<const Roadmap>(voronoi_legs(*map, tolerance)),
@@ -137,8 +138,7 @@ RoadmapKind polyanya() {
           [](const FreeSpace& space, const BuildRequest& request) {
             const auto search = std::make_shared<PolyanyaSearch>(
                 Polyanya(space, request.from ? navmesh_between(space, *request.from, request.to) : navmesh(space)));
-            return PlannedRoadmap{std::make_shared<const Roadmap>(),
-                                  [search](Point from, const Goal& to, GraphMethod) {
+            return PlannedRoadmap{std::make_shared<const Roadmap>(), [search](Point from, const Goal& to, GraphMethod) {
                                     search->find(from, to);
                                     return search->result();
                                   }};

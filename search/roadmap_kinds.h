@@ -54,8 +54,8 @@ struct RoadmapKind {
   /// Throws InputError where the world does not suit it.
   std::function<PlannedRoadmap(const FreeSpace&, const BuildRequest&)> build;
   Keeping keeping = Keeping::none;
-  bool is_prm = false;  ///< heeds BuildRequest::prm
-  bool graph = true;    ///< does it make a graph at all, to be shown and saved?
+  bool is_prm = false;   ///< heeds BuildRequest::prm
+  bool graph = true;     ///< does it make a graph at all, to be shown and saved?
   bool samples = false;  ///< are its vertices milestones, some of them perhaps joined to nothing?
 };
 

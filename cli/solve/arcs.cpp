@@ -62,8 +62,8 @@ class ArcSolver {
 
   void finish(const Gates& gates) {
     if (!options_.no_verify) {
-      const ArcVerdict verdict = run_.stage(
-          "verify", [&] { return verify_arcs(answer_.result.path, gates, answer_.start, answer_.goal); });
+      const ArcVerdict verdict =
+          run_.stage("verify", [&] { return verify_arcs(answer_.result.path, gates, answer_.start, answer_.goal); });
       if (!verdict.valid) throw std::logic_error("the path found does not pass its own check: " + verdict.reason);
       answer_.verified = true;
     }
@@ -100,8 +100,7 @@ class ArcSolver {
     answer.stats = {{"roadmap", fmt::format("{} corners, {} tangent points, {} tangents, {} arcs", graph.corner_count(),
                                             graph.point_count(), graph.leg_count(), graph.arc_count())},
                     {"search", fmt::format("{} expanded", answer_.result.expanded)}};
-    if (!options_.svg.empty())
-      answer.files.push_back({options_.svg, arc_svg(answer_, space, title_of(input.name))});
+    if (!options_.svg.empty()) answer.files.push_back({options_.svg, arc_svg(answer_, space, title_of(input.name))});
     return run_.end(std::move(answer));
   }
 

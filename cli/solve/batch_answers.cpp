@@ -30,8 +30,8 @@ bool matches(const QueryLine& query, const QueryAnswer& answer) {
 }
 
 std::string line_of(const QueryLine& query, const QueryAnswer& answer) {
-  std::string line = fmt::format(
-      "{} {}", query.line, answer.status == Status::found ? number_text(answer.length) : name(answer.status));
+  std::string line = fmt::format("{} {}", query.line,
+                                 answer.status == Status::found ? number_text(answer.length) : name(answer.status));
   for (const Point& p : answer.points) line += " " + number_text(p.x) + " " + number_text(p.y);
   return line + "\n";
 }
@@ -103,7 +103,8 @@ void BatchAnswers::add(const QueryLine& query, const QueryAnswer& answer, const 
   state_->count(query, answer);
   const AnswerForm& form = state_->form;
   if (form.keeps) state_->rows.push_back(json_of(query, answer, form.path));
-  if (form.prints) state_->out += form.json ? json_line(json_of(query, answer, form.path)) + "\n" : line_of(query, answer);
+  if (form.prints)
+    state_->out += form.json ? json_line(json_of(query, answer, form.path)) + "\n" : line_of(query, answer);
 }
 
 // Printed with the lock held: who stops the program waits until the block is out.

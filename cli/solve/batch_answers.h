@@ -18,8 +18,8 @@ struct QueryAnswer {
   enum class Status : std::uint8_t { found, none, blocked, unproven };
   Status status = Status::none;  ///< none: proven; blocked: an end is no free place
   double length = 0;
-  double cpu = 0;              ///< seconds of the search
-  const char* blocked = "";    ///< "start" or "goal"
+  double cpu = 0;               ///< seconds of the search
+  const char* blocked = "";     ///< "start" or "goal"
   std::vector<Point> points{};  ///< where they are wanted
 };
 

@@ -137,11 +137,12 @@ class ClearanceSolver {
   }
 
   std::vector<std::pair<std::string, std::string>> stats(const Input& input, const ClearancePlanner& planner) const {
-    return {{"read", count_text(input.world.walls().size(), "wall")},
-            {"roadmap", fmt::format("{}, {}, vertices within {:.2g}", count_text(answer_.places[0], "vertex", "vertices"),
-                                    count_text(answer_.places[1], "edge"), answer_.max_error)},
-            {"gates", count_text(planner.gates().gates().size(), "gate")},
-            {"verify", answer_.verified ? "walls and gates agree" : "not done"}};
+    return {
+        {"read", count_text(input.world.walls().size(), "wall")},
+        {"roadmap", fmt::format("{}, {}, vertices within {:.2g}", count_text(answer_.places[0], "vertex", "vertices"),
+                                count_text(answer_.places[1], "edge"), answer_.max_error)},
+        {"gates", count_text(planner.gates().gates().size(), "gate")},
+        {"verify", answer_.verified ? "walls and gates agree" : "not done"}};
   }
 
   int end(const Input& input, const FreeSpace& space, const ClearancePlanner& planner) {

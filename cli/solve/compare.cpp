@@ -113,9 +113,9 @@ class Comparer {
     std::string why = options_.chosen.empty() ? too_large(p, space_) : "";
     if (!why.empty()) return {&p, false, {}, why + "; ask for it with --planners"};
     PlannerRuns runs = run_.stage(p.name, [&] {
-      return run_planner(p, space_, comparison_.start, comparison_.goal, options_.common.seed, options_.runs,
-                         {1, {}, {}, options_.prm, options_.common.limits.seconds.has_value(),
-                          prm_progress(options_.common.quiet)});
+      return run_planner(
+          p, space_, comparison_.start, comparison_.goal, options_.common.seed, options_.runs,
+          {1, {}, {}, options_.prm, options_.common.limits.seconds.has_value(), prm_progress(options_.common.quiet)});
     });
     end_progress();
     return runs;
@@ -132,8 +132,7 @@ class Comparer {
     if (std::ranges::none_of(comparison_.planners, is_optimal))
       if (const PlannerRuns best = runs_of(planners()[0]); best.solved() > 0)
         comparison_.optimum = best.typical().path.length;
-    comparison_.is_shut =
-        !comparison_.optimum && NoPath(space_).walls(comparison_.start, comparison_.goal).has_value();
+    comparison_.is_shut = !comparison_.optimum && NoPath(space_).walls(comparison_.start, comparison_.goal).has_value();
   }
 
   const CompareOptions& options_;
@@ -177,8 +176,7 @@ int run(const CompareOptions& options, Run& run) {
   if (answer.outcome == Outcome::unproven) complain(answer.reason);
   answer.result = comparison_json(comparison);
   answer.line = comparison_table(comparison);
-  if (!options.svg.empty())
-    answer.files = {{options.svg, comparison_svg(comparison, space, title_of(input.name))}};
+  if (!options.svg.empty()) answer.files = {{options.svg, comparison_svg(comparison, space, title_of(input.name))}};
   return run.end(std::move(answer));
 }
 

@@ -41,9 +41,9 @@ Row row_of(const PlannerRuns& p, const std::optional<Length>& optimum) {
           brief_seconds(p.median([](const PlannerRun& r) { return r.build.cpu; })),
           brief_seconds(p.median([](const PlannerRun& r) { return r.query.cpu; })),
           whole_text(p.median([](const PlannerRun& r) { return static_cast<double>(r.expanded); })),
-          p.solved() == 0 ? "-"
-          : p.all_verified()  ? "yes"
-                          : "NO"};
+          p.solved() == 0    ? "-"
+          : p.all_verified() ? "yes"
+                             : "NO"};
 }
 
 }  // namespace

@@ -64,9 +64,9 @@ std::string widest_text(const Passage& passage, const Gates& gates) {
 
 std::string why_not(const Passage& passage, const Gates& gates) {
   if (!passage.is_proven()) return "no way found, but no walls and gates that prove that there is none";
-  return passage.asked ? blocked_text(gates, *passage.asked, passage.barrier, passage.start, passage.goal,
-                                      *passage.radius)
-                       : separation_text(passage.barrier);
+  return passage.asked
+             ? blocked_text(gates, *passage.asked, passage.barrier, passage.start, passage.goal, *passage.radius)
+             : separation_text(passage.barrier);
 }
 
 std::string line(const Passage& passage, const Gates& gates, const std::string& reason, const Seconds& total) {

@@ -90,8 +90,8 @@ class Solver {
   }
 
   void search(const FreeSpace& space) {
-    GraphSearchResult found = run_.stage(
-        "search", [&] { return answer_.planned.search(*result_.start, result_.goal, options_.method()); });
+    GraphSearchResult found =
+        run_.stage("search", [&] { return answer_.planned.search(*result_.start, result_.goal, options_.method()); });
     result_.status = found.status;
     result_.path = std::move(found.path);
     result_.expanded = found.expanded;
@@ -138,9 +138,9 @@ class Solver {
     if (!walls) return leave_unproven();
     answer_.outcome = Outcome::none;
     result_.separation = joined_walls(*walls, space.world().box());
-    answer_.reason = walls->empty()                  ? "no place of the goal is free"
+    answer_.reason = walls->empty()                ? "no place of the goal is free"
                      : !result_.separation.empty() ? walls_text(result_.separation)
-                                                     : "";
+                                                   : "";
     if (options_.query.robot.kind() == Footprint::Kind::disc) name_gates(input);
   }
 

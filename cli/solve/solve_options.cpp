@@ -43,16 +43,17 @@ void require_suitable(const SolveOptions& options) {
 }
 
 const std::vector<Choice> kAlgorithms{{"astar", "the shortest path of the graph, unless the heuristic overestimates"},
-                             {"dijkstra", "the shortest path of the graph, without a heuristic"},
-                             {"bfs", "a path with the fewest legs"},
-                             {"dfs", "some path: on along the first leg, back where it ends"},
-                             {"greedy", "some path: always to what looks nearest the goal"}};
+                                      {"dijkstra", "the shortest path of the graph, without a heuristic"},
+                                      {"bfs", "a path with the fewest legs"},
+                                      {"dfs", "some path: on along the first leg, back where it ends"},
+                                      {"greedy", "some path: always to what looks nearest the goal"}};
 
-const std::vector<Choice> kHeuristics{{"euclidean", "the straight distance"},
-               {"manhattan", "dx + dy; overestimates where legs do not follow the axes"},
-               {"octile", "dx + dy less (2 - sqrt 2) min(dx, dy); where they are not at 45 degrees either"},
-               {"chebyshev", "max(dx, dy)"},
-               {"zero", "0: astar is dijkstra then"}};
+const std::vector<Choice> kHeuristics{
+    {"euclidean", "the straight distance"},
+    {"manhattan", "dx + dy; overestimates where legs do not follow the axes"},
+    {"octile", "dx + dy less (2 - sqrt 2) min(dx, dy); where they are not at 45 degrees either"},
+    {"chebyshev", "max(dx, dy)"},
+    {"zero", "0: astar is dijkstra then"}};
 
 void add_method_options(CommandLine& app, SolveOptions& options) {
   app.add_option_function(
@@ -113,15 +114,14 @@ void require_consistent(const SolveOptions& options) {
   if (options.shorten && options.prm.clearance.value_or(0) > 0)
     throw UsageError("--shorten makes no sense with --prm-clearance: a taut path touches corners");
   require_one_stdout({{"--svg", options.svg}, {"--json", options.common.json}, {"--save", options.save}});
-  if (options.arcs && (options.kind || !options.save.empty() || !options.load.empty() || options.shorten ||
-                       options.clearance))
+  if (options.arcs &&
+      (options.kind || !options.save.empty() || !options.load.empty() || options.shorten || options.clearance))
     throw UsageError("--arcs has a roadmap of its own: not with --roadmap, --save, --load or --clearance");
   if (options.arcs && options.query.robot.kind() != Footprint::Kind::disc)
     throw UsageError("--arcs needs --robot disc:R");
   require_method_fits(options);
   require_anytime_fits(options.anytime, options.kind, options.method_given());
-  if (options.anytime.wanted &&
-      (options.shorten || options.arcs || options.clearance))
+  if (options.anytime.wanted && (options.shorten || options.arcs || options.clearance))
     throw UsageError("--anytime makes no sense with --shorten, --arcs, --clearance, --widest or --tradeoff");
   if (options.load == "-" && options.world.file == "-")
     throw UsageError("FILE and --load cannot both come from standard input");

@@ -60,10 +60,10 @@ std::string roadmap_stat(const SolveAnswer& answer, const SolveOptions& options)
 }  // namespace
 
 std::string walls_text(const std::vector<Segment>& separation) {
-  return fmt::format("{} start and goal: {}",
-                     separation.size() == 1 ? "this wall separates"
-                                            : fmt::format("these {} walls separate", separation.size()),
-                     segments_text(separation, kWallsNamed));
+  return fmt::format(
+      "{} start and goal: {}",
+      separation.size() == 1 ? "this wall separates" : fmt::format("these {} walls separate", separation.size()),
+      segments_text(separation, kWallsNamed));
 }
 
 std::string solve_line(const SolveAnswer& answer, const Seconds& total) {
@@ -98,14 +98,14 @@ std::vector<std::pair<std::string, std::string>> solve_stats(const SolveAnswer& 
                                                              const FreeSpace& space, const Input& input) {
   const PlanResult& result = answer.result;
   const FreeSpaceReport& report = space.report();
-  return {{"read", fmt::format("{}, {}", name(input.notes.format), count_text(input.world.walls().size(), "wall"))},
-          {"space", fmt::format("{} (union {:.4f} s, triangulation {:.4f} s wall), displacement {:.3g}",
-                                count_text(space.triangulation().triangles.size(), "triangle"), report.seconds_union,
-                                report.seconds_triangulation, report.displacement)},
-          {"roadmap", roadmap_stat(answer, options)},
-          {"search", fmt::format("{} expanded ({})", result.expanded, search_name(answer, options))},
-          {"verify",
-           result.verified ? fmt::format("valid, clearance {:.6g}", result.clearance.value_or(0)) : "not done"}};
+  return {
+      {"read", fmt::format("{}, {}", name(input.notes.format), count_text(input.world.walls().size(), "wall"))},
+      {"space", fmt::format("{} (union {:.4f} s, triangulation {:.4f} s wall), displacement {:.3g}",
+                            count_text(space.triangulation().triangles.size(), "triangle"), report.seconds_union,
+                            report.seconds_triangulation, report.displacement)},
+      {"roadmap", roadmap_stat(answer, options)},
+      {"search", fmt::format("{} expanded ({})", result.expanded, search_name(answer, options))},
+      {"verify", result.verified ? fmt::format("valid, clearance {:.6g}", result.clearance.value_or(0)) : "not done"}};
 }
 
 }  // namespace taut::cli

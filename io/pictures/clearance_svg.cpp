@@ -21,10 +21,11 @@ std::vector<std::string> facts(const ClearanceAnswer& answer) {
   if (answer.status == SearchStatus::stopped) return {"not proven"};
   if (answer.status == SearchStatus::none) {
     const bool narrow = !answer.barrier.gates.empty();
-    return {none_text(answer.query), narrow ? count_text(answer.barrier.gates.size(), "gate") + " too narrow"
-                                            : separation_text(answer.barrier)};
+    return {none_text(answer.query),
+            narrow ? count_text(answer.barrier.gates.size(), "gate") + " too narrow" : separation_text(answer.barrier)};
   }
-  if (answer.query.kind == Kind::tradeoff) return {count_text(answer.found.size(), "path") + " along the Voronoi diagram"};
+  if (answer.query.kind == Kind::tradeoff)
+    return {count_text(answer.found.size(), "path") + " along the Voronoi diagram"};
   const ClearancePath& way = answer.found.front().path;
   return {fmt::format("length {} {}", plain_length(way.length), kAlong),
           answer.query.kind == Kind::widest ? "largest disc: radius " + number_text(way.pinch.clearance)

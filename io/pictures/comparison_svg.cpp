@@ -18,9 +18,9 @@ using detail::SvgLayers;
 using detail::SvgPath;
 
 constexpr std::size_t kEdgesDrawn = 6000;
-constexpr double kInner = 952, kGap = 20;      // of the page between its margins, between panels
-constexpr double kHead = 26, kRow = 20;        // a panel's title, a row of its numbers
-constexpr double kRim = 6;                     // what may stick out of a map
+constexpr double kInner = 952, kGap = 20;  // of the page between its margins, between panels
+constexpr double kHead = 26, kRow = 20;    // a panel's title, a row of its numbers
+constexpr double kRim = 6;                 // what may stick out of a map
 constexpr std::size_t kRows = 3;
 
 std::string px(double v) { return detail::svg_number(v); }
@@ -138,8 +138,7 @@ class Sheet {
     if (p.runs.size() > 1) facts.push_back(fmt::format("{} of {} solved", p.solved(), p.runs.size()));
     if (run.counts) facts.push_back(fmt::format("{} samples drawn, {} kept", run.counts->drawn, run.counts->kept));
     if (!run.counts && run.vertices > 0) facts.push_back(count_text(run.vertices, "vertex", "vertices"));
-    if (run.edges > 0)
-      facts.push_back(count_text(run.edges, "edge") + (run.edges > kEdgesDrawn ? ", not drawn" : ""));
+    if (run.edges > 0) facts.push_back(count_text(run.edges, "edge") + (run.edges > kEdgesDrawn ? ", not drawn" : ""));
     return detail::wrapped(facts, width_);
   }
 
@@ -149,8 +148,8 @@ class Sheet {
   }
 
   void text(const char* kind, double x, double y, const std::string& words) {
-    out_ += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", kind, px(x), px(y),
-                        detail::xml_text(words));
+    out_ +=
+        fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", kind, px(x), px(y), detail::xml_text(words));
   }
 
   const Comparison& comparison_;

@@ -3,8 +3,8 @@
 
 #include <taut/geometry/free_space.h>
 #include <taut/io/results/json.h>
-#include <taut/search/arc_search.h>
 #include <taut/search/arc_pinch.h>
+#include <taut/search/arc_search.h>
 
 namespace taut {
 

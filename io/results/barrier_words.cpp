@@ -91,9 +91,9 @@ std::string clearance_reason(const ClearanceAnswer& answer, const Gates& gates) 
   if (answer.doubt == ClearanceAnswer::Doubt::disagree)
     return fmt::format("the diagram, exact to {:.2g}, and the gates disagree by less than that", answer.max_error);
   if (answer.status != SearchStatus::none) return {};
-  return answer.passage ? blocked_text(gates, *answer.passage, answer.barrier, answer.start, answer.goal,
-                                       answer.query.clearance)
-                        : separation_text(answer.barrier);
+  return answer.passage
+             ? blocked_text(gates, *answer.passage, answer.barrier, answer.start, answer.goal, answer.query.clearance)
+             : separation_text(answer.barrier);
 }
 
 }  // namespace taut

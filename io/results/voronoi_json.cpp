@@ -37,8 +37,9 @@ Json voronoi_json(const VoronoiRoadmap& map) {
     edges.add("[{}, {}]", e.from, e.to);
     arcs.add("{}", arc_of(map, e));
   }
-  return {{"kind", "segment Voronoi diagram"}, {"max_error", map.max_error()},    {"vertices", vertices.json()},
-          {"edges", edges.json()},             {"clearances", clearances.json()}, {"arcs", arcs.json()}};
+  return {{"kind", "segment Voronoi diagram"}, {"max_error", map.max_error()},
+          {"vertices", vertices.json()},       {"edges", edges.json()},
+          {"clearances", clearances.json()},   {"arcs", arcs.json()}};
 }
 
 }  // namespace taut

@@ -21,7 +21,8 @@ class Axis {
 };
 
 bool lies_on_line_of(const Wall& wall, const Segment& door) {
-  return wall.a != wall.b && written::orientation(wall.a, wall.b, door.a) == 0 && written::orientation(wall.a, wall.b, door.b) == 0;
+  return wall.a != wall.b && written::orientation(wall.a, wall.b, door.a) == 0 &&
+         written::orientation(wall.a, wall.b, door.b) == 0;
 }
 
 // `from` moved by half the wall's thickness towards `to`, for the cap; nothing where that leaves no wall.

@@ -117,10 +117,13 @@ TEST(World, WidensTheOpenBoxWhenEndsMoveOutOfIt) {
   EXPECT_EQ(world.start(), (Point{100, 100}));
 }
 
-TEST(World, DoesNotMoveALimitWhenEndsLieBeyondIt) {
-  const World world = World(room_with_two_gaps()).with_ends(Point{-9, -9}, std::nullopt);
+// An end outside shows that the walls are no limit.
+TEST(World, HasAnImpliedLimitThatYieldsToAnEndBeyondIt) {
+  const World world(room_with_two_gaps()), wider = world.with_ends(Point{-9, -9}, std::nullopt);
   EXPECT_EQ(world.box(), (Box{{0, 0}, {4, 3}}));
-  EXPECT_EQ(world.goal().point, (Point{4, 2.5}));
+  EXPECT_EQ(wider.boundary(), Boundary::open);
+  EXPECT_TRUE(wider.box().contains({-9, -9}));
+  EXPECT_EQ(wider.goal().point, (Point{4, 2.5}));
 }
 
 TEST(World, IsOpenAroundATrapWhenAnEndLiesBeyondItsBareSide) {

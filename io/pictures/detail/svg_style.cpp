@@ -77,7 +77,8 @@ std::string style(const SvgStrokes& strokes) {
   const auto px = [](double v) { return svg_number(v); };
   return fmt::format(
       "{}"
-      ".taut .roadmap,.taut .milestones,.taut .openings,.taut .walls,.taut .separation,.taut .gates,.taut .shades,.taut "
+      ".taut .roadmap,.taut .milestones,.taut .openings,.taut .walls,.taut .separation,.taut .gates,.taut "
+      ".shades,.taut "
       ".path{{fill:none;stroke-linecap:round;stroke-linejoin:round}}\n"
       ".taut .roadmap{{stroke-width:{}}}\n"
       ".taut .milestones{{stroke-width:{}}}\n"
@@ -93,9 +94,9 @@ std::string style(const SvgStrokes& strokes) {
       ".taut .sample.milestones{{stroke-width:5}}\n"
       ".taut .path.sample .line{{stroke-width:4}}\n"
       ".taut .path.sample .casing{{stroke-width:6}}\n",
-      kColours, px(strokes.roadmap()), px(strokes.milestone()), px(0.6 * strokes.wall()), px(std::max(2.0, 2 * strokes.wall())),
-      px(strokes.wall()), px(std::max(1.7 * strokes.wall(), strokes.path())), px(strokes.gate()), px(strokes.path()),
-      px(strokes.path() * 1.5 + 0.4));
+      kColours, px(strokes.roadmap()), px(strokes.milestone()), px(0.6 * strokes.wall()),
+      px(std::max(2.0, 2 * strokes.wall())), px(strokes.wall()), px(std::max(1.7 * strokes.wall(), strokes.path())),
+      px(strokes.gate()), px(strokes.path()), px(strokes.path() * 1.5 + 0.4));
 }
 
 SvgKey key_of(const std::string& kind) {

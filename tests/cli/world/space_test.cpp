@@ -54,8 +54,7 @@ TEST_F(SpaceProgram, SaysThatNothingIsFree) {
 }
 
 TEST_F(SpaceProgram, RefusesAFormatItCannotTell) {
-  for (const char* options :
-       {"", "-o -", "-o a.pdf", "-o noext", "-o - --as maz", "-o a.wkt --robot cube:1"}) {
+  for (const char* options : {"", "-o -", "-o a.pdf", "-o noext", "-o - --as maz", "-o a.wkt --robot cube:1"}) {
     const Outcome run = run_taut(std::string("space - ") + options, kRoom);
     EXPECT_EQ(run.code, 2) << options << run.err;
     EXPECT_EQ(run.out, "") << options;
