@@ -27,9 +27,11 @@ Point point_of(const Json& json, const std::string& source) {
 }
 
 ClaimedPath read_json(std::string_view bytes, const std::string& source) {
-  const Json json = detail::parse_json(bytes, source);
+  const Json file = detail::parse_json(bytes, source);
+  const Json* const result = file.kind == Json::Kind::object ? file.find("result") : nullptr;
+  const Json& json = result ? *result : file;
   const Json* points = json.kind == Json::Kind::object ? json.find("points") : &json;
-  if (!points) Place{source, json.line}.fail("holds no path: there are no \"points\"");
+  if (!points || points->kind == Json::Kind::null) Place{source, json.line}.fail("holds no path: there are no \"points\"");
   if (points->kind != Json::Kind::array) Place{source, points->line}.fail("the points are not a list");
   ClaimedPath path;
   for (const Json& item : points->items) path.points.push_back(point_of(item, source));
