@@ -52,8 +52,7 @@ struct PrmConnection {
   double radius = 1;      ///< > 0
 };
 
-/// How a PRM is made. The default, with clearance 0.1, is the student exercise as written: 500 uniform samples, 8
-/// nearest.
+/// How a PRM is made. The default is the basic algorithm: 500 uniform samples, each joined to its 8 nearest.
 ///
 ///  1. A vertex is clear: no obstacle (any FreeSpace::constraints(), openings included) is nearer than `clearance`, and
 ///     none touches it. An edge is clear: a path can go straight along it (FreeSpace::sees), and no obstacle is nearer

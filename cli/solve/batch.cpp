@@ -46,11 +46,7 @@ void add_options(CommandLine& app, BatchOptions& options) {
          "`none`, it is compared to 1e-6. Or a MovingAI scenario file between corners of cells, as the any-angle "
          "sets have it; compared as far as its digits go")
       .required();
-  app.add_option_function(
-         "--robot", [&options](const std::string& text) { options.query.robot = footprint_of(text); },
-         "Who moves: point (default), disc:R, or square:R of half side R")
-      .type_name("SHAPE")
-      .group("Query");
+  add_robot_option(app, options.query.robot);
   app.add_flag("--json-lines", options.json_lines, "Print one JSON object a line instead").group("Output");
   app.add_flag("--path", options.path,
                "The points of each path as well: ` x y x y ...` after the length, `path` in JSON")

@@ -123,7 +123,7 @@ Outcome BatchAnswers::outcome() const {
   return state_->unproven > 0     ? Outcome::unproven
          : state_->mismatches > 0 ? Outcome::differs
          : state_->unanswered > 0 ? Outcome::none
-                                  : Outcome::found;
+                                  : Outcome::done;
 }
 
 std::string BatchAnswers::reason() const {

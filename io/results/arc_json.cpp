@@ -16,6 +16,8 @@ void add_path(Json& json, const ArcAnswer& answer) {
   const ArcPath& path = answer.result.path;
   json["length"] = path.value();
   json["length_interval"] = {path.length.lo, path.length.hi};
+  json["optimal"] = true;
+  json["corners"] = path.bends.size();
   json["verified"] = answer.verified;
   Json bends = Json::array(), arcs = Json::array(), points = Json::array({path.start});
   for (const ArcBend& bend : path.bends) bends.push_back({bend.corner.x, bend.corner.y, bend.turn});

@@ -27,9 +27,12 @@ Point point_of(const JsonTree& json, const std::string& source) {
 }
 
 ClaimedPath read_json(std::string_view bytes, const std::string& source) {
-  const JsonTree json = detail::parse_json(bytes, source);
+  const JsonTree file = detail::parse_json(bytes, source);
+  const JsonTree* const result = file.kind == JsonTree::Kind::object ? file.find("result") : nullptr;
+  const JsonTree& json = result ? *result : file;
   const JsonTree* points = json.kind == JsonTree::Kind::object ? json.find("points") : &json;
-  if (!points) Place{source, json.line}.fail("holds no path: there are no \"points\"");
+  if (!points || points->kind == JsonTree::Kind::null)
+    Place{source, json.line}.fail("holds no path: there are no \"points\"");
   if (points->kind != JsonTree::Kind::array) Place{source, points->line}.fail("the points are not a list");
   ClaimedPath path;
   for (const JsonTree& item : points->items) path.points.push_back(point_of(item, source));

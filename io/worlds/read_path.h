@@ -17,8 +17,8 @@ struct ClaimedPath {
 };
 
 /// Reads a path: JSON, either a list of points `[[x, y], ...]` or an object with such a list under "points" and
-/// perhaps a number under "length" (what result_json writes); or text, a point `x y` or `x,y` a line, `#` starts a
-/// comment. Any number of points.
+/// perhaps a number under "length", by itself or as the "result" of an envelope (what `taut solve --json` writes); or
+/// text, a point `x y` or `x,y` a line, `#` starts a comment. Any number of points.
 /// Throws InputError with the line; on a JSON result without points (its status is not "found") too.
 ClaimedPath read_path(std::string_view bytes, const std::string& source = {});
 

@@ -36,7 +36,7 @@ TEST_F(ExitCode, IsZeroWithOneLineWhenAPathIsFound) {
   EXPECT_EQ(run.code, 0);
   EXPECT_EQ(run.err, "");
   EXPECT_THAT(run.out, StartsWith("<stdin>: length 2.828427, 1 corner, "));
-  EXPECT_THAT(run.out, EndsWith(" s\n"));
+  EXPECT_THAT(run.out, EndsWith(" s CPU\n"));
 }
 
 TEST_F(ExitCode, IsOneWithTheWallWhenThereIsNoPath) {

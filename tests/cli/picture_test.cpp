@@ -85,6 +85,8 @@ INSTANTIATE_TEST_SUITE_P(
         Kind{"Path", "solve data/maze_25x25.txt"},
         Kind{"Barrier", "solve data/islands.wkt --robot disc:1.05 --from 5,8 --to 9,4"},
         Kind{"Arcs", "solve data/floor_plan.geojson --robot disc:0.2 --arcs"},
+        Kind{"Comparison", "compare data/maze_5x7.txt"}, Kind{"Milestones", "roadmap data/maze_5x7.txt --kind prm"},
+        Kind{"Tradeoff", "solve data/islands.wkt --tradeoff"}, Kind{"Passage", "passage data/islands.wkt"},
         Kind{"Diagram", "roadmap data/islands.wkt --kind voronoi"},
         Kind{"Tangent", "bug data/islands.wkt --algorithm tangent --range 5"},
         Kind{"TangentFilm", "bug data/islands.wkt --algorithm tangent --range 5 --animate"},

@@ -152,7 +152,7 @@ TEST_F(Proven, NoneIsSaidOfARoomWithTheWallsThatShutIt) {
     EXPECT_EQ(run.code, 1) << kind << run.out << run.err;
     EXPECT_THAT(run.out, HasSubstr("no path: this wall separates start and goal: (3, 0)-(3, 9)")) << kind;
   }
-  const json answer = json::parse(run_taut("compare - --planners polyanya --json -", kSealedRoom).out);
+  const json answer = json::parse(run_taut("compare - --planners polyanya --json -", kSealedRoom).out)["result"];
   EXPECT_EQ(answer["proven_none"], true);
 }
 
@@ -179,7 +179,7 @@ TEST_F(Proven, PathsIntoARoomThatReachesBeyondTheBoundaryEndWithinIt) {
   for (const char* kind : {"polyanya", "visibility", "full"}) {
     const Outcome run = run_taut(std::string("solve - --json - --roadmap ") + kind, world);
     ASSERT_EQ(run.code, 0) << kind << run.err;
-    const json answer = json::parse(run.out);
+    const json answer = json::parse(run.out)["result"];
     EXPECT_DOUBLE_EQ(answer["length"].get<double>(), 2.1213203435596424) << kind;
     EXPECT_EQ(answer["verified"], true);
     EXPECT_EQ(answer["goal"], json::parse(R"({"room": [[2, 2, 3, 3]]})"));

@@ -1,11 +1,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+#include <string>
+
 #include "support/program_test.h"
 
 namespace taut::test {
 namespace {
 
+using nlohmann::json;
 using testing::HasSubstr;
 
 const std::string kMaze = data_file("maze_5x7.txt");
@@ -30,7 +34,22 @@ TEST_F(SolveArcs, SaysWhichGapIsTooNarrow) {
   const Outcome outcome = run_taut("solve - --robot disc:1 --arcs --from 5,2 --to 5,8",
                                    "0 0 10 0\n10 0 10 10\n10 10 0 10\n0 10 0 0\n0 5 4 5\n5.5 5 10 5\n");
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_THAT(outcome.out, HasSubstr("too narrow: 3/2 between"));
+  EXPECT_THAT(outcome.out, HasSubstr("no path: this gate is narrower than 2: 3/2 between"));
+}
+
+TEST_F(SolveArcs, DrawsTheDiscAtBothEndsAndWhereItIsPinched) {
+  const char* hall = "0 0 10 0\n10 0 10 10\n10 10 0 10\n0 10 0 0\n0 5 4 5\n5.5 5 10 5\n";
+  const Outcome drawn = run_taut("solve - --robot disc:0.5 --arcs --from 5,2 --to 5,8 --svg -", hall);
+  const std::size_t from = drawn.out.find("<g class=\"discs\">"), to = drawn.out.find("</g>", from);
+  ASSERT_NE(from, std::string::npos);
+  const std::string discs = drawn.out.substr(from, to - from);
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = discs.find("<circle", at)) != std::string::npos; ++at) ++count;
+  EXPECT_EQ(count, 3U) << discs;
+  const json answer = json::parse(
+      run_taut("solve - --robot disc:0.5 --arcs --from 5,2 --to 5,8 --json -", hall).out)["result"];
+  EXPECT_EQ(answer["pinch"]["width_text"], "3/2");
+  EXPECT_EQ(answer["pinch"]["at"][1], 5);
 }
 
 TEST_F(SolveArcs, NeedsADisc) { EXPECT_EQ(run_taut("solve " + kMaze + " --arcs").code, 2); }

@@ -74,13 +74,38 @@ TEST_F(Batch, SaysNoneAndBlockedAndGoesOn) {
 }
 
 TEST_F(Batch, SpeaksJsonLines) {
-  const Outcome outcome = run("0.5 0.5 4.5 0.5 4\n1.5 1.5 0.5 0.5\n", "--json --path");
+  const Outcome outcome = run("0.5 0.5 4.5 0.5 4\n1.5 1.5 0.5 0.5\n", "--json-lines --path");
   const std::size_t end = outcome.out.find('\n');
   EXPECT_EQ(json::parse(outcome.out.substr(0, end)),
             json::parse(R"({"line": 1, "status": "found", "length": 4.0, "expected": 4.0, "matches": true,
                             "path": [[0.5, 0.5], [4.5, 0.5]]})"));
   EXPECT_EQ(json::parse(outcome.out.substr(end)),
             json::parse(R"({"line": 2, "status": "blocked", "blocked": "start"})"));
+}
+
+TEST_F(Batch, SumsUpInTheEnvelope) {
+  const Outcome outcome = run("0.5 0.5 4.5 0.5 4\n1.5 1.5 0.5 0.5\n", "--path --json " + (folder / "a.json").string());
+  EXPECT_EQ(outcome.out, "1 4 0.5 0.5 4.5 0.5\n2 blocked\n");
+  const json envelope = json::parse(contents(folder / "a.json")), answer = envelope["result"];
+  EXPECT_EQ(envelope["status"], "none");
+  EXPECT_EQ(answer["queries"], 2);
+  EXPECT_EQ(answer["unanswered"], 1);
+  EXPECT_EQ(answer["answers"][0]["path"], json::parse("[[0.5, 0.5], [4.5, 0.5]]"));
+  EXPECT_EQ(answer["answers"][1]["blocked"], "start");
+  EXPECT_THAT(outcome.err, HasSubstr(" us CPU a query"));
+}
+
+TEST_F(Batch, PrintsAndKeepsTheAnswersSoFarWhenStopped) {
+  const std::string file = (folder / "a.json").string();
+  const Outcome outcome =
+      run_script("(echo 0.5 0.5 4.5 0.5; echo 0.5 0.5 0.5 0.5; sleep 60) | \"$taut\" batch \"" + map +
+                 "\" - --max-seconds 1 --json \"" + file + "\"");
+  EXPECT_EQ(outcome.code, 4) << outcome.err;
+  EXPECT_EQ(outcome.out, "1 4\n2 0\n");
+  EXPECT_THAT(outcome.err, HasSubstr("2 queries, "));
+  const json envelope = json::parse(contents(file));
+  EXPECT_EQ(envelope["status"], "stopped");
+  EXPECT_EQ(envelope["result"]["answers"].size(), 2U);
 }
 
 TEST_F(Batch, RefusesBrokenLinesByNumber) {
@@ -129,8 +154,8 @@ TEST_F(Batch, SolvesTheSameWithAndWithoutAGraph) {
   const std::string maze = "solve " + (data_dir() / "maze_61x61_loops.txt").string();
   const std::string fast = run_taut(maze + " --json -").out,
                     graph = run_taut(maze + " --roadmap visibility --json -").out;
-  EXPECT_EQ(json::parse(fast)["length_text"], json::parse(graph)["length_text"]);
-  EXPECT_EQ(json::parse(fast)["roadmap"], "polyanya");
+  EXPECT_EQ(json::parse(fast)["result"]["length_text"], json::parse(graph)["result"]["length_text"]);
+  EXPECT_EQ(json::parse(fast)["result"]["roadmap"], "polyanya");
   EXPECT_EQ(run_taut(maze + " --roadmap polyanya --save x").code, 2);
 }
 

@@ -30,9 +30,8 @@ class Passage : public ProgramTest {};
 class VoronoiKind : public ProgramTest {};
 
 TEST_F(SolveClearance, TakesTheShortWayForASmallDiscAndTheLongOneForALargeOne) {
-  const json narrow = json::parse(run_taut("solve - --clearance 0.5 --json -", kTwoDoors).out);
-  const json wide = json::parse(run_taut("solve - --clearance 0.51 --json -", kTwoDoors).out);
-  EXPECT_EQ(narrow["status"], "found");
+  const json narrow = json::parse(run_taut("solve - --clearance 0.5 --json -", kTwoDoors).out)["result"];
+  const json wide = json::parse(run_taut("solve - --clearance 0.51 --json -", kTwoDoors).out)["result"];
   EXPECT_EQ(narrow["query"], "clearance");
   EXPECT_EQ(narrow["asked"], 0.5);
   EXPECT_EQ(narrow["radius"], 0.5);
@@ -58,8 +57,8 @@ TEST_F(SolveClearance, NamesTheGatesThatAreTooNarrow) {
   EXPECT_EQ(run.code, 1);
   EXPECT_THAT(run.out, HasSubstr("no path with clearance 1.6: these 2 gates are narrower than 3.2: "
                                  "3 between (10, 16) and (10, 19); 1 between (10, 2) and (10, 3)"));
-  const json answer = json::parse(contents(in_folder("a.json")));
-  EXPECT_EQ(answer["status"], "none");
+  const json envelope = json::parse(contents(in_folder("a.json"))), answer = envelope["result"];
+  EXPECT_EQ(envelope["status"], "none");
   EXPECT_EQ(answer["barrier"]["gates"].size(), 2U);
   EXPECT_EQ(answer["barrier"]["gates"][0]["width_text"], "3");
   EXPECT_THAT(contents(in_folder("a.svg")), HasSubstr("<g class=\"gates\">"));
@@ -89,7 +88,7 @@ TEST_F(SolveClearance, NamesTheTwoWallsThatPinchTheLargestDisc) {
               HasSubstr("the largest disc that gets through has radius 1.5; narrowest 3 between (10, 16) and (10, 19), "
                         "of the walls (10, 3)-(10, 16) and (10, 19)-(10, 20)"));
   EXPECT_THAT(run.err, HasSubstr("walls and gates agree"));
-  const json answer = json::parse(run_taut("solve - --widest --json -", kTwoDoors).out);
+  const json answer = json::parse(run_taut("solve - --widest --json -", kTwoDoors).out)["result"];
   EXPECT_EQ(answer["pinch"]["at"], "gate");
   EXPECT_EQ(answer["pinch"]["walls"].size(), 2U);
   EXPECT_EQ(answer["width"], "3");
@@ -98,7 +97,7 @@ TEST_F(SolveClearance, NamesTheTwoWallsThatPinchTheLargestDisc) {
 }
 
 TEST_F(SolveClearance, GoesThroughOpeningsWhereItStartsAndEnds) {
-  const json answer = json::parse(run_taut("solve - --widest --json -", kOpenings).out);
+  const json answer = json::parse(run_taut("solve - --widest --json -", kOpenings).out)["result"];
   EXPECT_EQ(answer["radius"], 0.25);
   EXPECT_EQ(answer["pinch"]["posts"], json::parse("[[2, 1.25], [2, 1.75]]"));
   EXPECT_EQ(answer["verified"], true);
@@ -111,13 +110,28 @@ TEST_F(SolveClearance, ListsTheTradeoff) {
   EXPECT_THAT(run.out, ContainsRegex(" +0.5 +[0-9.]+  between \\(10, 2\\) and \\(10, 3\\)"));
   EXPECT_THAT(run.out, ContainsRegex(" +1.5 +[0-9.]+  between \\(10, 16\\) and \\(10, 19\\)"));
   EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 3);
-  const json answer = json::parse(run_taut("solve - --tradeoff --json -", kTwoDoors).out);
+  const json answer = json::parse(run_taut("solve - --tradeoff --json -", kTwoDoors).out)["result"];
   ASSERT_EQ(answer["tradeoff"].size(), 2U);
   EXPECT_LT(answer["tradeoff"][0]["length"], answer["tradeoff"][1]["length"]);
   EXPECT_EQ(answer["verified"], true);
   const std::string picture = contents(in_folder("a.svg"));
   EXPECT_THAT(picture, HasSubstr("<g class=\"shades\">"));
   EXPECT_THAT(picture, HasSubstr("radius of the robot"));
+}
+
+TEST_F(SolveClearance, KeepsTheWaysOfATradeoffThatIsStopped) {
+  const std::string maze = folder.file("maze.txt", run_taut("generate --size 90x90 --loops 0.5 --seed 4").out);
+  for (const char* seconds : {"1", "2", "4", "8", "16"}) {
+    const Outcome run = run_taut("solve --tradeoff --wall-thickness 0.05 --max-seconds " + std::string(seconds) +
+                                 " --json " + in_folder("a.json") + " " + maze);
+    const json answer = json::parse(contents(in_folder("a.json")));
+    if (run.code == 0) break;  // a quick machine
+    EXPECT_EQ(run.code, 4);
+    EXPECT_EQ(answer["status"], "stopped");
+    if (!answer["result"].contains("tradeoff")) continue;
+    EXPECT_EQ(answer["result"]["verified"], false);
+    EXPECT_EQ(run.out.empty(), answer["result"]["tradeoff"].empty());
+  }
 }
 
 TEST_F(SolveClearance, DrawsArcsAsBezierCurves) {
@@ -133,7 +147,7 @@ TEST_F(SolveClearance, PrintsThePointsOfTheWayForCheck) {
 }
 
 TEST_F(SolveClearance, EndsInARoom) {
-  const json answer = json::parse(run_taut("solve --widest --json - " + data_file("mouse_16.maz")).out);
+  const json answer = json::parse(run_taut("solve --widest --json - " + data_file("mouse_16.maz")).out)["result"];
   EXPECT_EQ(answer["radius"], 0.5);
   EXPECT_EQ(answer["verified"], true);
 }
@@ -168,7 +182,7 @@ TEST_F(Passage, IsWhatSolveNamesWhenADiscHasNoPath) {
   const json result = json::parse(run_taut("solve - --robot disc:1.6 --json -", kTwoDoors).out);
   EXPECT_EQ(result["status"], "none");
   EXPECT_THAT(result["reason"].get<std::string>(), HasSubstr("these 2 gates"));
-  EXPECT_FALSE(result["separation"].empty());
+  EXPECT_FALSE(result["result"]["separation"].empty());
   EXPECT_THAT(run_taut("solve - --robot square:1.6", kTwoDoors).out, HasSubstr("walls separate start and goal"));
 }
 
@@ -177,7 +191,7 @@ TEST_F(Passage, SaysHowLargeADiscMayBe) {
   EXPECT_EQ(run.code, 0);
   EXPECT_THAT(run.out,
               HasSubstr("the largest disc that gets through has radius 1.5, diameter 3 between (10, 16) and (10, 19)"));
-  const json answer = json::parse(run_taut("passage - --json -", kTwoDoors).out);
+  const json answer = json::parse(run_taut("passage - --json -", kTwoDoors).out)["result"];
   EXPECT_EQ(answer["largest"]["radius"], 1.5);
   EXPECT_EQ(answer["largest"]["limit"], "gate");
   EXPECT_EQ(answer["barrier"]["gates"].size(), 2U);
@@ -197,8 +211,8 @@ TEST_F(Passage, AgreesWithTheWidestPath) {
   for (const char* name :
        {"maze_25x25.txt", "floor_plan.geojson", "islands.wkt", "mouse_32.maze", "corridors_30x20.txt"}) {
     SCOPED_TRACE(name);
-    const json widest = json::parse(run_taut("solve --widest --json - " + data_file(name)).out);
-    const json passage = json::parse(run_taut("passage --json - " + data_file(name)).out);
+    const json widest = json::parse(run_taut("solve --widest --json - " + data_file(name)).out)["result"];
+    const json passage = json::parse(run_taut("passage --json - " + data_file(name)).out)["result"];
     EXPECT_EQ(widest["radius_below"], passage["largest"]["radius"]);
     EXPECT_EQ(widest["verified"], true);
   }
@@ -210,7 +224,7 @@ TEST_F(VoronoiKind, IsDrawnAndExported) {
   EXPECT_EQ(line.code, 0);
   EXPECT_THAT(line.out, ContainsRegex("segment Voronoi diagram, [0-9]+ vertices, [0-9]+ edges, [0-9]+ arcs"));
   EXPECT_THAT(run_taut(query + "--svg -", kTwoDoors).out, ContainsRegex("<g class=\"roadmap\"><path d=\"[^\"]*q"));
-  const json all = json::parse(run_taut(query + "--json -", kTwoDoors).out);
+  const json all = json::parse(run_taut(query + "--json -", kTwoDoors).out)["result"];
   EXPECT_EQ(all["edges"].size(), all["arcs"].size());
   EXPECT_EQ(all["vertices"].size(), all["clearances"].size());
   const json map = json::parse(run_taut(query + "--geojson -", kTwoDoors).out);
@@ -234,12 +248,11 @@ TEST_F(VoronoiKind, IsNotKeptInFiles) {
 }
 
 TEST_F(VoronoiKind, SolvesAndIsCompared) {
-  const json path = json::parse(run_taut("solve - --roadmap voronoi --json -", kTwoDoors).out);
-  EXPECT_EQ(path["status"], "found");
+  const json path = json::parse(run_taut("solve - --roadmap voronoi --json -", kTwoDoors).out)["result"];
   EXPECT_EQ(path["optimal"], false);
   EXPECT_EQ(path["verified"], true);
   EXPECT_NEAR(path["clearance"], 0.5, 1e-2);
-  const json all = json::parse(run_taut("compare - --planners voronoi,visibility-astar --json -", kTwoDoors).out);
+  const json all = json::parse(run_taut("compare - --planners voronoi,visibility-astar --json -", kTwoDoors).out)["result"];
   EXPECT_GT(all["planners"][0]["ratio"], 1.0);
   EXPECT_EQ(all["planners"][0]["verified"], true);
   EXPECT_GT(all["planners"][0]["expanded"], 0);

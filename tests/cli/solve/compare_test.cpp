@@ -34,7 +34,7 @@ TEST_F(Compare, PrintsALineForEachPlanner) {
 
 TEST_F(Compare, NeverFindsAnythingShorterThanTheOptimum) {
   for (const char* name : {"maze_25x25.txt", "mouse_16.maz", "half_open_60x60.txt"}) {
-    const json all = json::parse(run_taut("compare --json - " + data_file(name)).out);
+    const json all = json::parse(run_taut("compare --json - " + data_file(name)).out)["result"];
     ASSERT_EQ(all["planners"].size(), kPlanners);
     for (const json& planner : all["planners"]) {
       SCOPED_TRACE(planner["name"]);
@@ -47,7 +47,7 @@ TEST_F(Compare, NeverFindsAnythingShorterThanTheOptimum) {
 }
 
 TEST_F(Compare, MeasuresAgainstTheOptimumAlsoWhenOnlyCellsRun) {
-  const json all = json::parse(run_taut("compare --planners cells8,cells4 --json - " + data_file("maze_5x7.txt")).out);
+  const json all = json::parse(run_taut("compare --planners cells8,cells4 --json - " + data_file("maze_5x7.txt")).out)["result"];
   ASSERT_EQ(all["planners"].size(), 2U);
   EXPECT_EQ(all["planners"][0]["name"], "cells8");
   EXPECT_NEAR(all["optimum"], 9.321693, 1e-6);
@@ -56,16 +56,16 @@ TEST_F(Compare, MeasuresAgainstTheOptimumAlsoWhenOnlyCellsRun) {
 
 TEST_F(Compare, RunsRandomisedPlannersWithSeveralSeeds) {
   const json all =
-      json::parse(run_taut("compare --planners prm --runs 3 --seed 5 --json - " + data_file("maze_25x25.txt")).out);
+      json::parse(run_taut("compare --planners prm --runs 3 --seed 5 --json - " + data_file("maze_25x25.txt")).out)["result"];
   EXPECT_EQ(all["planners"][0]["solved"], 1.0);
   EXPECT_EQ(all["planners"][0]["verified"], true);
 }
 
-TEST_F(RoadmapKinds, SolveTheHomeworkAsWritten) {
+TEST_F(RoadmapKinds, SolveWithAFixedNumberOfSamplesToo) {
   const Outcome lattice = run_taut("solve --roadmap prm-lattice " + data_file("maze_45x45.txt"));
   EXPECT_EQ(lattice.code, 0) << lattice.err;
   EXPECT_THAT(lattice.out, HasSubstr("not proven optimal"));
-  EXPECT_EQ(run_taut("solve --roadmap prm-homework --seed 2 " + data_file("maze_5x7.txt")).code, 0);
+  EXPECT_EQ(run_taut("solve --roadmap prm-fixed --seed 2 " + data_file("maze_5x7.txt")).code, 0);
 }
 
 TEST_F(Compare, LeavesOutWhatDoesNotFitUnlessItWasAskedFor) {
@@ -86,20 +86,59 @@ TEST_F(Compare, SaysNoneWhereThereIsNoPath) {
   EXPECT_THAT(run.out, ContainsRegex("visibility-astar +no +- +- "));
 }
 
-TEST_F(Compare, DrawsAPictureForEachPlannerOnOnePage) {
+std::size_t count(const std::string& text, std::string_view part) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; (at = text.find(part, at)) != std::string::npos; at += part.size()) ++count;
+  return count;
+}
+
+TEST_F(Compare, DrawsAPanelForEachPlannerOnOneSheetWithOneLegendAndOneWorld) {
   const Outcome run = run_taut("compare --svg - " + data_file("maze_5x7.txt"));
   EXPECT_THAT(run.out, StartsWith("<svg xmlns="));
-  std::size_t frames = 0;
-  for (std::size_t at = 0; (at = run.out.find("<svg x=\"", at)) != std::string::npos; ++at)
-    frames += run.out.compare(at, 200, "") > 0 && run.out.substr(at, 200).find("class=\"taut\"") != std::string::npos;
-  EXPECT_EQ(frames, kPlanners);
-  EXPECT_THAT(run.out, EndsWith("</svg>\n</svg>\n"));
+  EXPECT_THAT(run.out, HasSubstr(" width=\"1000\""));
+  EXPECT_EQ(count(run.out, "<text class=\"panel\""), kPlanners);
+  EXPECT_EQ(count(run.out, "<use xlink:href=\"#taut-walls\"/>"), kPlanners);
+  EXPECT_EQ(count(run.out, "<g class=\"walls\">"), 1U);
+  EXPECT_EQ(count(run.out, "<g class=\"legend\">"), 1U);
+  EXPECT_EQ(count(run.out, "id=\"taut-roadmap-0\""), 1U);
+  EXPECT_GE(count(run.out, "<use xlink:href=\"#taut-roadmap-"), 1U) << "A* and Dijkstra share a roadmap";
+  EXPECT_LT(run.out.size(), 100'000U);
+}
+
+TEST_F(Compare, DrawsTheSameSheetEveryTime) {
+  const std::string query = "compare --svg - " + data_file("maze_25x25.txt");
+  EXPECT_EQ(run_taut(query).out, run_taut(query).out);
+}
+
+TEST_F(Compare, KeepsThePlannersThatFinishedWhenItIsStopped) {
+  const std::string maze = folder.file("maze.txt", run_taut("generate --size 60x60 --loops 0.3 --seed 2").out);
+  // A PRM that never finds a way: its milestones keep too far from the walls.
+  const Outcome run = run_taut("compare --planners polyanya,prm --prm-clearance 0.6 --max-seconds 3 --json " +
+                               in_folder("a.json") + " " + maze);
+  EXPECT_EQ(run.code, 4) << run.out << run.err;
+  EXPECT_THAT(run.out, ContainsRegex("polyanya +yes "));
+  const json answer = json::parse(contents(in_folder("a.json")));
+  EXPECT_EQ(answer["status"], "stopped");
+  ASSERT_EQ(answer["result"]["planners"].size(), 1U);
+  EXPECT_EQ(answer["result"]["planners"][0]["name"], "polyanya");
+  EXPECT_EQ(answer["result"]["planners"][0]["verified"], true);
+}
+
+TEST_F(Compare, AsksWhetherAnotherNameWasMeant) {
+  EXPECT_THAT(run_taut("compare --planners polyania " + data_file("maze_5x7.txt")).err,
+              HasSubstr("did you mean 'polyanya'?"));
+  EXPECT_THAT(run_taut("solve --roadmap visibilty " + data_file("maze_5x7.txt")).err,
+              HasSubstr("did you mean 'visibility'?"));
+  EXPECT_THAT(run_taut("solve --roadmap prm-homework " + data_file("maze_5x7.txt")).err,
+              HasSubstr("is called prm-fixed now"));
+  EXPECT_THAT(run_taut("roadmap --full " + data_file("maze_5x7.txt")).err, HasSubstr("--kind full"));
+  EXPECT_THAT(run_taut("solve --start 1,1 " + data_file("maze_5x7.txt")).err, HasSubstr("did you mean `--from 1,1`?"));
 }
 
 TEST_F(Compare, HasHelp) { EXPECT_THAT(run_taut("compare --help").out, HasSubstr("Usage: taut compare")); }
 
 TEST_F(Compare, TakesRunsAndSeed) {
-  const json all = json::parse(run_taut("compare --runs 3 --seed 7 --json - " + data_file("maze_5x7.txt")).out);
+  const json all = json::parse(run_taut("compare --runs 3 --seed 7 --json - " + data_file("maze_5x7.txt")).out)["result"];
   EXPECT_EQ(all["runs"], 3);
   EXPECT_EQ(all["seed"], 7);
   EXPECT_FALSE(all["planners"][0].contains("all_runs"));  // nothing random about it
@@ -146,7 +185,7 @@ TEST_F(RoadmapKinds, SayThatTheirPathsAreNotProvenOptimal) {
   const Outcome run = run_taut("solve --roadmap cells " + data_file("maze_5x7.txt"));
   EXPECT_EQ(run.code, 0);
   EXPECT_THAT(run.out, HasSubstr("length 13.000000 (shortest in the roadmap cells; not proven optimal), "));
-  const json answer = json::parse(run_taut("solve --roadmap cells8 --json - " + data_file("maze_5x7.txt")).out);
+  const json answer = json::parse(run_taut("solve --roadmap cells8 --json - " + data_file("maze_5x7.txt")).out)["result"];
   EXPECT_EQ(answer["optimal"], false);
   EXPECT_EQ(answer["roadmap"], "cells8");
   EXPECT_EQ(run_taut("solve --roadmap magic " + data_file("maze_5x7.txt")).code, 2);
@@ -171,7 +210,7 @@ TEST_F(RoadmapKinds, AreExported) {
   const json map = json::parse(run_taut(query + " --geojson -").out);
   EXPECT_EQ(map["features"].size(), 35U + 34U);
   EXPECT_THAT(run_taut(query + " --graphml -").out, HasSubstr("<edge id=\"e33\""));
-  EXPECT_EQ(json::parse(run_taut(query + " --json -").out)["edges"].size(), 34U);
+  EXPECT_EQ(json::parse(run_taut(query + " --json -").out)["result"]["edges"].size(), 34U);
   EXPECT_THAT(run_taut(query).out, HasSubstr("cells with 4 neighbours, 35 vertices, 34 edges"));
   EXPECT_EQ(run_taut(query + " --geojson - --json -").code, 2);
 }

@@ -22,7 +22,7 @@ class MethodProgram : public ProgramTest {
   static json answer(const std::string& options) {
     const Outcome run = run_taut("solve - --json - " + options, kRoom);
     EXPECT_EQ(run.code, 0) << options << ": " << run.err;
-    return json::parse(run.out);
+    return json::parse(run.out)["result"];
   }
 };
 

@@ -12,6 +12,7 @@ namespace taut::test {
 namespace {
 
 using nlohmann::json;
+using testing::ContainsRegex;
 using testing::HasSubstr;
 
 class PrmProgram : public ProgramTest {};
@@ -21,10 +22,11 @@ TEST_F(PrmProgram, FindsAPathWithEverySamplerAndConnection) {
        {"--sampler uniform --connection nearest:8", "--sampler lattice --connection visible:8", "--sampler gaussian",
         "--sampler bridge", "--sampler medial-axis", "--sampler corners --lazy", "--connection radius:2",
         "--connection prm-star --eager", "--connection forest:8", "--prm-clearance 0.1", "--lazy --seed 7"}) {
-    const json answer = json::parse(
+    const json envelope = json::parse(
         run_taut(std::string("solve --roadmap prm --json - ") + options + " " + data_file("maze_5x7.txt")).out);
+    const json answer = envelope["result"];
     SCOPED_TRACE(options);
-    EXPECT_EQ(answer["status"], "found");
+    EXPECT_EQ(envelope["status"], "found");
     EXPECT_EQ(answer["verified"], true);
     EXPECT_GE(answer["length"], 9.321693);
     EXPECT_GE(answer["prm"]["edges_tested"], answer["prm"]["edges"]);
@@ -33,8 +35,8 @@ TEST_F(PrmProgram, FindsAPathWithEverySamplerAndConnection) {
   }
 }
 
-// The exercise: 500 samples at least 0.1 from every wall, each joined to its 8 nearest.
-TEST_F(PrmProgram, SolvesTheHomeworkWithItsOwnNumbers) {
+// 500 samples at least 0.1 from every wall, each joined to its 8 nearest.
+TEST_F(PrmProgram, SolvesASmallMazeWithAFixedNumberOfSamples) {
   const std::string numbers = " --samples 500 --prm-clearance 0.1 --connection nearest:8 ";
   for (const char* seed : {"1", "2", "3"}) {
     EXPECT_EQ(run_taut("solve --roadmap prm" + numbers + "--seed " + seed + " " + data_file("maze_5x7.txt")).code, 0);
@@ -56,9 +58,9 @@ TEST_F(PrmProgram, WritesTheSameBytesForTheSameSeed) {
 
 TEST_F(PrmProgram, PullsThePathToTheShortestOfAPerfectMaze) {
   const json answer =
-      json::parse(run_taut("solve --roadmap prm --shorten --json - " + data_file("maze_25x25.txt")).out);
+      json::parse(run_taut("solve --roadmap prm --shorten --json - " + data_file("maze_25x25.txt")).out)["result"];
   EXPECT_EQ(answer["length_text"],
-            json::parse(run_taut("solve --json - " + data_file("maze_25x25.txt")).out)["length_text"]);
+            json::parse(run_taut("solve --json - " + data_file("maze_25x25.txt")).out)["result"]["length_text"]);
   EXPECT_GT(answer["length_in_roadmap"], answer["length"]);
   EXPECT_EQ(answer["optimal"], false) << "nobody proved it";
   EXPECT_THAT(run_taut("solve --roadmap cells --shorten " + data_file("maze_5x7.txt")).out,
@@ -68,9 +70,9 @@ TEST_F(PrmProgram, PullsThePathToTheShortestOfAPerfectMaze) {
 TEST_F(PrmProgram, StopsUnprovenWhenTheSamplesAreUsedUp) {
   const Outcome run = run_taut("solve --roadmap prm --samples 200 --json - " + data_file("maze_25x25.txt"));
   EXPECT_EQ(run.code, 4);
-  const json answer = json::parse(run.out);
-  EXPECT_EQ(answer["status"], "stopped");
-  EXPECT_THAT(answer["reason"], HasSubstr("200 samples"));
+  const json envelope = json::parse(run.out), answer = envelope["result"];
+  EXPECT_EQ(envelope["status"], "unproven");
+  EXPECT_THAT(envelope["reason"], HasSubstr("200 samples"));
   EXPECT_EQ(answer["prm"]["samples"], 200);
   EXPECT_LT(answer["prm"]["start_part"], 200);
 }
@@ -80,12 +82,12 @@ TEST_F(PrmProgram, ProvesThatThereIsNoPathWhereWallsSeparate) {
                                "0 0 3 0\n3 0 3 2\n3 2 0 2\n0 2 0 0\n1 0 1 2\nstart 0.5 0.5\ngoal 2.5 0.5\n");
   EXPECT_EQ(run.code, 1);
   EXPECT_EQ(json::parse(run.out)["status"], "none");
-  EXPECT_EQ(json::parse(run.out)["prm"]["samples"], 0);
+  EXPECT_EQ(json::parse(run.out)["result"]["prm"]["samples"], 0);
 }
 
 TEST_F(PrmProgram, RefusesOptionsThatMakeNoSenseInOneLine) {
   for (const char* command :
-       {"solve --sampler bridge ", "solve --roadmap cells --lazy ", "solve --roadmap prm-homework --samples 3 ",
+       {"solve --sampler bridge ", "solve --roadmap cells --lazy ", "solve --roadmap prm-fixed --samples 3 ",
         "solve --roadmap prm-lattice --sampler uniform ", "solve --roadmap prm --lazy --eager ",
         "solve --roadmap prm --lazy --connection visible:3 ", "solve --roadmap prm --connection nearest:0 ",
         "solve --roadmap prm --connection radius:-1 ", "solve --roadmap prm --connection nearest:2.5 ",
@@ -107,9 +109,21 @@ TEST_F(PrmProgram, ShowsNoProgressWhereThereIsNoTerminal) {
   EXPECT_EQ(run.err, "");
 }
 
+TEST_F(PrmProgram, DrawsMilestonesAsDotsAndSaysHowManyWereDrawnAndKept) {
+  const Outcome run = run_taut("roadmap --kind prm-fixed --svg - " + data_file("maze_5x7.txt"));
+  EXPECT_THAT(run.out, ContainsRegex("500 samples drawn, [0-9]+ kept"));
+  const json map = json::parse(run_taut("roadmap --kind prm-fixed --json - " + data_file("maze_5x7.txt")).out)["result"];
+  const std::size_t from = run.out.find("<g class=\"milestones\">"), to = run.out.find("</g>", from);
+  ASSERT_NE(from, std::string::npos);
+  // A dot is a move and a line of no length, isolated or not.
+  EXPECT_EQ(static_cast<std::size_t>(std::count(run.out.begin() + static_cast<std::ptrdiff_t>(from),
+                                                run.out.begin() + static_cast<std::ptrdiff_t>(to), 'h')),
+            map["vertices"].size());
+}
+
 TEST_F(PrmProgram, SaysHowTheRoadmapHangsTogether) {
   EXPECT_THAT(run_taut("solve --roadmap prm --stats " + data_file("maze_5x7.txt")).err, HasSubstr(" tested, "));
-  const json map = json::parse(run_taut("roadmap --kind prm --json - " + data_file("maze_5x7.txt")).out);
+  const json map = json::parse(run_taut("roadmap --kind prm --json - " + data_file("maze_5x7.txt")).out)["result"];
   EXPECT_EQ(map["prm"]["vertices"], map["vertices"].size());
   EXPECT_EQ(map["prm"]["edges"], map["edges"].size());
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <taut/io/results/envelope.h>
 #include <taut/io/worlds/read_path.h>
 #include <cmath>
 #include <limits>
@@ -18,8 +19,6 @@ using testing::HasSubstr;
 
 PlanResult found() {
   PlanResult result;
-  result.source = "room.txt";
-  result.version = "1.2.3";
   result.status = SearchStatus::found;
   result.path.points = {{1, 2}, {2, 3}, {3, 2}};
   result.path.length = Length(result.path.points);
@@ -30,11 +29,10 @@ PlanResult found() {
   return result;
 }
 
+json parsed(const PlanResult& result) { return json::parse(json_text(result_json(result))); }
+
 TEST(ResultJson, SaysWhatWasFound) {
-  const json answer = json::parse(result_json(found()));
-  EXPECT_EQ(answer["program"], "taut");
-  EXPECT_EQ(answer["version"], "1.2.3");
-  EXPECT_EQ(answer["status"], "found");
+  const json answer = parsed(found());
   EXPECT_DOUBLE_EQ(answer["length"].get<double>(), std::sqrt(8));
   EXPECT_EQ(answer["length_text"], "2.828427124746190");
   EXPECT_LE(answer["length_interval"][0], answer["length"]);
@@ -45,69 +43,76 @@ TEST(ResultJson, SaysWhatWasFound) {
   EXPECT_EQ(answer["start"], json::parse("[1, 2]"));
   EXPECT_EQ(answer["goal"], json::parse(R"({"point": [3, 2]})"));
   EXPECT_EQ(answer["robot"], json::parse(R"({"kind": "point"})"));
-  for (const char* stage : {"read", "space", "roadmap", "search", "verify", "total"})
-    EXPECT_TRUE(answer["seconds"].contains(stage));
   EXPECT_FALSE(answer.contains("separation"));
 }
 
 TEST(ResultJson, HasNoClearanceWhereThereIsNoObstacleOrNoCheck) {
   PlanResult result = found();
   result.clearance = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(json::parse(result_json(result))["clearance"], nullptr);
+  EXPECT_EQ(parsed(result)["clearance"], nullptr);
   result.clearance.reset();
-  EXPECT_EQ(json::parse(result_json(result))["clearance"], nullptr);
+  EXPECT_EQ(parsed(result)["clearance"], nullptr);
 }
 
 TEST(ResultJson, NamesTheWallsWhenThereIsNone) {
   PlanResult result = found();
   result.status = SearchStatus::none;
   result.separation = {{{0, 0}, {1, 0}}};
-  const json answer = json::parse(result_json(result));
-  EXPECT_EQ(answer["status"], "none");
+  const json answer = parsed(result);
   EXPECT_EQ(answer["separation"], json::parse("[[[0, 0], [1, 0]]]"));
   EXPECT_FALSE(answer.contains("points"));
 }
 
-TEST(ResultJson, SaysWhyItStopped) {
+TEST(ResultJson, KnowsNothingOfEndsThatWereNotRead) {
   PlanResult result;
   result.status = SearchStatus::stopped;
-  result.reason = "interrupted";
-  result.stage = "search";
-  const json answer = json::parse(result_json(result));
-  EXPECT_EQ(answer["status"], "stopped");
-  EXPECT_EQ(answer["reason"], "interrupted");
-  EXPECT_EQ(answer["stage"], "search");
+  const json answer = parsed(result);
   EXPECT_EQ(answer["start"], nullptr);
   EXPECT_EQ(answer["goal"], nullptr);
+  EXPECT_FALSE(answer.contains("points"));
+}
+
+TEST(ResultJson, KeepsTheBestPathOfASearchThatWasStopped) {
+  PlanResult result = found();
+  result.status = SearchStatus::stopped;
+  result.bound = 1.5;
+  EXPECT_EQ(parsed(result)["points"], parsed(found())["points"]);
+  EXPECT_EQ(parsed(result)["bound"], 1.5);
 }
 
 TEST(ResultJson, DescribesRoomsAndRobots) {
   PlanResult result = found();
   result.goal = {{}, {{{7, 7}, {8, 8}}}};
   result.robot = Footprint::disc(0.25);
-  const json answer = json::parse(result_json(result));
+  const json answer = parsed(result);
   EXPECT_EQ(answer["goal"], json::parse(R"({"room": [[7, 7, 8, 8]]})"));
   EXPECT_EQ(answer["robot"], json::parse(R"({"kind": "disc", "radius": 0.25})"));
-}
-
-TEST(ResultJson, SurvivesFileNamesThatAreNoText) {
-  PlanResult result = found();
-  result.source = "a\xff\"\n";
-  EXPECT_EQ(json::parse(result_json(result))["source"], "a\xEF\xBF\xBD\"\n");
 }
 
 TEST(ResultJson, KeepsLinesShort) {
   PlanResult result = found();
   result.path.points.assign(1000, Point{0.1, 1.0 / 3});
   std::size_t longest = 0, line = 0;
-  for (const char c : result_json(result)) longest = std::max(longest, line = c == '\n' ? 0 : line + 1);
+  for (const char c : json_text(result_json(result))) longest = std::max(longest, line = c == '\n' ? 0 : line + 1);
   EXPECT_LE(longest, 120U);
 }
 
-TEST(ReadPath, ReadsWhatResultJsonWrites) {
-  const ClaimedPath path = read_path(result_json(found()));
-  EXPECT_EQ(path.points, found().path.points);
-  EXPECT_DOUBLE_EQ(path.length.value(), std::sqrt(8));
+TEST(ReadPath, ReadsWhatSolveWritesInItsEnvelopeOrWithout) {
+  const Json result = result_json(found());
+  Envelope envelope;
+  envelope.outcome = Outcome::found;
+  envelope.result = result;
+  for (const std::string& text : {json_text(result), envelope_text(envelope)}) {
+    const ClaimedPath path = read_path(text);
+    EXPECT_EQ(path.points, found().path.points);
+    EXPECT_DOUBLE_EQ(path.length.value(), std::sqrt(8));
+  }
+}
+
+TEST(ReadPath, RefusesAnEnvelopeWithoutAPath) {
+  Envelope envelope;
+  envelope.outcome = Outcome::stopped;
+  EXPECT_THAT(test::refusal_of([&] { read_path(envelope_text(envelope), "p"); }), HasSubstr("no path"));
 }
 
 TEST(ReadPath, ReadsListsAndLines) {
