@@ -168,6 +168,12 @@ void add_output_options(CommandLine& app, OutputOptions& options) {
   });
 }
 
+void add_svg_option(CommandLine& app, std::string& svg, const std::string& description) {
+  app.add_option("--svg", svg, description + "; NAME.png gets pixels, - is standard output")
+      .type_name("FILE")
+      .group("Output");
+}
+
 void add_animate_option(CommandLine& app, std::string& animation, const std::string& description) {
   app.add_option("--animate", animation, description + "; without FILE, --svg's picture moves")
       .type_name("[FILE]")

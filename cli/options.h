@@ -57,6 +57,8 @@ void add_output_options(CommandLine& app, OutputOptions& options);
 void add_result_options(CommandLine& app, CommonOptions& options);
 void add_common_options(CommandLine& app, CommonOptions& options);
 
+/// `--svg FILE`. A name in .png gets pixels.
+void add_svg_option(CommandLine& app, std::string& svg, const std::string& description = "Write a picture");
 /// `--animate [FILE]`: a picture that moves, into FILE or, where none is named, in the place of --svg's.
 void add_animate_option(CommandLine& app, std::string& animation, const std::string& description);
 /// To be called when all is parsed: gives a nameless --animate the file of --svg, which then is not written otherwise.
