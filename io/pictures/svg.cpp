@@ -76,7 +76,7 @@ class Picture {
     if (space_.footprint().kind() != Footprint::Kind::point) add("solid");
     for (const SvgLabelKey& key : what_.label_keys)
       keys.push_back({"labels", key.meaning, detail::SvgKey::Sample::digit, {}, key.letter});
-    keys.push_back(detail::ruler_key(detail::kMapPixels / extent_));
+    keys.push_back(detail::ruler_key(SvgLayers::pixels_a_unit(space_.world(), detail::kMapPixels)));
     return keys;
   }
 
@@ -165,7 +165,7 @@ class Picture {
     const auto add = [&](Point a, Point b) { lines.push_back({scale_.pixel(a), scale_.pixel(b)}); };
     for (std::size_t i = 1; what_.path && i < what_.path->points.size(); ++i)
       add(what_.path->points[i - 1], what_.path->points[i]);
-    for (const Wall& wall : world_.walls()) add(wall.a, wall.b);
+    for (const Wall& wall : space_.world().walls()) add(wall.a, wall.b);
     std::vector<detail::SvgWord> words;
     for (const SvgLabel& label : what_.labels) words.push_back({scale_.pixel(label.at), label.text});
     const double size = std::clamp(0.3 * strokes_.corridor, 11.0, 15.0);

@@ -56,7 +56,7 @@ TEST(Comparison, TakesTheOptimumFromThePlannerThatPromisesIt) {
   EXPECT_FALSE(comparison.optimum);
   run("polyanya");
   ASSERT_TRUE(comparison.optimum);
-  EXPECT_EQ(*comparison.optimum, Length({{1, 2}, {2, 3}, {3, 2}}));
+  EXPECT_EQ(*comparison.optimum, Length(std::vector<Point>{{1, 2}, {2, 3}, {3, 2}}));
   EXPECT_EQ(comparison.planners[0].runs.size(), 2U) << "once a seed";
   EXPECT_EQ(comparison.planners[1].runs.size(), 1U) << "nothing random about it";
   EXPECT_EQ(comparison.wrong(), nullptr);
