@@ -66,7 +66,8 @@ struct WorldParts {
 ///  4. zero-length walls of zero thickness are dropped (a path may touch a point, so they hinder nobody); count in
 ///     `dropped_walls`;
 ///  5. no start and no goal, Boundary::limit, and exactly two openings: start and goal are their midpoints, the
-///     lexicographically smaller one is the start.
+///     lexicographically smaller one is the start;
+///  6. no box of the goal room reaches beyond box(): what does is cut off, and a room of which nothing is left refused.
 /// Throws InputError naming source, line and culprit. Time O(n log n).
 class World {
  public:
