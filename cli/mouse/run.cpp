@@ -86,12 +86,12 @@ void check(const MouseTrial& trial, const GridMaze& maze) {
 void measure(MouseTrial& trial, const MouseMaze& read, Run& run) {
   micromouse::Yardsticks& y = trial.yardsticks;
   if (micromouse::fit_for_proof_bound(read.maze)) {
-    y.with_proof = run.stage("floor with proof", [&] { return micromouse::proof_bound(read.maze); });
+    y.with_proof = run.stage("floor", [&] { return micromouse::proof_bound(read.maze); });
     run.so_far(mouse_trial_json(trial), mouse_table(trial, read.name));
   } else {
     note(fmt::format("taut: {}: too large for the floor with proof", read.name));
   }
-  y.random_walkers = run.stage("random walkers", [&] { return micromouse::benchmark_random_walkers(read.maze); });
+  y.random_walkers = run.stage("walkers", [&] { return micromouse::benchmark_random_walkers(read.maze); });
   y.walked = true;
 }
 

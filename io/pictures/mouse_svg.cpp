@@ -1,5 +1,5 @@
-#include <taut/io/pictures/mouse_svg.h>
 #include <taut/io/pictures/colour_scale.h>
+#include <taut/io/pictures/mouse_svg.h>
 
 #include <fmt/format.h>
 
@@ -112,14 +112,11 @@ MouseSheet sheet_of(const GridMaze& maze, const MousePicture& picture) {
   using enum detail::SvgKey::Sample;
   std::vector<std::string> colours;
   for (int i = 0; i < kShades; ++i) colours.push_back(shade_name(i));
-  std::vector<detail::SvgKey> keys{{"run1", "run 1", line, {}},
-                                   {"run2", "run 2", line, {}},
-                                   {"seen", "wall seen", line, {}},
-                                   {"unseen", "wall not seen", line, {}},
-                                   {"start", "start", marker, {}},
-                                   {"goal", "goal", marker, {}},
-                                   {"rooms", "goal room", patch, {}},
-                                   {"sight", "first seen: early to late", scale, std::move(colours)}};
+  std::vector<detail::SvgKey> keys{
+      {"run1", "run 1", line, {}},       {"run2", "run 2", line, {}},
+      {"seen", "wall seen", line, {}},   {"unseen", "wall not seen", line, {}},
+      {"start", "start", marker, {}},    {"goal", "goal", marker, {}},
+      {"rooms", "goal room", patch, {}}, {"sight", "first seen: early to late", scale, std::move(colours)}};
   if (picture.flood) keys.push_back({"flood", "fewest steps to the goal, unknown walls open", digit, {}});
   return {maze, picture.title, picture.facts, keys};
 }
@@ -183,7 +180,8 @@ std::string mouse_svg(const GridMaze& maze, const Record& record, const MousePic
          (picture.flood ? flood_text(sheet, record) : "") + walls_text(sheet, maze, sights, false) +
          walls_text(sheet, maze, sights, true) + sheet.posts() + route_text(sheet, record, 1) +
          route_text(sheet, record, 2) + sheet.ends() +
-         fmt::format("<g transform=\"{}\">{}</g>\n", sheet.placed(last.cell, detail::degrees(last.heading)), sheet.wedge()) +
+         fmt::format("<g transform=\"{}\">{}</g>\n", sheet.placed(last.cell, detail::degrees(last.heading)),
+                     sheet.wedge()) +
          sheet.foot();
 }
 
@@ -199,7 +197,8 @@ std::string mouse_animation(const GridMaze& maze, const Record& record, const Mo
                              return data;
                            }())) +
          film_walls(sheet, maze, sights, film) + sheet.posts() + film_route(sheet, record, 1, film) +
-         film_route(sheet, record, 2, film) + sheet.ends() + film.mouse(sheet) + film_counter(sheet, record, film) + sheet.foot();
+         film_route(sheet, record, 2, film) + sheet.ends() + film.mouse(sheet) + film_counter(sheet, record, film) +
+         sheet.foot();
 }
 
 }  // namespace taut

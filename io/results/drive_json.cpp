@@ -63,11 +63,8 @@ void add_way(Json& json, const car::PlannedDrive& drive, double weight) {
 
 }  // namespace
 
-Json roadblock_drive_json(const RoadblockDrive& drive, const roadblocks::Course& course,
-                          const RoadblockDriver& driver) {
+Json roadblock_drive_json(const RoadblockDrive& drive, const roadblocks::Course& course, bool controls) {
   Json json{{"sample", drive.sample.number},
-            {"planner", driver.planner},
-            {"seed", driver.seed},
             {"open", bits_of(drive.sample.open, course)},
             {"reached", drive.reached()},
             {"outcome", name(drive.drive.outcome)},
@@ -77,7 +74,7 @@ Json roadblock_drive_json(const RoadblockDrive& drive, const roadblocks::Course&
             {"first_plan_ms", drive.first_plan},
             {"slowest_replan_ms", drive.slowest_replan}};
   if (drive.policy_exact) json["policy_exact"] = *drive.policy_exact;
-  if (driver.controls) json["controls"] = drive.drive.controls;
+  if (controls) json["controls"] = drive.drive.controls;
   return json;
 }
 

@@ -1,9 +1,7 @@
 // Drives of cars, as JSON.
 #pragma once
 
-#include <cstdint>
 #include <optional>
-#include <string>
 
 #include <taut/io/results/json.h>
 #include <taut/robots/car/car_planner.h>
@@ -22,16 +20,9 @@ struct RoadblockDrive {
   bool reached() const { return drive.outcome == roadblocks::Outcome::reached; }
 };
 
-/// Who drove, and whether the controls are told.
-struct RoadblockDriver {
-  std::string planner;
-  std::uint64_t seed = 1;
-  bool controls = false;
-};
-
-/// `sample`, `planner`, `seed`, `open` (bits, as in the map), `reached`, `outcome`, `steps`, `collisions`, `replans`,
-/// `first_plan_ms`, `slowest_replan_ms`; `policy_exact` and `controls` where they are known and asked for.
-Json roadblock_drive_json(const RoadblockDrive& drive, const roadblocks::Course& course, const RoadblockDriver& driver);
+/// `sample`, `open` (bits, as in the map), `reached`, `outcome`, `steps`, `collisions`, `replans`, `first_plan_ms`,
+/// `slowest_replan_ms`; `policy_exact` where it is known; `controls` on request.
+Json roadblock_drive_json(const RoadblockDrive& drive, const roadblocks::Course& course, bool controls);
 
 /// `reached`, `car`, `lattice`; when found `length`, `lower_bound`, `weight`, `collisions`, `verified`, `reversals`,
 /// `start` and `end` [x, y, degrees], `segments` (straight pieces and arcs, lengths negative in reverse), `legs` (exact

@@ -93,7 +93,7 @@ Json json_of(const micromouse::Drive& d) {
 Json json_of(const micromouse::SpeedRun& run) {
   Json drives = Json::array();
   for (const micromouse::Drive& d : run.drives) drives.push_back(json_of(d));
-  return {{"seconds", run.seconds},   {"metres", run.metres},        {"cells", run.cells.size() - 1},
+  return {{"seconds", run.seconds}, {"metres", run.metres},        {"cells", run.cells.size() - 1},
           {"turns", turns_of(run)}, {"route", json_of(run.cells)}, {"drives", std::move(drives)}};
 }
 

@@ -24,9 +24,8 @@ constexpr std::array<std::string_view, 4> kSideNames{"north", "east", "south", "
 Json json_of(Cell c) { return Json::array({c.x, c.y}); }
 
 Json json_of(const Witness& w) {
-  return {{"cell", json_of(w.wall.cell)},
-          {"side", kSideNames[static_cast<std::size_t>(w.wall.side)]},
-          {"step", w.step}};
+  return {
+      {"cell", json_of(w.wall.cell)}, {"side", kSideNames[static_cast<std::size_t>(w.wall.side)]}, {"step", w.step}};
 }
 
 Json json_of(const Action& a) { return a.reset ? Json("reset") : Json::array({a.rotation, a.movement}); }
@@ -77,8 +76,8 @@ class Reader {
   std::vector<Witness> witnesses(const JsonTree& file, const char* key, bool closed) const {
     return items<Witness>(file, key, [&](const JsonTree& value) {
       const JsonTree& side = member(value, "side");
-      const auto at = side.kind == JsonTree::Kind::string ? std::ranges::find(kSideNames, side.string)
-                                                          : kSideNames.end();
+      const auto at =
+          side.kind == JsonTree::Kind::string ? std::ranges::find(kSideNames, side.string) : kSideNames.end();
       if (at == kSideNames.end()) refuse(side, "side", "is not north, east, south or west");
       return Witness{{cell(member(value, "cell"), "cell"), static_cast<Side>(at - kSideNames.begin())},
                      closed,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -174,7 +175,8 @@ class Reader {
       if (!declared) continue;
       const Roadblock& block = declared->block;
       if (block.cells.empty())
-        throw InputError(place_.source, declared->line, std::string("the grid has no cell of the roadblock ") + block.letter);
+        throw InputError(place_.source, declared->line,
+                         std::string("the grid has no cell of the roadblock ") + block.letter);
       const auto [left, right] = std::ranges::minmax(block.cells, {}, &Cell::x);
       const auto [top, bottom] = std::ranges::minmax(block.cells, {}, &Cell::y);
       const Point at = declared->at;
@@ -196,13 +198,12 @@ class Reader {
     if (const std::string_view key = word(); key != "samples")
       place_.fail(quoted(key) + " after the grid is not `samples K`");
     const int count = whole("K", 0, 1'000'000);
+    std::set<int> numbers;
     for (int i = 0; i < count; ++i) {
-      if (!next_said())
-        place_.fail("the samples end after " + std::to_string(i) + " of " + std::to_string(count));
+      if (!next_said()) place_.fail("the samples end after " + std::to_string(i) + " of " + std::to_string(count));
       Sample sample;
       sample.number = whole("I", 0, 1'000'000'000);
-      for (const Sample& other : map_.samples)
-        if (other.number == sample.number) place_.fail("a second sample " + std::to_string(sample.number));
+      if (!numbers.insert(sample.number).second) place_.fail("a second sample " + std::to_string(sample.number));
       sample.open = roadblocks_of(word(), course(), place_.source, place_.line);
       end_line();
       map_.samples.push_back(sample);

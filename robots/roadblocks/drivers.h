@@ -22,8 +22,8 @@ std::optional<DriverKind> driver_named(std::string_view word);
 
 /// A driver along `planner`'s plans. `policy` decides whenever a roadblock shows, the others replan when a roadblock of
 /// their way shows closed and when one that they avoided shows open.
-/// `told` is what a clairvoyant knows: the open roadblocks. `aim` is for `policy`. `planner` must outlive the driver and
-/// may be shared by drives on one course.
+/// `told` is what a clairvoyant knows: the open roadblocks. `aim` is for `policy`. `planner` must outlive the driver
+/// and may be shared by drives on one course.
 std::unique_ptr<Driver> make_driver(DriverKind kind, LatticePlanner& planner, RoadblockSet told = 0,
                                     Aim aim = Aim::expected);
 

@@ -1,4 +1,4 @@
-// The car's rules once more, from the formulas of the course and complex numbers: shares nothing with taut::car but the
+// The car's rules once more, from their formulas and complex numbers: shares nothing with taut::roadblocks but the
 // types.
 #pragma once
 
@@ -33,7 +33,8 @@ inline bool overlaps_square(std::complex<long double> at, long double heading, s
 
 /// Collision, then goal, after each step, until either. With walls as squares each step is looked at in 16 places: that
 /// misses contacts, but not long ones.
-inline Replay replay(const roadblocks::Course& course, roadblocks::RoadblockSet open, const std::vector<double>& controls,
+inline Replay replay(const roadblocks::Course& course, roadblocks::RoadblockSet open,
+                     const std::vector<double>& controls,
                      roadblocks::WallReading reading = roadblocks::WallReading::points) {
   using Complex = std::complex<long double>;
   Complex at(course.start.x, course.start.y);

@@ -164,8 +164,8 @@ class Shortcuts {
   bool shortened(std::size_t i, std::size_t j) {
     if (is_one_arc(i, j) || !is_new(i, j)) return false;
     const Pose target = plan_.poses[j - 1];
-    const auto least =
-        static_cast<int>(std::ceil(car::detail::dubins_bound(before(i), target, kForward / kTurn) / kForward - kRounding));
+    const auto least = static_cast<int>(
+        std::ceil(car::detail::dubins_bound(before(i), target, kForward / kTurn) / kForward - kRounding));
     const int steps = static_cast<int>(j - i);
     const auto miss = [&](VaryingPose end, const Vector&) {
       end.x.value -= target.x, end.y.value -= target.y;

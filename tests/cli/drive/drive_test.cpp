@@ -27,7 +27,7 @@ class DriveProgram : public testing::Test {
 TEST_F(DriveProgram, GivesAResultASample) {
   const Outcome outcome = run_taut("drive " + map + " --all --json -");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  const json results = json::parse(outcome.out)["result"];
+  const json results = json::parse(outcome.out)["result"]["samples"];
   ASSERT_EQ(results.size(), 2U);
   for (const json& result : results) {
     EXPECT_EQ(result["reached"], true);
@@ -49,7 +49,7 @@ TEST_F(DriveProgram, SumsUpAllSamplesAndTakesTimes) {
   const Outcome outcome = run_taut("drive " + map + " --all --policy worst");
   EXPECT_THAT(outcome.out, HasSubstr("reached 2 of 2 (100 %), mean"));
   EXPECT_THAT(outcome.out, HasSubstr("replan ms"));
-  const json result = json::parse(run_taut("drive " + map + " --json -").out)["result"][0];
+  const json result = json::parse(run_taut("drive " + map + " --json -").out)["result"]["samples"][0];
   EXPECT_GT(result["first_plan_ms"], 0);
   EXPECT_GE(result["slowest_replan_ms"], 0);
   EXPECT_EQ(run_taut("drive " + map + " --policy lucky").code, 2);
@@ -87,10 +87,49 @@ TEST_F(DriveProgram, DrawsTheValueSurfaceAndItsArrows) {
   EXPECT_EQ(run_taut("drive " + map + " --show-values").code, 2);
 }
 
+/// The lane's map with so many samples, half of them open.
+std::string many_samples(const std::string& map, int count) {
+  const std::string text = contents(map);
+  std::string out = text.substr(0, text.find("samples")) + "samples " + std::to_string(count) + "\n";
+  for (int i = 1; i <= count; ++i) out += std::to_string(i) + (i % 2 == 0 ? " 0\n" : " 1\n");
+  return out;
+}
+
+TEST_F(DriveProgram, KeepsWhatItHasDrivenWhenItIsStopped) {
+  const Folder folder;
+  const std::string answer = (folder / "a.json").string();
+  const std::string drive = "drive " + folder.file("map", many_samples(map, 100000)) + " --all --json " + answer;
+  for (const double interrupt_after : {0.0, 3.0}) {
+    SCOPED_TRACE(interrupt_after);
+    const Outcome run = run_taut(drive + (interrupt_after > 0 ? "" : " --max-seconds 3"), "", interrupt_after);
+    EXPECT_EQ(run.code, 4);
+    const json envelope = json::parse(contents(answer)), samples = envelope["result"]["samples"];
+    EXPECT_EQ(envelope["status"], "stopped");
+    EXPECT_EQ(envelope["reason"], interrupt_after > 0 ? "interrupted" : "--max-seconds 3");
+    ASSERT_GE(samples.size(), 1U);
+    EXPECT_LT(samples.size(), 100000U);
+    EXPECT_EQ(samples[0]["reached"], true);
+  }
+}
+
+TEST_F(DriveProgram, NamesTheNewNameOfAPlanner) {
+  const Outcome outcome = run_taut("drive " + map + " --planner ours");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("did you mean `--planner policy`?"));
+}
+
+TEST_F(DriveProgram, DrawsTheSameBytesEachTimeAndForwardAsOnOtherSheets) {
+  const std::string drawn = "drive " + map + " --sample 2 --svg -";
+  const Outcome outcome = run_taut(drawn);
+  EXPECT_EQ(outcome.out, run_taut(drawn).out);
+  EXPECT_THAT(outcome.out, HasSubstr(".ahead{fill:none;stroke:#ee5a10"));
+  EXPECT_THAT(outcome.out, HasSubstr("class=\"back\""));
+}
+
 TEST_F(DriveProgram, NamesItsPlannerAndSeed) {
   const Outcome outcome = run_taut("drive " + map + " --sample 1 --planner rrt-field --seed 5 --json -");
   EXPECT_EQ(outcome.code, 0) << outcome.err;
-  const json result = json::parse(outcome.out)["result"][0];
+  const json result = json::parse(outcome.out)["result"];
   EXPECT_EQ(result["planner"], "rrt-field");
   EXPECT_EQ(result["seed"], 5);
 }

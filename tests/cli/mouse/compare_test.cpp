@@ -47,6 +47,21 @@ TEST_F(MouseCompare, AgreesWithSingleRuns) {
   }
 }
 
+TEST_F(MouseCompare, KeepsTheScoresThatItHasWhenItIsStopped) {
+  std::string mazes;
+  for (int i = 0; i < 2000; ++i) mazes += " " + data_file("mouse_16.maz");
+  const std::string answer = in_folder("a.json");
+  const Outcome run = run_taut("mouse compare --explorers score,prove --max-seconds 10 --json " + answer + mazes);
+  EXPECT_EQ(run.code, 4);
+  const json envelope = json::parse(contents(answer));
+  EXPECT_EQ(envelope["status"], "stopped");
+  const json first = envelope["result"]["explorers"][0];
+  EXPECT_EQ(first["explorer"], "score");
+  ASSERT_GE(first["runs"].size(), 1U);
+  EXPECT_NEAR(first["runs"][0]["score"], first["mean"], 1e-9);
+  EXPECT_THAT(run.out, StartsWith("explorer "));
+}
+
 TEST_F(MouseCompare, LeavesOutMazesWithoutARoute) {
   const std::string sealed = folder.file("sealed", kSealed);
   const Outcome run = run_taut("mouse compare --explorers flood " + sealed + " " + data_file("mouse_12.cells"));

@@ -29,6 +29,15 @@ TEST_F(MousePictures, ShowWhatWasSeenAndBothRoutes) {
   EXPECT_THAT(flood.out, HasSubstr("class=\"flood\""));
 }
 
+TEST_F(MousePictures, MarkStartAndGoal) {
+  for (const char* command : {"mouse run --quick --svg - ", "mouse speed --svg - "}) {
+    const std::string picture = run_taut(command + data_file("mouse_16.maz")).out;
+    EXPECT_EQ(picture, run_taut(command + data_file("mouse_16.maz")).out);
+    EXPECT_EQ(count(picture, "<g class=\"start\"><circle"), 2U) << "in the maze and in the legend";
+    EXPECT_EQ(count(picture, "<g class=\"goal\"><path"), 2U);
+  }
+}
+
 TEST_F(MousePictures, PlayWithoutScript) {
   const Outcome run = run_taut("mouse run --quick --animate - " + data_file("mouse_12.cells"));
   EXPECT_EQ(run.code, 0) << run.err;

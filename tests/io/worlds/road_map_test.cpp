@@ -22,8 +22,7 @@ TEST(RoadMapReader, NamesTheLineAndTheCulprit) {
   EXPECT_THAT(message(head + "grid 3 1\n..x\n"), HasSubstr("m.txt:5: 'x' in column 3"));
   EXPECT_THAT(message(head + "grid 3 2\n...\n"), HasSubstr("the grid ends after 1 rows"));
   EXPECT_THAT(message(head + "roadblock A 1 1 2\ngrid 3 1\n..A\n"), HasSubstr("m.txt:4: P_OPEN '2'"));
-  EXPECT_THAT(message(head + "roadblock A 3 1\ngrid 3 1\n..A\nsamples 1\n1 2\n"),
-              HasSubstr("m.txt:8: '2' is not"));
+  EXPECT_THAT(message(head + "roadblock A 3 1\ngrid 3 1\n..A\nsamples 1\n1 2\n"), HasSubstr("m.txt:8: '2' is not"));
   EXPECT_EQ(read_road_map(head + "grid 3 1\n#.#\n").course.walls, (std::vector<std::uint8_t>{1, 0, 1}));
 }
 

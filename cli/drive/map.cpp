@@ -1,0 +1,180 @@
+#include <taut/cli/drive/map.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include <taut/cli/drive/table.h>
+#include <taut/cli/keeping.h>
+#include <taut/cli/report.h>
+#include <taut/geometry/errors.h>
+#include <taut/io/pictures/drive_svg.h>
+#include <taut/io/worlds/road_map.h>
+#include <taut/robots/roadblocks/value_planner.h>
+
+namespace taut::cli {
+
+namespace {
+
+std::vector<roadblocks::Sample> chosen_samples(const DriveOptions& options, const roadblocks::RoadMap& map,
+                                               const std::string& name) {
+  if (!options.bits.empty()) return {{0, roadblocks_of(options.bits, map.course, "--open")}};
+  if (options.all && map.samples.empty()) throw InputError(name, 0, "has no samples for --all; give --open BITS");
+  if (options.all) return map.samples;
+  if (options.sample) {
+    for (const roadblocks::Sample& sample : map.samples)
+      if (sample.number == *options.sample) return {sample};
+    throw InputError(name, 0, fmt::format("has no sample {}", *options.sample));
+  }
+  if (!map.samples.empty()) return {map.samples.front()};
+  return {{0, roadblocks_of(std::string(map.course.roadblocks.size(), '1'), map.course)}};
+}
+
+/// Takes the time of another driver's decisions.
+class TimedDriver : public roadblocks::Driver {
+ public:
+  TimedDriver(std::unique_ptr<roadblocks::Driver> driver, const Run& run) : driver_(std::move(driver)), run_(run) {}
+
+  std::optional<double> next(const roadblocks::ObservedMap& map, const roadblocks::Pose& pose) override {
+    const double begin = run_.seconds().cpu;
+    const std::optional<double> control = driver_->next(map, pose);
+    const double ms = 1000 * (run_.seconds().cpu - begin);
+    if (asked_++ == 0)
+      first_ = ms;
+    else
+      slowest_later_ = std::max(slowest_later_, ms);
+    return control;
+  }
+  int replans() const override { return driver_->replans(); }
+  bool gave_up() const override { return driver_->gave_up(); }
+  bool exact() const override { return driver_->exact(); }
+  double first() const { return first_; }                  ///< the first plan, CPU milliseconds
+  double slowest_later() const { return slowest_later_; }  ///< the slowest decision after it
+
+ private:
+  std::unique_ptr<roadblocks::Driver> driver_;
+  const Run& run_;
+  int asked_ = 0;
+  double first_ = 0, slowest_later_ = 0;
+};
+
+// Of one drive.
+Outcome outcome_of(roadblocks::Outcome outcome) {
+  switch (outcome) {
+    case roadblocks::Outcome::reached: return Outcome::found;
+    case roadblocks::Outcome::no_route: return Outcome::none;
+    case roadblocks::Outcome::limit:
+    case roadblocks::Outcome::gave_up: return Outcome::unproven;
+    case roadblocks::Outcome::collision: break;
+  }
+  throw std::logic_error("the car collided: a driver never enters what it does not know to be free");
+}
+
+/// With what was known at the end, as a driver along values would plan from the start.
+ValueLayer last_values(const roadblocks::Course& course, const roadblocks::Drive& drive,
+                       roadblocks::WallReading walls) {
+  roadblocks::ValuePlanner planner(course, walls);
+  planner.plan(drive.poses.front(), drive.known() & ~drive.open);
+  if (!planner.grid()) return {};
+  return value_layer(*planner.grid(), *planner.values());
+}
+
+std::string picture_of(const RoadblockDrive& result, const roadblocks::Course& course, const DriveOptions& options,
+                       const std::string& source, bool animate) {
+  const bool has_values = options.show_values || planner_name(options) == "value-iteration";
+  const ValueLayer values = has_values ? last_values(course, result.drive, options.walls) : ValueLayer{};
+  DrivePicture picture{fmt::format("{}, sample {}", title_of(source), result.sample.number),
+                       {std::string(name(result.drive.outcome)), count_text(result.steps(), "step"),
+                        count_text(static_cast<std::size_t>(result.drive.replans), "replan"), planner_name(options)},
+                       options.walls,
+                       animate,
+                       has_values ? &values : nullptr};
+  return drive_svg(course, result.drive, picture);
+}
+
+/// Trees draw anew for each sample; a sample drives the same alone and among all.
+std::unique_ptr<roadblocks::Driver> driver_for(const roadblocks::Sample& sample, const roadblocks::Course& course,
+                                               roadblocks::LatticePlanner& planner, const DriveOptions& options) {
+  if (options.peer)
+    return options.peer->make(course, options.walls, options.common.seed + static_cast<std::uint64_t>(sample.number));
+  return roadblocks::make_driver(options.planner, planner, sample.open, options.aim);
+}
+
+RoadblockDrive driven(const roadblocks::Sample& sample, const roadblocks::Course& course,
+                      roadblocks::LatticePlanner& planner, const DriveOptions& options, const Run& run) {
+  TimedDriver driver(driver_for(sample, course, planner, options), run);
+  roadblocks::Drive drive = roadblocks::drive(course, sample.open, driver, options.walls);
+  outcome_of(drive.outcome);
+  const bool has_policy = !options.peer && options.planner == roadblocks::DriverKind::policy;
+  const auto policy_exact = has_policy ? std::optional(driver.exact()) : std::nullopt;
+  return {sample, std::move(drive), driver.first(), driver.slowest_later(), policy_exact};
+}
+
+/// The drives so far, in three forms.
+class Logbook {
+ public:
+  Logbook(const DriveOptions& options, const roadblocks::Course& course) : course_(course), options_(options) {}
+
+  void add(RoadblockDrive drive) {
+    samples_.push_back(roadblock_drive_json(drive, course_, options_.controls));
+    drives_.push_back(std::move(drive));
+  }
+  Json json() const {
+    return {{"planner", planner_name(options_)}, {"seed", options_.common.seed}, {"samples", samples_}};
+  }
+  std::string table() const { return drive_table(drives_, course_, options_.all); }
+  const RoadblockDrive& last() const { return drives_.back(); }
+
+  /// The answer but for its pictures: what is least sure of all drives.
+  Answer answer() const {
+    Answer answer{.outcome = options_.all ? Outcome::done : Outcome::found, .result = json(), .line = table()};
+    for (const RoadblockDrive& drive : drives_) {
+      const Outcome outcome = outcome_of(drive.drive.outcome);
+      if (exit_code(outcome) <= exit_code(answer.outcome)) continue;
+      answer.outcome = outcome;
+      answer.reason = fmt::format("sample {}: {}", drive.sample.number, name(drive.drive.outcome));
+    }
+    return answer;
+  }
+
+ private:
+  const roadblocks::Course& course_;
+  const DriveOptions& options_;
+  std::vector<RoadblockDrive> drives_;
+  Json samples_ = Json::array();
+};
+
+}  // namespace
+
+std::string planner_name(const DriveOptions& options) {
+  return std::string(options.peer ? options.peer->name : roadblocks::name(options.planner));
+}
+
+int drive_on_map(const DriveOptions& options, std::string_view bytes, const std::string& source, Run& run) {
+  const roadblocks::RoadMap map = run.stage("read", [&] {
+    require_road_map(bytes, source);
+    roadblocks::RoadMap read = read_road_map(bytes, source);
+    roadblocks::require_start_free(read.course, options.walls, source);
+    return read;
+  });
+  roadblocks::LatticePlanner planner(map.course, options.walls);
+  Logbook logbook(options, map.course);
+  Keeping keeping;
+  for (const roadblocks::Sample& sample : chosen_samples(options, map, source)) {
+    logbook.add(run.stage("drive", [&] { return driven(sample, map.course, planner, options, run); }));
+    keeping.tell([&] { run.so_far(logbook.json(), logbook.table()); });
+  }
+  Answer answer = logbook.answer();
+  const DriveOutput& output = options.output;
+  if (!output.svg.empty())
+    answer.files.push_back({output.svg, picture_of(logbook.last(), map.course, options, source, false)});
+  if (!output.animation.empty())
+    answer.files.push_back({output.animation, picture_of(logbook.last(), map.course, options, source, true)});
+  return run.end(std::move(answer));
+}
+
+}  // namespace taut::cli
