@@ -7,6 +7,7 @@
 
 #include <taut/io/pictures/colour_scale.h>
 #include <taut/io/pictures/detail/svg_frame.h>
+#include <taut/io/pictures/detail/svg_motion.h>
 
 namespace taut {
 
@@ -18,16 +19,7 @@ constexpr double kPathSeconds = 2;
 
 std::string colour_of(std::size_t shade) { return flood_colour(static_cast<double>(shade) / (kShades - 1)); }
 
-constexpr const char* kStyle = R"(.taut.grid .open{fill:#fff}
-.taut.grid .blocked{fill:#2c3440}
-.taut.grid .grid{stroke:#d5d8de;fill:none}
-.taut.grid .frontier{stroke:#b4532a;fill:none}
-.taut.grid .path .line{stroke:#ee5a10;fill:none;stroke-linejoin:round;stroke-linecap:round}
-@media (prefers-color-scheme:dark){
-.taut.grid .open{fill:#e5e9f0}
-.taut.grid .grid{stroke:#b9c0cc}
-}
-)";
+constexpr const char* kStyle = ".taut.grid .path .line{fill:none;stroke-linejoin:round;stroke-linecap:round}\n";
 
 class GridPage {
  public:
@@ -47,6 +39,7 @@ class GridPage {
     path();
     out_ += "</g>\n";
     ends();
+    if (what_.animated) out_ += detail::film_controls({frame_.width() - 4, 3}, kPlaySeconds + kPathSeconds);
     return out_ + frame_.foot();
   }
 
@@ -65,6 +58,8 @@ class GridPage {
       for (std::size_t s = 0; s < kShades; s += 3) colours.push_back(colour_of(s));
       keys.push_back({"visited", "visited, first to last", scale, std::move(colours)});
     }
+    keys.push_back({"obstacle", "blocked", patch});
+    keys.push_back(detail::ruler_key(cell_, "cell", "cells"));
     return keys;
   }
 
@@ -85,11 +80,12 @@ class GridPage {
     const auto put = [&](const std::string& d, const std::string& ink, const std::string& more) {
       if (!d.empty()) out_ += fmt::format("<path {} shape-rendering=\"crispEdges\" d=\"{}\"{}\n", ink, d, more);
     };
-    put(runs[kFree], "class=\"open\"", "/>");
-    put(runs[kBlocked], "class=\"blocked\"", "/>");
+    put(runs[kFree], "class=\"free\"", "/>");
+    put(runs[kBlocked], "class=\"obstacle\"", "/>");
     for (std::size_t s = 0; s < kShades; ++s) {
-      if (what_.animated) put(runs[s], "class=\"open\"", "/>");
-      put(runs[s], fmt::format("fill=\"{}\"", colour_of(s)), appears(kPlaySeconds * static_cast<double>(s) / kShades));
+      if (what_.animated) put(runs[s], "class=\"free\"", "/>");
+      put(runs[s], fmt::format("class=\"appears\" fill=\"{}\"", colour_of(s)),
+          appears(kPlaySeconds * static_cast<double>(s) / kShades));
     }
   }
 
@@ -112,7 +108,7 @@ class GridPage {
     for (const GridPlace& p : what_.frontier)
       d += fmt::format("M{:.2f} {:.2f}h.7v.7h-.7z", p.column + 0.15, p.row + 0.15);
     if (!d.empty())
-      out_ += "<path class=\"frontier\" stroke-width=\"0.12\" d=\"" + d + "\"" + appears(kPlaySeconds) + "\n";
+      out_ += "<path class=\"frontier appears\" stroke-width=\"0.12\" d=\"" + d + "\"" + appears(kPlaySeconds) + "\n";
   }
 
   void path() {
@@ -132,8 +128,8 @@ class GridPage {
           " stroke-dasharray=\"{0:.3f}\" stroke-dashoffset=\"{0:.3f}\"><animate attributeName=\"stroke-dashoffset\" "
           "from=\"{0:.3f}\" to=\"0\" begin=\"{1}s\" dur=\"{2}s\" fill=\"freeze\"/></path>",
           length, kPlaySeconds, kPathSeconds);
-    out_ +=
-        fmt::format("<g class=\"path\"><path class=\"line\" stroke-width=\"{:.3f}\" d=\"{}\"{}</g>\n", stroke, d, more);
+    out_ += fmt::format("<g class=\"path\"><path class=\"line appears\" stroke-width=\"{:.3f}\" d=\"{}\"{}</g>\n",
+                        stroke, d, more);
   }
 
   void ends() {

@@ -19,7 +19,7 @@ struct GridPicture {
   std::vector<GridPlace> path;
   std::optional<GridPlace> start;
   std::optional<GridPlace> goal;
-  /// Plays in a browser: cells appear in their order within 8 seconds, then the path is drawn (SMIL, no script).
+  /// Plays in a browser: cells appear in their order within 8 seconds, then the path is drawn. Can be paused.
   bool animated = false;
 };
 

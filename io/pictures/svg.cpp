@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include <taut/io/pictures/colour_scale.h>
+#include <taut/io/pictures/detail/svg_labels.h>
 #include <taut/io/pictures/detail/svg_layers.h>
 #include <taut/io/pictures/detail/svg_motion.h>
 #include <taut/io/pictures/detail/svg_path.h>
@@ -42,19 +43,20 @@ class Picture {
     labels();
     runner();
     out_ += "</svg>\n";
+    if (what_.seconds > 0) out_ += detail::film_controls({frame_.width() - 4, 3});
     return std::move(out_ += frame_.foot());
   }
 
  private:
   void begin() {
-    const auto px = [](double v) { return detail::svg_number(v); };
+    using detail::svg_number;
     out_ = frame_.head("", detail::style(strokes_));
     // An inner <svg> cuts off what reaches beyond the world.
     constexpr double kRim = 16;
     const Box map = frame_.map();
     out_ += fmt::format("<svg x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" viewBox=\"{0} {1} {2} {3}\">\n",
-                        px(map.min.x - kRim), px(map.min.y - kRim), px(map.max.x - map.min.x + 2 * kRim),
-                        px(map.max.y - map.min.y + 2 * kRim));
+                        svg_number(map.min.x - kRim), svg_number(map.min.y - kRim),
+                        svg_number(map.max.x - map.min.x + 2 * kRim), svg_number(map.max.y - map.min.y + 2 * kRim));
   }
 
   std::vector<detail::SvgKey> keys() const {
@@ -72,6 +74,9 @@ class Picture {
     if (roadmap_is_drawn() || diagram_is_drawn()) add("roadmap");
     if (milestones_are_drawn()) add("milestones");
     if (space_.footprint().kind() != Footprint::Kind::point) add("solid");
+    for (const SvgLabelKey& key : what_.label_keys)
+      keys.push_back({"labels", key.meaning, detail::SvgKey::Sample::digit, {}, key.letter});
+    keys.push_back(SvgLayers::ruler(space_.world(), detail::kMapPixels));
     return keys;
   }
 
@@ -111,7 +116,7 @@ class Picture {
       SvgPath one(scale_);
       one.ring(what_.views[k].ring);
       const double until = k + 1 < what_.views.size() ? what_.views[k + 1].at : 1;
-      out_ += fmt::format("<path d=\"{}\" opacity=\"0\">{}</path>", one.text(),
+      out_ += fmt::format("<path class=\"moving\" d=\"{}\" opacity=\"0\">{}</path>", one.text(),
                           detail::shown_between(what_.views[k].at, until, what_.seconds));
     }
     out_ += "</g>\n";
@@ -156,17 +161,15 @@ class Picture {
 
   void labels() {
     if (what_.labels.empty()) return;
-    out_ += "<g class=\"labels\">";
-    const double size = std::clamp(0.3 * strokes_.corridor, 9.0, 16.0);
-    for (const SvgLabel& label : what_.labels) {
-      const Point at = scale_.pixel(label.at);
-      out_ +=
-          fmt::format("<circle cx=\"{0}\" cy=\"{1}\" r=\"{2}\"/><text x=\"{3}\" y=\"{4}\" font-size=\"{5}\">{6}</text>",
-                      detail::svg_number(at.x), detail::svg_number(at.y), detail::svg_number(size / 4),
-                      detail::svg_number(at.x + size / 3), detail::svg_number(at.y - size / 3),
-                      detail::svg_number(size), detail::xml_text(label.text));
-    }
-    out_ += "</g>\n";
+    std::vector<Segment> lines;
+    const auto add = [&](Point a, Point b) { lines.push_back({scale_.pixel(a), scale_.pixel(b)}); };
+    for (std::size_t i = 1; what_.path && i < what_.path->points.size(); ++i)
+      add(what_.path->points[i - 1], what_.path->points[i]);
+    for (const Wall& wall : space_.world().walls()) add(wall.a, wall.b);
+    std::vector<detail::SvgWord> words;
+    for (const SvgLabel& label : what_.labels) words.push_back({scale_.pixel(label.at), label.text});
+    const double size = std::clamp(0.3 * strokes_.corridor, 11.0, 15.0);
+    out_ += "<g class=\"labels\">" + detail::words_beside_dots(words, lines, frame_.map(), size) + "</g>\n";
   }
 
   void runner() {

@@ -31,6 +31,12 @@ struct SvgDisc {
   double radius = 0;
 };
 
+/// What a letter of labels stands for, for the key: `H`, `hit point`.
+struct SvgLabelKey {
+  std::string letter;
+  std::string meaning;
+};
+
 /// What was in sight from somewhere on the path.
 struct SvgView {
   Ring ring;
@@ -53,10 +59,11 @@ struct SvgPicture {
   const ArcPath* arcs = nullptr;            ///< drawn as `path`, with true arcs
   std::vector<SvgView> views{};             ///< tinted, in the order of `at`; a moving picture shows the last one only
   std::vector<Segment> guides{};            ///< auxiliary lines, dashed, below the path
-  std::vector<SvgLabel> labels{};           ///< above all else
+  std::vector<SvgLabel> labels{};           ///< above all else, each where it hides least
   double seconds = 0;                       ///< > 0: a dot runs along `path` in that time, again and again (SMIL)
   bool milestones = false;                  ///< the roadmap's vertices are dots, also those joined to nothing
   std::vector<SvgDisc> discs{};             ///< the robot, below the path
+  std::vector<SvgLabelKey> label_keys{};
 };
 
 /// The picture as one SVG 1.1 document, north up.

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include <taut/io/pictures/detail/svg_palette.h>
 #include <taut/io/pictures/detail/svg_path.h>
 
 namespace taut::detail {
@@ -20,28 +21,11 @@ constexpr double kSample = 26, kScale = 120;  // widths of a key's sample
 constexpr double kGap = 22;                   // between keys
 constexpr std::string_view kDot = " \xC2\xB7 ";
 
-constexpr std::string_view kShared = R"(
-.taut .page{fill:#f7f6f2}
-.taut .start{fill:#12965f;stroke:#12965f}
-.taut .goal{fill:#7a3fd4;stroke:#7a3fd4}
-.taut .rim{stroke:#fff;fill:none}
-.taut .sample{fill:none;stroke-width:3;stroke-linecap:round}
-.taut text{fill:#2c3440;font:15px system-ui,'Segoe UI',Roboto,Helvetica,Arial,sans-serif}
-.taut .title{font-size:19px;font-weight:600}
-.taut .facts{fill:#5a6474}
-@media (prefers-color-scheme:dark){
-.taut .page{fill:#12161d}
-.taut .start{fill:#35c98c;stroke:#35c98c}
-.taut .goal{fill:#b48cff;stroke:#b48cff}
-.taut .rim{stroke:#12161d}
-.taut text{fill:#e5e9f0}
-.taut .facts{fill:#a4aebd}
-}
-)";
-
 double text_width(std::string_view text, double size) { return 0.55 * size * static_cast<double>(text.size()); }
 
-double sample_width(const SvgKey& key) { return key.sample == SvgKey::Sample::scale ? kScale : kSample; }
+double sample_width(const SvgKey& key) {
+  return key.sample == SvgKey::Sample::ruler ? key.length : key.sample == SvgKey::Sample::scale ? kScale : kSample;
+}
 
 double key_width(const SvgKey& key) { return sample_width(key) + 8 + text_width(key.label, kTextSize) + kGap; }
 
@@ -77,7 +61,11 @@ std::string sample(const SvgKey& key, double x, double y) {
                          svg_number(x + kSample / 2), svg_number(y));
     case SvgKey::Sample::scale: return fmt::format(R"(<g class="{}">{}</g>)", key.kind, scale_of(key.colours, x, y));
     case SvgKey::Sample::digit:
-      return fmt::format(R"(<text class="{}" x="{}" y="{}">7</text>)", key.kind, svg_number(x + 9), svg_number(y + 5));
+      return fmt::format(R"(<text class="{}" x="{}" y="{}">{}</text>)", key.kind, svg_number(x + 9), svg_number(y + 5),
+                         xml_text(key.text));
+    case SvgKey::Sample::ruler:
+      return fmt::format(R"(<path class="ruler" d="M{} {}v8m0-4h{}m0-4v8"/>)", svg_number(x), svg_number(y - 4),
+                         svg_number(key.length));
     case SvgKey::Sample::line: break;
   }
   const std::string line = fmt::format("M{} {}h{}", svg_number(x + 1), svg_number(y), svg_number(kSample - 2));
@@ -136,7 +124,7 @@ std::string SvgFrame::head(const std::string& kind, const std::string& css) cons
       "viewBox=\"0 0 {0} {1}\">\n<title>{2}</title>\n<desc>{3}</desc>\n<style>{4}{5}</style>\n"
       "<rect class=\"page\" width=\"{0}\" height=\"{1}\"/>\n",
       svg_number(width_), svg_number(height_), xml_text(title_), xml_text(fmt::format("{}", fmt::join(facts_, ", "))),
-      kShared, css, kind.empty() ? "" : " " + kind);
+      palette(), css, kind.empty() ? "" : " " + kind);
 }
 
 std::string SvgFrame::foot() const {
@@ -152,6 +140,17 @@ std::string SvgFrame::foot() const {
            words("key", places[i].x + sample_width(keys_[i]) + 8, at + 5, keys_[i].label);
   }
   return out + "</g>\n</svg>\n";
+}
+
+SvgKey ruler_key(double pixels_per_unit, const std::string& one, const std::string& many) {
+  constexpr double kShortest = 50;
+  const double power = std::pow(10, std::floor(std::log10(kShortest / pixels_per_unit)));
+  double units = 10 * power;
+  for (const double factor : {5.0, 2.0, 1.0})
+    if (factor * power * pixels_per_unit >= kShortest) units = factor * power;
+  SvgKey key{"ruler", fmt::format("{:.6g} {}", units, units == 1 ? one : many), SvgKey::Sample::ruler};
+  key.length = units * pixels_per_unit;
+  return key;
 }
 
 std::string marker(const std::string& kind, Point at, double radius, double room) {

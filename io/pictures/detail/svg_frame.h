@@ -16,13 +16,15 @@ inline constexpr double kMargin = 24;
 /// An entry of the legend: a sample and what it stands for.
 struct SvgKey {
   /// A line (with a casing where the kind is `path`), a patch of area, a disc, a dot, the marker() of its kind, a
-  /// scale of colours, or a digit as text.
-  enum class Sample { line, patch, disc, dot, marker, scale, digit };
+  /// scale of colours, a digit or letter as text, or a length as on a map.
+  enum class Sample { line, patch, disc, dot, marker, scale, digit, ruler };
 
   std::string kind;  ///< the class that colours the sample
   std::string label;
   Sample sample = Sample::line;
   std::vector<std::string> colours{};  ///< of a scale, from left to right
+  std::string text{"7"};               ///< of a digit
+  double length = 0;                   ///< of a ruler, in pixels
 };
 
 /// A page: the picture, below it the title, the facts joined by dots, the keys. Facts and keys flow from left to right
@@ -37,8 +39,7 @@ class SvgFrame {
   double height() const { return height_; }
   Box map() const { return map_; }  ///< where the picture belongs, y down
 
-  /// From the <svg> tag to the page's ground. `css` adds to the colours all pictures share: ground, text, start and
-  /// goal. Its rules begin with `.taut.KIND`, so that pictures of several kinds leave each other alone on one page.
+  /// From the <svg> tag to the page's ground. `css` adds to the colours all pictures share, see svg_palette.h. Its rules begin with `.taut.KIND`, so that pictures of several kinds leave each other alone on one page.
   std::string head(const std::string& kind, const std::string& css) const;
   /// The <g class="legend"> and the end of the document.
   std::string foot() const;
@@ -58,6 +59,9 @@ class SvgFrame {
   double width_ = 0;
   double height_ = 0;
 };
+
+/// How long a round number of the world's units is on the picture: 50 to 125 pixels of them.
+SvgKey ruler_key(double pixels_per_unit, const std::string& one = "unit", const std::string& many = "units");
 
 /// A start (disc) or goal (diamond), `kind` being the class. Where `room`, the space around it, is scarce only a ring
 /// around a dot, so that nothing is hidden.

@@ -21,6 +21,8 @@ class SvgLayers {
 
   /// How large that is, in pixels.
   static Point size(const World& world, double pixels);
+  /// The legend's scale bar for it.
+  static SvgKey ruler(const World& world, double pixels);
   static SvgStrokes strokes(const FreeSpace& space, double pixels);
 
   const SvgScale& scale() const { return scale_; }

@@ -1,4 +1,4 @@
-// What moves in a picture, again and again (SMIL).
+// What moves in a picture (SMIL), and how its reader stops it.
 #pragma once
 
 #include <string>
@@ -11,7 +11,15 @@ namespace taut::detail {
 /// takes.
 std::string shown_between(double from, double until, double seconds);
 
-/// A dot that runs along the line in that time; the radius in pixels.
+/// A dot that runs along the line in that time, again and again; the radius in pixels.
 std::string runner_along(const SvgPath& line, double radius, double seconds);
+
+/// What makes a picture a film, to be put before the frame's foot: a button, its right upper corner there, that pauses
+/// and goes on (a click, or Enter or the space bar once it has the focus; a film that plays once starts again after
+/// `ends` seconds, 0: it never ends), and rules for readers who prefer reduced motion. Those see a still picture until
+/// they press the button: elements of class `moving` are hidden, those of class `appears` are there from the beginning
+/// (visible, opaque, without a dash offset). The script does no more than that: where none may run, as in an <img>, the
+/// button is not shown, the film plays and the rules hold.
+std::string film_controls(Point corner, double ends = 0);
 
 }  // namespace taut::detail

@@ -22,48 +22,6 @@ std::string_view label(std::string_view key) {
   return key;
 }
 
-constexpr std::string_view kColours = R"(
-.taut .solid{fill:#ccd2dc;fill-rule:evenodd}
-.taut .free{fill:#fff;fill-rule:evenodd}
-.taut .rooms{fill:#7a3fd4;fill-opacity:.14}
-.taut .views{fill:#e8a713;fill-opacity:.13}
-.taut .roadmap{stroke:#8fb6dc}
-.taut .milestones{stroke:#3f7fbf}
-.taut .discs{fill:#ee5a10;fill-opacity:.16;stroke:#ee5a10;stroke-width:1.5}
-.taut .openings{stroke:#b9bfca}
-.taut .walls{stroke:#2c3440}
-.taut .walls .bar{stroke:#4b5668}
-.taut .walls .area{fill:#4b5668;fill-rule:evenodd;stroke:none}
-.taut .separation{stroke:#d3245e}
-.taut .gates{stroke:#0b7fc1}
-.taut .guides{fill:none;stroke:#0b7fc1;stroke-width:1.5;stroke-dasharray:6 4}
-.taut .labels text{font-weight:bold;stroke:#fff;stroke-width:3;paint-order:stroke}
-.taut .runner{fill:#0b7fc1}
-.taut .path .line{stroke:#ee5a10}
-.taut .path .casing{stroke:#fff}
-@media (prefers-color-scheme:dark){
-.taut .solid{fill:#3c4656}
-.taut .free{fill:#1d2430}
-.taut .rooms{fill:#b48cff;fill-opacity:.2}
-.taut .views{fill:#ffd166;fill-opacity:.13}
-.taut .roadmap{stroke:#47749f}
-.taut .milestones{stroke:#7db4ea}
-.taut .discs{fill:#ff8340;stroke:#ff8340}
-.taut .openings{stroke:#566274}
-.taut .walls{stroke:#d4dbe6}
-.taut .walls .bar{stroke:#8e9aad}
-.taut .walls .area{fill:#8e9aad}
-.taut .separation{stroke:#ff5c8d}
-.taut .gates{stroke:#4cc2ff}
-.taut .guides{stroke:#4cc2ff}
-.taut .labels{fill:#e5e9f0}
-.taut .labels text{stroke:#12161d}
-.taut .runner{fill:#4cc2ff}
-.taut .path .line{stroke:#ff8340}
-.taut .path .casing{stroke:#12161d}
-}
-)";
-
 }  // namespace
 
 double SvgStrokes::wall() const { return std::clamp(0.11 * corridor, 0.5, 5.0); }
@@ -76,7 +34,6 @@ double SvgStrokes::marker_radius() const { return std::clamp(0.27 * corridor, 6.
 std::string style(const SvgStrokes& strokes) {
   const auto px = [](double v) { return svg_number(v); };
   return fmt::format(
-      "{}"
       ".taut .roadmap,.taut .milestones,.taut .openings,.taut .walls,.taut .separation,.taut .gates,.taut "
       ".shades,.taut "
       ".path{{fill:none;stroke-linecap:round;stroke-linejoin:round}}\n"
@@ -94,9 +51,9 @@ std::string style(const SvgStrokes& strokes) {
       ".taut .sample.milestones{{stroke-width:5}}\n"
       ".taut .path.sample .line{{stroke-width:4}}\n"
       ".taut .path.sample .casing{{stroke-width:6}}\n",
-      kColours, px(strokes.roadmap()), px(strokes.milestone()), px(0.6 * strokes.wall()),
-      px(std::max(2.0, 2 * strokes.wall())), px(strokes.wall()), px(std::max(1.7 * strokes.wall(), strokes.path())),
-      px(strokes.gate()), px(strokes.path()), px(strokes.path() * 1.5 + 0.4));
+      px(strokes.roadmap()), px(strokes.milestone()), px(0.6 * strokes.wall()), px(std::max(2.0, 2 * strokes.wall())),
+      px(strokes.wall()), px(std::max(1.7 * strokes.wall(), strokes.path())), px(strokes.gate()), px(strokes.path()),
+      px(strokes.path() * 1.5 + 0.4));
 }
 
 SvgKey key_of(const std::string& kind) {

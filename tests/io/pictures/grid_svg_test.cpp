@@ -36,14 +36,17 @@ TEST(GridSvg, DrawsCellsFrontierPathAndEnds) {
   EXPECT_THAT(text, HasSubstr("one \xC2\xB7 two"));
 }
 
-TEST(GridSvg, PlaysWithoutScriptsWhenAnimated) {
+TEST(GridSvg, PlaysByItselfWhenAnimatedAndCanBePaused) {
   GridPicture picture = picture_of(kBend.grid, GridMoves::four, kBend.start, kBend.goal);
   EXPECT_THAT(grid_svg(kBend.grid, picture), Not(HasSubstr("begin=")));
+  EXPECT_THAT(grid_svg(kBend.grid, picture), Not(HasSubstr("<script")));
   picture.animated = true;
   const std::string text = grid_svg(kBend.grid, picture);
   EXPECT_EQ(count(text, "<set "), picture.visited.size());  // fewer than 64: each has its moment
   EXPECT_EQ(count(text, "<animate "), 1U);
-  EXPECT_THAT(text, Not(HasSubstr("<script")));
+  EXPECT_EQ(count(text, "<script"), 1U);
+  EXPECT_THAT(text, HasSubstr("prefers-reduced-motion"));
+  EXPECT_EQ(count(text, "class=\"appears\""), picture.visited.size());
 }
 
 TEST(GridSvg, IsXmlWhateverTheTitle) {

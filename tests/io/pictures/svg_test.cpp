@@ -49,9 +49,18 @@ TEST(Svg, PutsNorthUp) {
 }
 
 TEST(Svg, IsTheSameAtEveryScaleThatIsAPowerOfTwo) {
-  const std::string one = svg(FreeSpace{World(room())});
-  for (const double scale : {0x1p-200, 0x1p-10, 0x1p20, 0x1p200})
-    EXPECT_EQ(svg(FreeSpace{World(room(scale))}), one) << scale;
+  const auto drawing = [](double scale) {  // the scale bar below says how large it is
+    const std::string all = svg(FreeSpace{World(room(scale))});
+    return all.substr(0, all.find("<g class=\"legend\">"));
+  };
+  for (const double scale : {0x1p-200, 0x1p-10, 0x1p20, 0x1p200}) EXPECT_EQ(drawing(scale), drawing(1)) << scale;
+}
+
+TEST(Svg, HasAScaleBarOfARoundNumberOfUnits) {
+  // 960 pixels are 4, 3 and 2048 units.
+  EXPECT_THAT(svg(FreeSpace{World(room())}), HasSubstr("h120m0-4v8\"/><text class=\"key\" x=\"152\" y=\"568\">0.5 units<"));
+  EXPECT_THAT(svg(FreeSpace{World(room(512))}), HasSubstr(">200 units<"));
+  EXPECT_THAT(svg(FreeSpace{World(room(2.5))}), HasSubstr(">1 unit<"));
 }
 
 TEST(Svg, EscapesWhatIsNoText) {
