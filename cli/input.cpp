@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <taut/cli/foreign.h>
 #include <taut/cli/messages.h>
 #include <taut/geometry/errors.h>
 
@@ -9,7 +10,10 @@ namespace taut::cli {
 
 Input read_input(const WorldOptions& options, const QueryOptions& query) {
   ReadNotes notes;
-  World world = read_world_file(options.file, options.read, &notes);
+  const std::string bytes = read_bytes(options.file), source = source_name(options.file);
+  ReadOptions read = options.read;
+  read.source = source;
+  World world = read_own(bytes, source, {FileKind::world}, [&] { return read_world(bytes, read, &notes); });
   if (options.wall_thickness) world = world.with_wall_thickness(*options.wall_thickness);
   if (query.from || query.to) world = world.with_ends(query.from, query.to);
   std::string name = world.source();

@@ -7,6 +7,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -116,6 +117,25 @@ std::vector<Command> all_commands(CommandLine& app) {
   return commands;
 }
 
+// `taut grid solve --version`, too. Not in every --help: it is in the program's.
+void add_version_flag(CLI::App& app) {
+  app.set_version_flag("--version,-V", "taut " TAUT_VERSION, "Print the version and exit")
+      ->group(app.get_parent() == nullptr ? "Options" : "");
+  for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) add_version_flag(*sub);
+}
+
+// `taut help`, `taut help grid solve`
+int help(CLI::App& app, const std::vector<std::string>& words) {
+  CLI::App* at = &app;
+  for (const std::string& word : words) {
+    const auto named = at->get_subcommands([&](const CLI::App* sub) { return sub->get_name() == word; });
+    if (named.empty()) return wrong_usage(*at, fmt::format("there is no subcommand '{}'", word));
+    at = named.front();
+  }
+  print(at->help());
+  return kFound;
+}
+
 int run(const Command& command) {
   Run run(command.line->full_name().substr(std::string_view("taut ").size()), *command.common);
   start_watch(command.common->limits);
@@ -131,12 +151,14 @@ int run(const Command& command) {
 
 int run(int argc, char** argv) {
   CLI::App app("Exact motion planning in the plane: shortest paths, or the walls that leave none.", "taut");
-  app.set_version_flag("--version,-V", "taut " TAUT_VERSION, "Print the version and exit");
   app.set_help_flag("--help,-h", "Print this help and exit");
   app.require_subcommand(1);
   CommandLine line(app);
   const std::vector<Command> commands = all_commands(line);
+  app.add_subcommand("help", "Print the help of a subcommand: taut help grid solve");
   app.footer(kFooter);
+  add_version_flag(app);
+  if (argc > 1 && std::string_view(argv[1]) == "help") return help(app, {argv + 2, argv + argc});
   if (const int code = parse(app, argc, argv); code >= 0) return code;
   for (const Command& command : commands)
     if (command.line->is_chosen()) return run(command);

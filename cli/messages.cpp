@@ -14,6 +14,13 @@ namespace {
 constexpr std::size_t kWidestProgress = 79;
 std::atomic<std::size_t> progress_width{0};  // of the line on the terminal; the watching thread may complain
 
+// How many bytes of a control character begin at i: 0 where none does. U+0080 to U+009F are two bytes of UTF-8.
+std::size_t control_length(std::string_view text, std::size_t i) noexcept {
+  const auto byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U; };
+  if (byte(i) < ' ' || byte(i) == 0x7f) return 1;
+  return byte(i) == 0xc2 && byte(i + 1) >= 0x80 && byte(i + 1) < 0xa0 ? 2 : 0;
+}
+
 bool colour() noexcept {
   const char* wish = std::getenv("NO_COLOR");
   const char* terminal = std::getenv("TERM");
@@ -32,19 +39,33 @@ void complain(std::string_view message) noexcept {
       if (n + 8 < sizeof line) line[n++] = c;
   };
   put(colour() ? "\033[1;31mtaut:\033[0m " : "taut: ");
-  for (const char c : message) {
-    const bool control = static_cast<unsigned char>(c) < ' ' || c == 0x7f;
-    put(std::string_view(control ? "?" : &c, 1));
+  for (std::size_t i = 0; i < message.size(); ++i) {
+    const std::size_t control = control_length(message, i);
+    put(control > 0 ? "?" : message.substr(i, 1));
+    if (control > 1) ++i;
   }
   put("\n");
   std::fwrite(line, 1, n, stderr);
   std::fflush(stderr);
 }
 
+std::string printable(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::size_t control = text[i] == '\n' || text[i] == '\t' ? 0 : control_length(text, i);
+    out += control > 0 ? '?' : text[i];
+    if (control > 1) ++i;
+  }
+  return out;
+}
+
 void note(std::string_view line) noexcept {
   end_progress();
-  std::fwrite(line.data(), 1, line.size(), stderr);
-  std::fputc('\n', stderr);
+  try {
+    const std::string text = printable(line) + "\n";
+    std::fwrite(text.data(), 1, text.size(), stderr);
+  } catch (...) {  // no memory: nothing that must be said
+  }
 }
 
 bool is_progress_shown() noexcept {

@@ -1,6 +1,7 @@
 // What is said on stderr.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace taut::cli {
@@ -9,7 +10,11 @@ namespace taut::cli {
 /// Control characters (of file names) become `?`. Allocates nothing.
 void complain(std::string_view message) noexcept;
 
-/// Writes a line of information to stderr.
+/// The text with `?` in the place of control characters, as file names may hold them: a terminal obeys those. Line ends
+/// and tabs stay.
+std::string printable(std::string_view text);
+
+/// Writes a line of information to stderr, printable.
 void note(std::string_view line) noexcept;
 
 /// Is stderr a terminal that can show progress?

@@ -209,8 +209,10 @@ void add_output_options(CommandLine& app, OutputOptions& options) {
   });
 }
 
-Option add_svg_option(CommandLine& app, std::string& file) {
-  return app.add_option("--svg", file, "Write a picture; - is standard output").type_name("FILE").group("Output");
+Option add_svg_option(CommandLine& app, std::string& file, const std::string& description) {
+  return app.add_option("--svg", file, description + "; NAME.png gets pixels, - is standard output")
+      .type_name("FILE")
+      .group("Output");
 }
 
 void require_one_stdout(const std::vector<std::pair<const char*, std::string>>& files) {

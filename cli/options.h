@@ -59,8 +59,8 @@ void add_output_options(CommandLine& app, OutputOptions& options);
 void add_result_options(CommandLine& app, CommonOptions& options);
 void add_common_options(CommandLine& app, CommonOptions& options);
 
-/// `--svg FILE`
-Option add_svg_option(CommandLine& app, std::string& file);
+/// `--svg FILE`. A name in .png gets pixels.
+Option add_svg_option(CommandLine& app, std::string& file, const std::string& description = "Write a picture");
 /// Throws UsageError when more than one of these files, with the options they were given by, is standard output.
 void require_one_stdout(const std::vector<std::pair<const char*, std::string>>& files);
 

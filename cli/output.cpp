@@ -56,6 +56,23 @@ void write_all(int file, std::string_view bytes, const std::string& path) {
   }
 }
 
+void rest_a_bit() { ::usleep(10'000); }
+
+// Of a file that does not block: what nobody takes within a second is given up.
+void write_soon(int file, std::string_view bytes, const std::string& path) {
+  for (int tries = 0; !bytes.empty() && tries < 100;) {
+    const ssize_t n = ::write(file, bytes.data(), bytes.size());
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0 && errno != EAGAIN) throw WriteError(path + ": cannot write: " + reason());
+    if (n > 0) bytes.remove_prefix(static_cast<std::size_t>(n));
+    if (n < 0) {
+      ++tries;
+      rest_a_bit();
+    }
+  }
+  if (!bytes.empty()) throw WriteError(path + ": cannot write: nobody reads it");
+}
+
 class OpenFile {
  public:
   OpenFile(int file, std::string path) : file_(file), path_(std::move(path)) {
@@ -84,24 +101,68 @@ mode_t usual_permissions() {
   return 0666 & ~mask;
 }
 
-void replace(const fs::path& target, const std::string& path, std::string_view bytes, mode_t permissions) {
+// Does the new file get the old one's owner, group and permissions? Only root may give a file away.
+bool is_alike(int file, const struct stat& old) {
+  struct stat now {};
+  if (::fstat(file, &now) != 0) return false;
+  if ((now.st_uid != old.st_uid || now.st_gid != old.st_gid) && ::fchown(file, old.st_uid, old.st_gid) != 0)
+    return false;
+  return ::fchmod(file, old.st_mode & 07777) == 0;
+}
+
+// Other names of the file, and its owner, keep what it holds.
+void overwrite(const fs::path& target, const std::string& path, std::string_view bytes) {
+  OpenFile file(::open(target.c_str(), O_WRONLY | O_CLOEXEC), path);
+  const auto size = static_cast<off_t>(bytes.size());
+  if (const int error = size > 0 ? ::posix_fallocate(file.file(), 0, size) : 0; error != 0)
+    throw WriteError(path + ": cannot write: " + std::strerror(error));
+  write_all(file.file(), bytes, path);
+  if (::ftruncate(file.file(), size) != 0) throw WriteError(path + ": cannot write: " + reason());
+  file.close();
+}
+
+// `old`: what is there now, if anything is.
+void replace(const fs::path& target, const std::string& path, std::string_view bytes, const struct stat* old) {
+  if (old && old->st_nlink > 1) return overwrite(target, path, bytes);
   Unfinished& other = unfinished();
   const std::lock_guard lock(other.mutex);
   const std::string pattern = (folder_of(target) / ".taut-XXXXXX").string();
   if (pattern.size() >= sizeof other.name) throw InputError(path, 0, "cannot write: the name is too long");
   std::strcpy(other.name, pattern.c_str());
   OpenFile file(::mkstemp(other.name), path);
+  bool is_renamed = false;
   try {
-    if (::fchmod(file.file(), permissions) != 0) throw WriteError(path + ": cannot write: " + reason());
-    write_all(file.file(), bytes, path);
+    const bool fits = old ? is_alike(file.file(), *old) : ::fchmod(file.file(), usual_permissions()) == 0;
+    if (!old && !fits) throw WriteError(path + ": cannot write: " + reason());
+    if (fits) write_all(file.file(), bytes, path);
     file.close();
-    if (::rename(other.name, target.c_str()) != 0) throw WriteError(path + ": cannot write: " + reason());
-    other.name[0] = 0;
+    if (fits && ::rename(other.name, target.c_str()) != 0) throw WriteError(path + ": cannot write: " + reason());
+    is_renamed = fits;
   } catch (...) {
     ::unlink(other.name);
     other.name[0] = 0;
     throw;
   }
+  if (!is_renamed) ::unlink(other.name);
+  other.name[0] = 0;
+  if (!is_renamed) overwrite(target, path, bytes);
+}
+
+// The reader of a pipe may come late, or never.
+int opened_soon(const std::string& path) {
+  for (int tries = 0;; ++tries) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+    if (file >= 0 || errno != ENXIO) return file;
+    if (tries == 100) throw WriteError(path + ": cannot write: nobody reads it");
+    rest_a_bit();
+  }
+}
+
+void write_stream(const std::string& path, std::string_view bytes, Patience patience) {
+  const bool hurries = patience == Patience::a_second;
+  OpenFile file(hurries ? opened_soon(path) : ::open(path.c_str(), O_WRONLY | O_CLOEXEC), path);
+  hurries ? write_soon(file.file(), bytes, path) : write_all(file.file(), bytes, path);
+  file.close();
 }
 
 }  // namespace
@@ -132,17 +193,19 @@ void require_writable(const std::string& path) {
     throw InputError(path, 0, "cannot write: two outputs have this name");
 }
 
-void write_file(const std::string& path, std::string_view bytes) {
+bool is_stream(const std::string& path) {
+  struct stat old {};
+  return !path.empty() && path != "-" && ::stat(path.c_str(), &old) == 0 && !S_ISREG(old.st_mode);
+}
+
+void write_file(const std::string& path, std::string_view bytes, Patience patience) {
   if (path.empty()) return;
   if (path == "-") return print(bytes);
   refuse_unwritable(path);
+  if (is_stream(path)) return write_stream(path, bytes, patience);
   struct stat old {};
   const bool exists = ::stat(path.c_str(), &old) == 0;
-  if (!exists || S_ISREG(old.st_mode))
-    return replace(resolved(path), path, bytes, exists ? old.st_mode & 07777 : usual_permissions());
-  OpenFile file(::open(path.c_str(), O_WRONLY | O_CLOEXEC), path);
-  write_all(file.file(), bytes, path);
-  file.close();
+  replace(resolved(path), path, bytes, exists ? &old : nullptr);
 }
 
 void print(std::string_view text) { write_all(STDOUT_FILENO, text, "<stdout>"); }

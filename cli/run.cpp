@@ -12,10 +12,22 @@
 #include <taut/cli/output.h>
 #include <taut/cli/report.h>
 #include <taut/cli/stop.h>
+#include <taut/geometry/errors.h>
+#include <taut/io/pictures/rasterised.h>
 
 namespace taut::cli {
 
 namespace {
+
+bool is_png(std::string_view name) { return name.ends_with(".png") || name.ends_with(".PNG"); }
+
+std::string png_of(const OutputFile& file) {
+  try {
+    return rasterised(file.bytes);
+  } catch (const RasterError& error) {
+    throw WriteError(file.name + ": cannot write a PNG: " + error.what());
+  }
+}
 
 std::string shown(const std::string& file) { return file == "-" ? "<stdin>" : file; }
 
@@ -24,20 +36,37 @@ std::string shown(const std::string& file) { return file == "-" ? "<stdin>" : fi
 struct Run::Shared {
   std::timed_mutex mutex;
   Envelope envelope;
+  std::vector<std::string> names;  // of inputs, with and without their folders
   std::string line;
   std::function<std::pair<Json, std::string>()> tell;
   std::string json;    // the file, once promised
   bool prints = true;  // the line, when stopped
   taut::Stopwatch watch;
 
-  // Whole or not at all: without the mutex there is only what never changes.
-  void say(Outcome outcome, const std::string& reason, const std::string& stage) {
-    if (json.empty()) return;
+  std::string text(Outcome outcome, const std::string& reason, const std::string& stage) {
     envelope.outcome = outcome;
     envelope.reason = reason;
     envelope.stage = stage;
     envelope.total = watch.seconds();
-    write_file(json, envelope_text(envelope));
+    return envelope_text(envelope);
+  }
+
+  // When stopped or refused.
+  void say(Outcome outcome, const std::string& reason, const std::string& stage) {
+    if (!json.empty()) write_file(json, text(outcome, reason, stage), Patience::a_second);
+  }
+
+  // Also of names with line ends, which printable() would leave alone.
+  void print_line(std::string text) const {
+    for (const std::string& name : names) {
+      if (name.find_first_of("\n\t") == std::string::npos) continue;
+      std::string tame = name;
+      std::ranges::replace_if(
+          tame, [](char c) { return c == '\n' || c == '\t'; }, '?');
+      for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos; at += tame.size())
+        text.replace(at, name.size(), tame);
+    }
+    print(printable(text));
   }
 };
 
@@ -62,7 +91,7 @@ Run::Run(std::string command, const CommonOptions& options) : options_(options),
     const std::unique_lock lock(shared->mutex, std::chrono::milliseconds(200));
     if (!lock.owns_lock()) return;  // memory ran out in the thread that holds it
     if (shared->tell) std::tie(shared->envelope.result, shared->line) = shared->tell();
-    if (shared->prints && !shared->line.empty()) print(shared->line);
+    if (shared->prints && !shared->line.empty()) shared->print_line(shared->line);
     shared->say(Outcome::stopped, why.reason, why.stage);
   });
   promise(options.json);
@@ -72,21 +101,26 @@ Run::Run(std::string command, const CommonOptions& options) : options_(options),
 Run::~Run() = default;
 
 void Run::promise(const std::string& file) {
+  if (is_png(file) && !why_not_rasterised().empty())
+    throw InputError(file, 0, "cannot write a PNG: " + why_not_rasterised());
+  if (file == "-" && is_stdout_taken_) throw UsageError("only one output can have standard output");
   require_writable(file);
   if (file == "-") is_stdout_taken_ = true;
   const std::lock_guard lock(shared_->mutex);
   shared_->prints = is_talkative();
 }
 
-void Run::source(const std::string& file) {
-  const std::lock_guard lock(shared_->mutex);
-  shared_->envelope.source = shown(file);
-}
+void Run::source(const std::string& file) { sources({file}); }
 
 void Run::sources(const std::vector<std::string>& files) {
-  std::string all;
-  for (const std::string& file : files) all += (all.empty() ? "" : " ") + shown(file);
-  source(all);
+  const std::lock_guard lock(shared_->mutex);
+  std::string& all = shared_->envelope.source;
+  all.clear();
+  for (const std::string& file : files) {
+    all += (all.empty() ? "" : " ") + shown(file);
+    shared_->names.push_back(file);
+    shared_->names.push_back(title_of(file));
+  }
 }
 
 Seconds Run::seconds(const char* stage) const {
@@ -127,19 +161,38 @@ void Run::note_stages(const Answer& answer) const {
   line("total", seconds(), "peak memory " + peak_memory_text());
 }
 
+// Pixels where the name asks for them. Limits still count: drawing may take a second.
+void Run::rasterise(std::vector<OutputFile>& files) {
+  for (OutputFile& file : files)
+    if (is_png(file.name) && file.bytes.starts_with("<svg")) file.bytes = stage("draw", [&] { return png_of(file); });
+}
+
 int Run::end(Answer answer) {
+  rasterise(answer.files);
+  when_stopped({});
+  so_far(std::move(answer.result), answer.line);  // where nobody reads a stream, this is what is written
   begin_stage("write");
+  for (const OutputFile& file : answer.files)
+    if (is_stream(file.name)) write_file(file.name, file.bytes);
+  if (is_stream(options_.json)) say(answer);
   finish();
-  for (const OutputFile& file : answer.files) write_file(file.name, file.bytes);
-  if (wants_json()) {
-    so_far(std::move(answer.result));
-    const std::lock_guard lock(shared_->mutex);
-    shared_->say(answer.outcome, answer.reason, {});
-  }
-  if (is_talkative()) print(answer.line);
+  for (const OutputFile& file : answer.files)
+    if (!is_stream(file.name)) write_file(file.name, file.bytes);
+  if (!is_stream(options_.json)) say(answer);
+  if (is_talkative()) shared_->print_line(answer.line);
   if (!is_stdout_taken_) print(answer.listing);
   if (options_.stats) note_stages(answer);
   return exit_code(answer.outcome);
+}
+
+void Run::say(const Answer& answer) {
+  // A copy: the thread that stops the program may want the original while this one waits for a reader.
+  std::string text;
+  {
+    const std::lock_guard lock(shared_->mutex);
+    text = shared_->text(answer.outcome, answer.reason, {});
+  }
+  if (wants_json()) write_file(options_.json, text);
 }
 
 int Run::refuse(const std::string& reason) noexcept {

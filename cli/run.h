@@ -23,7 +23,7 @@ struct Answer {
   Outcome outcome = Outcome::done;
   std::string reason{};   ///< why it is not found or done
   Json result{};          ///< goes into the envelope
-  std::string line{};     ///< for people, with its line end; none with --quiet
+  std::string line{};     ///< for people, with its line end; none with --quiet. Printed as printable()
   std::string listing{};  ///< asked for by an option of its own, as --path: printed with --quiet, too
   /// What to say of stages with --stats: `read`, `segments, 914 walls`. Names that were no stage go below them.
   std::vector<std::pair<std::string, std::string>> stats{};
@@ -33,7 +33,8 @@ struct Answer {
 /// How a run goes: promise() what will be written, do the work in stages, tell what is so_far() done, end().
 ///
 ///  1. --json gets an envelope however the run ends: found, none, refused, stopped by a limit or an interrupt.
-///  2. Other files are written at the end alone, when nothing can go wrong any more but writing itself.
+///  2. Other files are written at the end alone, when nothing can go wrong any more but writing itself. A picture whose
+///     name ends in .png is written as pixels. Pipes come first and limits still hold for them.
 ///  3. Of a run that is stopped what so_far() was told last is written and printed, with status `stopped`.
 class Run {
  public:
@@ -41,7 +42,8 @@ class Run {
   Run(std::string command, const CommonOptions& options);
   ~Run();
 
-  /// Throws InputError where no file of that name can be made. `-` is standard output: then no line is printed.
+  /// Throws InputError where no file of that name can be made. `-` is standard output: then no line is printed; a second
+  /// one is a UsageError.
   void promise(const std::string& file);
   /// The input's name for the envelope, `-` being <stdin>.
   void source(const std::string& file);
@@ -91,6 +93,8 @@ class Run {
   struct Shared;
 
   void note_stages(const Answer& answer) const;
+  void rasterise(std::vector<OutputFile>& files);
+  void say(const Answer& answer);
 
   const CommonOptions& options_;
   bool is_stdout_taken_ = false;
