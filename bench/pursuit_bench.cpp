@@ -1,4 +1,4 @@
-// Catching a moving target: the exact planner beside the report's and beside the full dynamic programme; large maps;
+// Catching a moving target: the exact planner beside the one that chooses its entry first, and beside the full dynamic programme; large maps;
 // the reader.
 #include <benchmark/benchmark.h>
 
@@ -19,7 +19,7 @@ ChaseMap town(int side, int seconds) {
   return generate_chase_map({.x_size = side, .y_size = side, .seconds = seconds, .costly = true, .seed = 2});
 }
 
-// Like the course's large maps: costs that rise towards walls, here so far that corridors have no cheap cell.
+// Like the large maps of contests: costs that rise towards walls, here so far that corridors have no cheap cell.
 ChaseMap building(int side, int seconds) {
   return generate_chase_map({.x_size = side,
                              .y_size = side,
@@ -37,7 +37,7 @@ void run_planner(benchmark::State& state, const char* name, ChaseMap (*make)(int
   const Cost bound = exact_plan(chase).bound;  // the optimum, unless the labels of the exact planner ran out
   Plan plan;
   for (auto _ : state) plan = planner.plan(chase, {}, nullptr);
-  if (plan.status == PlanStatus::stopped) {  // the report's planner, when its one way of least cost is late everywhere
+  if (plan.status == PlanStatus::stopped) {  // `entry`, when its one way of least cost is late everywhere
     state.SetLabel("no plan");
     return;
   }
@@ -48,9 +48,9 @@ void run_planner(benchmark::State& state, const char* name, ChaseMap (*make)(int
   state.counters["proven"] = plan.optimal;
 }
 void exact(benchmark::State& state) { run_planner(state, "exact"); }
-void report(benchmark::State& state) { run_planner(state, "report"); }
+void entry(benchmark::State& state) { run_planner(state, "entry"); }
 void exact_in_building(benchmark::State& state) { run_planner(state, "exact", building); }
-void report_in_building(benchmark::State& state) { run_planner(state, "report", building); }
+void entry_in_building(benchmark::State& state) { run_planner(state, "entry", building); }
 void first(benchmark::State& state) { run_planner(state, "first"); }
 
 void full_programme(benchmark::State& state) {
@@ -76,7 +76,7 @@ BENCHMARK(exact)
     ->Args({2000, 5000})
     ->MeasureProcessCPUTime()
     ->Unit(benchmark::kMillisecond);
-BENCHMARK(report)
+BENCHMARK(entry)
     ->Args({60, 200})
     ->Args({500, 1500})
     ->Args({2000, 5000})
@@ -87,7 +87,7 @@ BENCHMARK(exact_in_building)
     ->Args({5000, 5000})
     ->MeasureProcessCPUTime()
     ->Unit(benchmark::kMillisecond);
-BENCHMARK(report_in_building)
+BENCHMARK(entry_in_building)
     ->Args({2000, 5000})
     ->Args({5000, 5000})
     ->MeasureProcessCPUTime()

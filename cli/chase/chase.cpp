@@ -1,22 +1,18 @@
 // taut chase: catching a moving target on a cost map.
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <taut/cli/chase/chase_text.h>
 #include <taut/cli/chase/options.h>
-#include <taut/cli/chase/svg.h>
 #include <taut/cli/command.h>
-#include <taut/cli/command_line.h>
-#include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>
-#include <taut/cli/output.h>
 #include <taut/cli/report.h>
-#include <taut/cli/timing.h>
+#include <taut/cli/run.h>
+#include <taut/io/pictures/chase_svg.h>
+#include <taut/io/results/chase_json.h>
 
 namespace taut::cli {
 
@@ -31,6 +27,7 @@ std::string planner_list() {
 }
 
 const NamedPlanner* planner_of(const std::string& name) {
+  if (name == "report") throw UsageError("--planner: report is entry now; did you mean `--planner entry`?");
   const NamedPlanner* found = chase_planner(name);
   if (!found) throw UsageError("--planner: '" + name + "' is not one of " + planner_list());
   return found;
@@ -43,7 +40,7 @@ struct ChaseOptions {
   ChaseRuleOptions rules;
   bool online = false;
   std::optional<int> horizon;
-  OutputOptions output;
+  std::string svg;
   std::string animation;
   bool path = false;
   CommonOptions common;
@@ -57,7 +54,7 @@ void add_options(CommandLine& app, ChaseOptions& options) {
            options.planner = planner_of(text);
            options.names_planner = true;
          },
-         "Who plans: exact (default), report, weighted, first")
+         "Who plans, see below (default: exact)")
       .type_name("NAME")
       .group("Rules");
   app.add_flag("--online", options.online,
@@ -68,7 +65,7 @@ void add_options(CommandLine& app, ChaseOptions& options) {
       .range(0, 1'000'000)
       .group("Rules");
   add_chase_rule_options(app, options.rules);
-  add_output_options(app, options.output);
+  add_svg_option(app, options.svg);
   add_animate_option(app, options.animation, "Write a moving picture (SVG)");
   app.add_flag("--path", options.path, "Print where the robot is at each second: `SECOND X,Y`").group("Output");
   app.optional_subcommand();
@@ -77,8 +74,11 @@ void add_options(CommandLine& app, ChaseOptions& options) {
     if (options.file.empty()) throw UsageError("MAP is required");
     if (options.horizon && !options.online) throw UsageError("--horizon needs --online");
     if (options.online && options.names_planner) throw UsageError("--online plans by itself, without --planner");
-    settle_animation(app, options.animation, options.output.svg, options.output.json);
+    settle_animation(app, options.animation, options.svg, options.common.json);
   });
+  explain_chase_planners(app);
+  app.example("taut chase data/town_60x40.chase --svg town.svg");
+  app.example("taut chase data/town_60x40.chase --online --horizon 5 --animate town.svg");
 }
 
 ChaseRequest request_of(const ChaseOptions& options) {
@@ -87,76 +87,44 @@ ChaseRequest request_of(const ChaseOptions& options) {
   return request;
 }
 
-void say_what_it_took(const ChaseRun& run, double read) {
-  note(fmt::format("read {}, first move after {}, slowest {}, {}, {} expanded, {} labels{}, peak memory {}",
-                   seconds_text(read), seconds_text(run.result.first_thought), seconds_text(run.result.longest_thought),
-                   count_text(static_cast<std::size_t>(run.plans), "plan"), run.effort.expanded, run.effort.labels,
-                   run.seconds_ahead > 0 ? ", planned " + seconds_text(run.seconds_ahead) + " while moving" : "",
-                   peak_memory_text()));
+Outcome outcome_of(const ChaseRun& run) {
+  return run.is_caught() ? Outcome::found : run.is_hopeless() ? Outcome::none : Outcome::unproven;
 }
 
-/// Says how far the first planning came when the program is stopped, be it by what was thrown out of run().
-class LastWords {
- public:
-  LastWords(std::shared_ptr<const ChaseMap> map, const ChaseRequest& request, const std::string& json) {
-    on_stop([map = std::move(map), best = best_, json, planner = std::string(request.planner_name()),
-             clock = std::string(name(request.clock))](const Stop& why) {
-      const std::lock_guard lock(best->mutex);
-      const bool found = best->plan.status == PlanStatus::found;
-      if (found)
-        note(fmt::format("the best plan so far costs {}; the least cost is at least {}",
-                         map->cost_text(best->plan.cost), map->cost_text(best->plan.bound)));
-      using Json = nlohmann::ordered_json;
-      const Json answer = {{"file", map->source()},
-                           {"status", "stopped"},
-                           {"reason", why.reason},
-                           {"stage", why.stage},
-                           {"planner", planner},
-                           {"clock", clock},
-                           {"plan_cost", found ? Json(map->cost_value(best->plan.cost)) : Json(nullptr)},
-                           {"lower_bound", found ? Json(map->cost_value(best->plan.bound)) : Json(nullptr)}};
-      write_file(json, answer.dump() + "\n");
-    });
-  }
-  void hear(const Plan& plan) {
-    const std::lock_guard lock(best_->mutex);
-    best_->plan = plan;
-  }
+// Of those that were asked for.
+std::vector<OutputFile> pictures(const ChaseOptions& options, const ChaseMap& map, const ChaseRun& chase) {
+  std::vector<OutputFile> files;
+  const std::string title = title_of(map.source());
+  if (!options.svg.empty()) files.push_back({options.svg, chase_svg(map, chase, title, false)});
+  if (!options.animation.empty()) files.push_back({options.animation, chase_svg(map, chase, title, true)});
+  return files;
+}
 
- private:
-  struct Best {
-    std::mutex mutex;
-    Plan plan{};
-  };
-  std::shared_ptr<Best> best_ = std::make_shared<Best>();
-};
+std::string effort_text(const ChaseRun& run) {
+  return fmt::format("first move after {}, slowest {}, {}, {} expanded, {} labels{}",
+                     seconds_text(run.result.first_thought), seconds_text(run.result.longest_thought),
+                     count_text(static_cast<std::size_t>(run.plans), "plan"), run.effort.expanded, run.effort.labels,
+                     run.seconds_ahead > 0 ? ", planned " + seconds_text(run.seconds_ahead) + " while moving" : "");
+}
 
-int run(const ChaseOptions& options) {
-  for (const std::string& file : {options.output.svg, options.output.json, options.animation}) require_writable(file);
-  double read = 0, played = 0;
-  const auto kept =
-      timed("read", read, [&] { return std::make_shared<const ChaseMap>(read_chase_file(options.file)); });
-  const ChaseMap& map = *kept;
+int run(const ChaseOptions& options, Run& run) {
+  run.source(options.file);
+  for (const std::string& file : {options.svg, options.animation}) run.promise(file);
+  const ChaseMap map = run.stage("read", [&] { return read_chase_file(options.file); });
   if (map.rounded()) note(fmt::format("taut: {}: costs have more digits than fit and were rounded", map.source()));
   const ChaseRequest request = request_of(options);
-  LastWords last_words(kept, request, options.output.json);
-  const ChaseRun run =
-      timed("chase", played, [&] { return run_chase(map, request, [&](const Plan& plan) { last_words.hear(plan); }); });
-  begin_stage("write");
-  const std::string drawing = options.output.svg.empty() ? "" : chase_svg(map, run, false);
-  const std::string animation = options.animation.empty() ? "" : chase_svg(map, run, true);
-  const std::string json = options.output.json.empty() ? "" : chase_json(map, run).dump() + "\n";
-  finish();
-  write_file(options.output.svg, drawing);
-  write_file(options.animation, animation);
-  write_file(options.output.json, json);
-  if (!options.output.stdout_taken() && options.animation != "-") {
-    if (!options.output.quiet) print(chase_text(map, run));
-    if (options.path) print(track_text(map, run));
-  }
-  if (options.output.stats) say_what_it_took(run, read);
-  if (run.exit_code() == kInternal) complain("internal error: " + run.why_not());
-  return run.exit_code();
+  const auto hear = [&](const Plan& plan) { run.so_far(chase_plan_json(map, request, plan), plan_text(map, plan)); };
+  hear({});
+  const ChaseRun chase = run.stage("chase", [&] { return run_chase(map, request, hear); });
+  Json json = checked_json(map, chase);
+  std::vector<OutputFile> files = run.stage("draw", [&] { return pictures(options, map, chase); });
+  return run.end({.outcome = outcome_of(chase),
+                  .reason = chase.is_caught() ? "" : chase.why_not(),
+                  .result = std::move(json),
+                  .line = chase_text(map, chase),
+                  .listing = options.path ? track_text(map, chase) : "",
+                  .stats = {{"chase", effort_text(chase)}},
+                  .files = std::move(files)});
 }
 
 }  // namespace

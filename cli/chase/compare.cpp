@@ -1,6 +1,5 @@
 // taut chase compare: all planners on the same maps.
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <string>
@@ -8,12 +7,9 @@
 
 #include <taut/cli/chase/options.h>
 #include <taut/cli/command.h>
-#include <taut/cli/command_line.h>
-#include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>
-#include <taut/cli/output.h>
 #include <taut/cli/report.h>
-#include <taut/cli/timing.h>
+#include <taut/cli/run.h>
 
 namespace taut::cli {
 
@@ -24,50 +20,84 @@ namespace {
 struct ChaseCompareOptions {
   std::vector<std::string> files;
   ChaseRuleOptions rules;
-  std::string json;
   CommonOptions common;
 };
 
 void add_compare_options(CommandLine& app, ChaseCompareOptions& options) {
   app.add_option("MAP", options.files, "Cost maps").required();
   add_chase_rule_options(app, options.rules);
-  app.add_option("--json", options.json, "Write everything as JSON; - is standard output")
-      .type_name("FILE")
-      .group("Output");
+  explain_chase_planners(app);
+  app.example("taut chase compare data/town_60x40.chase --free-planning");
 }
 
-std::string row(const ChaseMap& map, const ChaseRun& run) {
-  const ChaseResult& r = run.result;
-  return fmt::format("{:<20} {:<9} {:>6} {:>6} {:>6} {:>12} {:>7} {:>12} {:>12}\n", title_of(map.source()),
-                     run.request.planner_name(), run.is_caught() ? "yes" : "no", r.time, r.moves, map.cost_text(r.cost),
-                     run.is_proven(map) || run.is_hopeless() ? "yes" : "no", seconds_text(r.first_thought),
-                     seconds_text(r.longest_thought));
-}
+/// All planners on all maps: the rows, and what they say of each map.
+class Comparison {
+ public:
+  Comparison(const ChaseRuleOptions& rules, Run& run) : rules_(rules), run_(run) {}
 
-int run_compare(const ChaseCompareOptions& options) {
-  require_writable(options.json);
-  std::string table = fmt::format("{:<20} {:<9} {:>6} {:>6} {:>6} {:>12} {:>7} {:>12} {:>12}\n", "map", "planner",
-                                  "caught", "time", "moves", "cost", "proven", "first plan", "slowest");
-  nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  int code = kFound;
-  double ignored = 0;
-  for (const std::string& file : options.files) {
-    const ChaseMap map = timed("read", ignored, [&] { return read_chase_file(file); });
-    int best = kInternal;
+  void add(const std::string& file) {
+    const ChaseMap map = run_.stage("read", [&] { return read_chase_file(file); });
+    Outcome best = Outcome::unproven;
     for (const NamedPlanner& planner : chase_planners()) {
-      const ChaseRun run = timed("chase", ignored, [&] { return run_chase(map, options.rules.request(&planner)); });
-      table += row(map, run);
-      if (!options.json.empty()) all.push_back(chase_json(map, run));
-      if (!run.is_caught())
-        note(fmt::format("taut: {}: {}: {}", title_of(file), run.request.planner_name(), run.why_not()));
-      best = std::min(best, run.exit_code());
+      const Outcome one = add(map, planner);
+      // Caught by anybody, or proven by anybody to be out of reach, is an answer.
+      if (one == Outcome::found || best == Outcome::unproven) best = one;
     }
-    code = std::max(code, best);
+    if (exit_code(best) > exit_code(outcome_)) {
+      outcome_ = best;
+      reason_ = title_of(map.source()) + ": " + why_not_;
+    }
   }
-  finish();
-  write_file(options.json, options.json.empty() ? "" : all.dump() + "\n");
-  if (options.json != "-") print(table);
-  return code;
+
+  Answer answer() const {
+    return {.outcome = outcome_, .reason = reason_, .result = {{"chases", rows_}}, .line = table_};
+  }
+
+ private:
+  Outcome add(const ChaseMap& map, const NamedPlanner& planner) {
+    const double before = run_.seconds("chase").cpu;
+    const ChaseRun chase = run_.stage("chase", [&] { return run_chase(map, rules_.request(&planner)); });
+    const double cpu = run_.seconds("chase").cpu - before;
+    Json json = checked_json(map, chase);
+    const Outcome outcome = chase.is_caught()     ? Outcome::found
+                            : chase.is_hopeless() ? Outcome::none
+                                                  : Outcome::unproven;
+    json["file"] = map.source();
+    json["status"] = taut::name(outcome);
+    json["cpu_seconds"] = cpu;
+    rows_.push_back(std::move(json));
+    table_ += line_of(map, chase, cpu);
+    if (!chase.is_caught()) {
+      why_not_ = chase.why_not();
+      note(fmt::format("taut: {}: {}: {}", title_of(map.source()), planner.name, why_not_));
+    }
+    run_.so_far({{"chases", rows_}}, table_);
+    return outcome;
+  }
+
+  static std::string line_of(const ChaseMap& map, const ChaseRun& chase, double cpu) {
+    const ChaseResult& r = chase.result;
+    return fmt::format("{:<20} {:<9} {:>6} {:>6} {:>6} {:>12} {:>7} {:>12} {:>12} {:>10}\n", title_of(map.source()),
+                       chase.request.planner_name(), chase.is_caught() ? "yes" : "no", r.time, r.moves,
+                       map.cost_text(r.cost), chase.is_proven(map) || chase.is_hopeless() ? "yes" : "no",
+                       seconds_text(r.first_thought), seconds_text(r.longest_thought), seconds_text(cpu));
+  }
+
+  const ChaseRuleOptions& rules_;
+  Run& run_;
+  std::string table_ =
+      fmt::format("{:<20} {:<9} {:>6} {:>6} {:>6} {:>12} {:>7} {:>12} {:>12} {:>10}\n", "map", "planner", "caught",
+                  "time", "moves", "cost", "proven", "first plan", "slowest", "cpu");
+  Json rows_ = Json::array();
+  Outcome outcome_ = Outcome::found;
+  std::string reason_, why_not_;
+};
+
+int run_compare(const ChaseCompareOptions& options, Run& run) {
+  run.sources(options.files);
+  Comparison comparison(options.rules, run);
+  for (const std::string& file : options.files) comparison.add(file);
+  return run.end(comparison.answer());
 }
 
 }  // namespace

@@ -4,10 +4,8 @@
 #include <string>
 
 #include <taut/cli/command.h>
-#include <taut/cli/command_line.h>
-#include <taut/cli/exit_code.h>
-#include <taut/cli/output.h>
-#include <taut/cli/stop.h>
+#include <taut/cli/options.h>
+#include <taut/cli/run.h>
 #include <taut/robots/pursuit/chase_generator.h>
 
 namespace taut::cli {
@@ -31,6 +29,13 @@ void set_size(ChaseRecipe& recipe, const std::string& text) {
       throw UsageError(fmt::format("--size: '{}' is not XxY or N, of 3 to {}", text, ChaseMap::kLongestSide));
   recipe.x_size = static_cast<int>(x);
   recipe.y_size = static_cast<int>(y);
+}
+
+void refuse_idle_options(const CommandLine& app, const ChaseRecipe& recipe) {
+  const bool is_building = recipe.ground == ChaseGround::building;
+  if (app.count("--inflation") > 0 && !(is_building && recipe.costly))
+    throw UsageError("--inflation needs --building and --costly");
+  if (app.count("--buildings") > 0 && is_building) throw UsageError("--buildings is for a town, not for --building");
 }
 
 void add_generate_options(CommandLine& app, ChaseGenerateOptions& options) {
@@ -66,17 +71,21 @@ void add_generate_options(CommandLine& app, ChaseGenerateOptions& options) {
   app.add_option("-o,--output", options.file, "Write to this file instead of standard output")
       .type_name("FILE")
       .group("Map");
+  app.callback([&app, &options] { refuse_idle_options(app, options.recipe); });
+  app.example("taut chase generate --size 120x80 --costly --seed 7 -o town.chase");
 }
 
-int run_generate(const ChaseGenerateOptions& options) {
-  require_writable(options.file);
-  begin_stage("generate");
+int run_generate(const ChaseGenerateOptions& options, Run& run) {
+  run.promise(options.file);
   ChaseRecipe recipe = options.recipe;
   recipe.seed = options.common.seed;
-  const std::string text = chase_map_text(generate_chase_map(recipe));
-  finish();
-  write_file(options.file, text);
-  return kFound;
+  std::string text = run.stage("generate", [&] { return chase_map_text(generate_chase_map(recipe)); });
+  Json result{{"x_size", recipe.x_size},
+              {"y_size", recipe.y_size},
+              {"duration", recipe.seconds},
+              {"seed", recipe.seed},
+              {"bytes", text.size()}};
+  return run.end({.result = std::move(result), .files = {{options.file, std::move(text)}}});
 }
 
 }  // namespace

@@ -1,7 +1,12 @@
 #include <taut/cli/chase/options.h>
-#include <taut/cli/command_line.h>
 
+#include <sys/resource.h>
+
+#include <stdexcept>
+
+#include <taut/cli/foreign.h>
 #include <taut/cli/options.h>
+#include <taut/io/results/chase_json.h>
 #include <taut/io/worlds/read_chase_map.h>
 #include <taut/io/worlds/read_world.h>
 
@@ -37,14 +42,30 @@ void add_chase_rule_options(CommandLine& app, ChaseRuleOptions& rules) {
            rules.plan_seconds = number_of(text, "--plan-seconds");
            if (*rules.plan_seconds < 0) throw UsageError("--plan-seconds: '" + text + "' is below 0");
          },
-         "Let exact, report and weighted plan for that long; exact then takes its best so far. 0: to the end (default: "
+         "Let exact, entry and weighted plan for that long; exact then takes its best so far. 0: to the end (default: "
          "0.9, with --free-planning 0)")
       .type_name("S")
       .group("Rules");
 }
 
+void explain_chase_planners(CommandLine& app) {
+  std::vector<Choice> choices;
+  for (const NamedPlanner& planner : chase_planners()) choices.emplace_back(planner.name, planner.description);
+  app.explain("Planners", choices);
+}
+
+Json checked_json(const ChaseMap& map, const ChaseRun& run) {
+  if (!run.fault.empty()) throw std::logic_error("the chase does not pass its own check: " + run.fault);
+  Json json = chase_json(map, run);
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  json["peak_memory_bytes"] = static_cast<std::size_t>(usage.ru_maxrss) * 1024;
+  return json;
+}
+
 ChaseMap read_chase_file(const std::string& file) {
-  return read_chase_map(read_bytes(file), file == "-" ? "<stdin>" : file);
+  const std::string bytes = read_bytes(file), source = source_name(file);
+  return read_own(bytes, source, {FileKind::cost_map}, [&] { return read_chase_map(bytes, source); });
 }
 
 }  // namespace taut::cli

@@ -4,8 +4,9 @@
 #include <optional>
 #include <string>
 
-#include <taut/cli/chase/run.h>
 #include <taut/cli/command_line.h>
+#include <taut/io/results/json.h>
+#include <taut/robots/pursuit/chase_run.h>
 
 namespace taut::cli {
 
@@ -15,13 +16,19 @@ struct ChaseRuleOptions {
   bool free_planning = false;
   std::optional<double> plan_seconds{};
 
-  ChaseRequest request(const pursuit::NamedPlanner* planner) const;
+  pursuit::ChaseRequest request(const pursuit::NamedPlanner* planner) const;
 };
 
 /// --clock, --free-planning, --plan-seconds.
 void add_chase_rule_options(CommandLine& app, ChaseRuleOptions& rules);
 
+/// A line for each planner, for --help.
+void explain_chase_planners(CommandLine& app);
+
 /// A file, or standard input for `-`.
 pursuit::ChaseMap read_chase_file(const std::string& file);
+
+/// chase_json with `peak_memory_bytes`. Throws std::logic_error when a plan or a step was wrong.
+Json checked_json(const pursuit::ChaseMap& map, const pursuit::ChaseRun& run);
 
 }  // namespace taut::cli

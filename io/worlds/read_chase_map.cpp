@@ -6,8 +6,8 @@
 
 #include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
-#include <taut/robots/pursuit/detail/cost_store.h>
-#include <taut/robots/pursuit/detail/decimal.h>
+#include <taut/io/worlds/detail/cost_store.h>
+#include <taut/io/worlds/detail/decimal.h>
 
 namespace taut::pursuit {
 

@@ -105,15 +105,15 @@ ChaseResult play(const ChaseMap& map, const ChaseRules& rules, const NextMove& n
 
 std::span<const NamedPlanner> chase_planners() {
   static constexpr std::array<NamedPlanner, 4> kPlanners{{
-      {"exact", "the least cost, proven",
+      {"exact", "the least cost, proven; its best so far when time is up",
        [](const Chase& chase, const PlanLimits& limits, PlanEffort* effort) {
          return exact_plan(chase, limits, effort);
        }},
-      {"report", "A* to the entry that looks cheapest, waiting there",
+      {"entry", "A* to the cell of the trajectory where the target looks cheapest to meet, waiting there",
        [](const Chase& chase, const PlanLimits& limits, PlanEffort* effort) {
          return entry_plan(chase, 1, limits, effort);
        }},
-      {"weighted", "the same with the heuristic three times as heavy",
+      {"weighted", "entry with the heuristic three times as heavy",
        [](const Chase& chase, const PlanLimits& limits, PlanEffort* effort) {
          return entry_plan(chase, kWeight, limits, effort);
        }},

@@ -1,4 +1,4 @@
-// A chase second by second, as the course's scoring programs run it, and somebody who follows a planner's plans.
+// A chase second by second, as scoring programs run it, and somebody who follows a planner's plans.
 #pragma once
 
 #include <functional>
@@ -71,7 +71,7 @@ struct NamedPlanner {
   Plan (*plan)(const Chase&, const PlanLimits&, PlanEffort*);
 };
 
-/// `exact`, `report`, `weighted` (the report's with weight 3), `first`.
+/// `exact`, `entry`, `weighted` (entry with weight 3), `first`.
 std::span<const NamedPlanner> chase_planners();
 const NamedPlanner* chase_planner(std::string_view name);  ///< null when there is none of that name
 

@@ -1,4 +1,4 @@
-// The planner of the course's report: chooses where to meet the target first, then how to get there.
+// A planner in two steps: it chooses where to meet the target first, then how to get there.
 #pragma once
 
 #include <taut/robots/pursuit/pursuit.h>

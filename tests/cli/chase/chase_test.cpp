@@ -1,4 +1,6 @@
 // taut chase
+#include <sys/stat.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -20,7 +22,7 @@ class ChaseProgram : public ProgramTest {};
 
 std::string town() { return (data_dir() / "town_60x40.chase").string(); }
 
-TEST_F(ChaseProgram, PrintsTheFourColumnsOfTheReport) {
+TEST_F(ChaseProgram, PrintsWhatIsProvenAndFourColumns) {
   const Outcome run = run_taut("chase " + town());
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(run.out,
@@ -31,8 +33,8 @@ TEST_F(ChaseProgram, PrintsTheFourColumnsOfTheReport) {
 }
 
 void expect_optima(const std::string& map, int zero, int one) {
-  EXPECT_EQ(json::parse(run_taut("chase --json - --clock zero " + map).out)["cost"], zero);
-  EXPECT_EQ(json::parse(run_taut("chase --json - --clock one " + map).out)["cost"], one);
+  EXPECT_EQ(json::parse(run_taut("chase --json - --clock zero " + map).out)["result"]["cost"], zero);
+  EXPECT_EQ(json::parse(run_taut("chase --json - --clock one " + map).out)["result"]["cost"], one);
 }
 
 TEST_F(ChaseProgram, ReproducesTheOptimumByBothClocks) {
@@ -41,7 +43,9 @@ TEST_F(ChaseProgram, ReproducesTheOptimumByBothClocks) {
 }
 
 TEST_F(ChaseProgram, WritesJsonPathAndPictures) {
-  const json answer = json::parse(run_taut("chase --json - " + town()).out);
+  const json envelope = json::parse(run_taut("chase --json - " + town()).out), answer = envelope["result"];
+  EXPECT_EQ(envelope["command"], "chase");
+  EXPECT_EQ(envelope["status"], "found");
   EXPECT_EQ(answer["caught"], true);
   EXPECT_EQ(answer["time"], 40);
   EXPECT_EQ(answer["moves"], 40);
@@ -62,21 +66,58 @@ TEST_F(ChaseProgram, WritesJsonPathAndPictures) {
   EXPECT_THAT(still, HasSubstr("<title>town_60x40.chase</title>"));
   for (const char* key : {">robot<", ">target<", ">target later<", ">obstacle<", ">cost 1 to 101<"})
     EXPECT_THAT(still, HasSubstr(key));
+  EXPECT_THAT(still, HasSubstr(">10 cells<"));
+  EXPECT_EQ(still, run_taut("chase --svg - " + town()).out);
   EXPECT_THAT(moving, HasSubstr("<animate attributeName=\"cx\""));
 }
 
 TEST_F(ChaseProgram, LetsEachPlannerChase) {
   const Outcome run = run_taut("chase compare " + town());
   EXPECT_EQ(run.code, 0) << run.err;
-  for (const char* line : {"exact +yes +40 +40 +71 +yes", "report +yes +83 +78 +83 +no", "weighted +yes", "first +yes"})
+  for (const char* line : {"exact +yes +40 +40 +71 +yes", "entry +yes +83 +78 +83 +no", "weighted +yes", "first +yes"})
     EXPECT_THAT(run.out, ContainsRegex(line));
-  EXPECT_EQ(json::parse(run_taut("chase compare --json - " + town()).out).size(), 4U);
-  EXPECT_THAT(run_taut("chase --planner report " + town()).out, HasSubstr("not proven optimal"));
+  EXPECT_EQ(json::parse(run_taut("chase compare --json - " + town()).out)["result"]["chases"].size(), 4U);
+  EXPECT_EQ(run_taut("chase compare -q " + town()).out, "");
+  EXPECT_THAT(run_taut("chase --planner entry " + town()).out, HasSubstr("not proven optimal"));
+  const Outcome old = run_taut("chase --planner report " + town());
+  EXPECT_EQ(old.code, 2);
+  EXPECT_THAT(old.err, HasSubstr("did you mean `--planner entry`?"));
+}
+
+// A building so large that the least cost is not proven for a while; its first plan comes soon.
+TEST_F(ChaseProgram, WritesTheBestPlanSoFarWhenStopped) {
+  const std::string map = (folder / "large.chase").string(), file = (folder / "a.json").string();
+  ASSERT_EQ(run_taut("chase generate --building --costly --size 700 --duration 3000 --seed 2 -o " + map).code, 0);
+  for (const double seconds : {0.5, 1.0, 2.0, 4.0}) {
+    const Outcome run = run_taut("chase --free-planning --json " + file + " " + map, "", seconds);
+    if (run.code == 0) continue;  // a fast machine
+    EXPECT_EQ(run.code, 4);
+    const json envelope = json::parse(contents(file));
+    EXPECT_EQ(envelope["status"], "stopped");
+    EXPECT_THAT(envelope["reason"].get<std::string>(), StartsWith("interrupted"));
+    const json& answer = envelope["result"];
+    if (answer.is_null() || answer["plan_cost"].is_null()) continue;  // before the first plan
+    EXPECT_LE(answer["lower_bound"], answer["plan_cost"]);
+    EXPECT_GT(answer["path"].size(), 1U);
+    EXPECT_THAT(run.out, HasSubstr("the best plan so far costs "));
+  }
+}
+
+TEST_F(ChaseProgram, KeepsFinishedRowsWhenTheComparisonIsStopped) {
+  const std::string endless = (folder / "endless").string(), file = (folder / "a.json").string();
+  ASSERT_EQ(mkfifo(endless.c_str(), 0600), 0);
+  const Outcome run =
+      run_taut("chase compare " + town() + " - --max-seconds 5 --json " + file + " <>" + endless);
+  EXPECT_EQ(run.code, 4);
+  EXPECT_THAT(run.out, ContainsRegex("first +yes"));
+  const json envelope = json::parse(contents(file));
+  EXPECT_EQ(envelope["status"], "stopped");
+  EXPECT_EQ(envelope["result"]["chases"].size(), 4U);
 }
 
 TEST_F(ChaseProgram, SaysWhyATargetCannotBeCaught) {
   const auto expect_reason = [](const char* map, const char* reason) {
-    for (const char* planner : {"exact", "report", "weighted", "first"}) {
+    for (const char* planner : {"exact", "entry", "weighted", "first"}) {
       const Outcome run = run_taut(std::string("chase - --planner ") + planner, map);
       EXPECT_EQ(run.code, 1) << planner;
       EXPECT_EQ(run.out, std::string("<stdin>: the target cannot be caught: ") + reason + "\n") << planner;
@@ -96,7 +137,7 @@ TEST_F(ChaseProgram, ChasesATargetThatItSeesSecondBySecond) {
   EXPECT_EQ(all.code, 0) << all.err;
   EXPECT_THAT(all.out, HasSubstr("costs 1.000 times the optimum of one who knows all"));
   EXPECT_THAT(all.out, HasSubstr("   yes      40      40      71\n"));
-  const json answer = json::parse(run_taut("chase --online --json - " + town()).out);
+  const json answer = json::parse(run_taut("chase --online --json - " + town()).out)["result"];
   EXPECT_EQ(answer["planner"], "online");
   EXPECT_EQ(answer["caught"], true);
   EXPECT_EQ(answer["online"]["horizon"], 0);
@@ -110,7 +151,7 @@ TEST_F(ChaseProgram, GeneratesBuildings) {
   const Outcome map = run_taut("chase generate --building --costly --inflation 3 --size 80x50 --duration 150 --seed 4");
   EXPECT_EQ(map.out,
             run_taut("chase generate --building --costly --inflation 3 --size 80x50 --duration 150 --seed 4").out);
-  EXPECT_EQ(json::parse(run_taut("chase - --json -", map.out).out)["proven"], true);
+  EXPECT_EQ(json::parse(run_taut("chase - --json -", map.out).out)["result"]["proven"], true);
 }
 
 TEST_F(ChaseProgram, GeneratesTheTownOfTheData) {
@@ -122,7 +163,8 @@ TEST_F(ChaseProgram, RefusesWrongUsage) {
   for (const char* words :
        {"chase", "chase --planner magic x", "chase --clock two x", "chase compare", "chase generate --size 2",
         "chase --svg - --animate - x", "chase --plan-seconds -1 x", "chase --horizon 3 x",
-        "chase --online --planner exact x", "chase generate --inflation 0"}) {
+        "chase --online --planner exact x", "chase generate --inflation 0", "chase generate --inflation 3",
+        "chase generate --building --buildings 0.3", "chase --robot disc:1 x", "chase generate --json -"}) {
     const Outcome run = run_taut(words);
     EXPECT_EQ(run.code, 2) << words;
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;

@@ -204,7 +204,7 @@ TEST(EntryPlan, IsLegalAndNeverCheaperThanTheOptimum) {
 TEST(EntryPlan, WaitsAtTheGoalInsteadOfTheCheapestCell) {
   const ChaseMap map = line_map("1,5 1,5 1,5 1,5 1,5 1,5 1,5 1,5", "9,1,9,9,9,9");
   PlanEffort effort;
-  EXPECT_EQ(chase_planner("report")->plan(chase_of(map, Clock::zero), {}, &effort).cost, 9 + 1 + 9 + 9);
+  EXPECT_EQ(chase_planner("entry")->plan(chase_of(map, Clock::zero), {}, &effort).cost, 9 + 1 + 9 + 9);
   EXPECT_GT(effort.labels, 0U);
 }
 
@@ -221,7 +221,7 @@ TEST(EntryPlan, TakesTheWayOfLeastCostWhenThereAreTooManyStates) {
 struct Published {
   std::filesystem::path file;
   Cost zero, one;           // optima
-  Cost report = 1'000'000;  // what the planner `report` reached where it was published, by its clock
+  Cost entry = 1'000'000;  // the most that the planner `entry` may pay
 };
 
 std::vector<Published> published() {
@@ -229,11 +229,11 @@ std::vector<Published> published() {
   if (const auto shared = test::shared_data_dir())
     for (const Published& p : {Published{"map3.txt.gz", 241, 240, 244}, Published{"map4.txt.gz", 375, 376, 380},
                                Published{"map5.txt", 1063, 1015}, Published{"map12.txt.gz", 101, 102}})
-      all.push_back({*shared / "pursuit" / p.file, p.zero, p.one, p.report});
+      all.push_back({*shared / "pursuit" / p.file, p.zero, p.one, p.entry});
   return all;
 }
 
-TEST(Chase, CatchesTheTargetsOfFilesAtLeastCostAndTheReportAsWellAsItSays) {
+TEST(Chase, CatchesTheTargetsOfFilesAtLeastCostAndByEntryAsCheaplyAsPublished) {
   for (const Published& p : published()) {
     SCOPED_TRACE(p.file);
     const ChaseMap map = read_chase_map(read_bytes(p.file.string()), p.file.string());
@@ -247,7 +247,7 @@ TEST(Chase, CatchesTheTargetsOfFilesAtLeastCostAndTheReportAsWellAsItSays) {
         EXPECT_EQ(result.end, ChaseEnd::caught);
         EXPECT_GE(result.cost, least);
         EXPECT_TRUE(planner.name != "exact" || result.cost == least);
-        EXPECT_TRUE(planner.name != "report" || result.cost <= p.report);
+        EXPECT_TRUE(planner.name != "entry" || result.cost <= p.entry);
       }
   }
 }

@@ -1,4 +1,4 @@
-#include <taut/cli/chase/svg.h>
+#include <taut/io/pictures/chase_svg.h>
 
 #include <fmt/format.h>
 
@@ -6,31 +6,35 @@
 #include <utility>
 #include <vector>
 
-#include <taut/cli/png.h>
-#include <taut/cli/report.h>
 #include <taut/io/pictures/detail/svg_frame.h>
+#include <taut/io/pictures/detail/svg_motion.h>
+#include <taut/io/pictures/png.h>
 
-namespace taut::cli {
-
-using namespace pursuit;
+namespace taut::pursuit {
 
 namespace {
 
 constexpr int kMostPixels = 1000;
-constexpr Pixel kWall{52, 60, 82};
+constexpr Pixel kWall{75, 86, 104};  // as .obstacle
 
-constexpr const char* kStyle = R"(.taut.chase .robot{stroke:#0b62d6}
-.taut.chase .target{stroke:#d3221f}
-.taut.chase .way{fill:none;stroke-width:3;stroke-linejoin:round;stroke-linecap:round}
-.taut.chase .casing{stroke:#fff;stroke-width:5.5;stroke-opacity:.8}
+// On a dark page the map is turned to its negative, its hues kept: dear cells stay the ones that stand out.
+constexpr const char* kStyle = R"(.taut.chase .way{fill:none;stroke-width:3;stroke-linejoin:round;stroke-linecap:round}
+.taut.chase .casing{stroke-width:5.5;stroke-opacity:.8}
 .taut.chase .rest{stroke-width:1.5;stroke-dasharray:3 5}
-.taut.chase circle{fill:#fff;stroke-width:2.5}
+.taut.chase .mark circle{fill:#fff;stroke-width:2.5}
 .taut.chase .mark text{font-size:12px;paint-order:stroke;stroke:#fff;stroke-width:3px;stroke-linejoin:round}
-.taut.chase .robot text{fill:#0b62d6}
-.taut.chase .target text{fill:#d3221f}
-.taut.chase circle.robot{fill:#0b62d6;stroke:#fff}
-.taut.chase circle.target{fill:#d3221f;stroke:#fff}
+.taut.chase .forward text{fill:#b8430a}
+.taut.chase .target text{fill:#5f2bb0}
+.taut.chase circle.target{fill:#7a3fd4;stroke:#fff;stroke-width:2}
 .taut.chase image{image-rendering:pixelated}
+@media (prefers-color-scheme:dark){
+.taut.chase image,.taut.chase .cost{filter:invert(1) hue-rotate(180deg)}
+.taut.chase .mark circle{fill:#12161d}
+.taut.chase .mark text{stroke:#12161d}
+.taut.chase .forward text{fill:#ffa06b}
+.taut.chase .target text{fill:#cdb3ff}
+.taut.chase circle.target{fill:#b48cff;stroke:#12161d}
+}
 )";
 
 std::string colour_of(const Pixel& p) { return fmt::format("#{:02x}{:02x}{:02x}", p[0], p[1], p[2]); }
@@ -121,14 +125,14 @@ struct Label {
 
 class Picture {
  public:
-  Picture(const ChaseMap& map, const ChaseRun& run)
+  Picture(const ChaseMap& map, const ChaseRun& run, const std::string& title)
       : map_(map),
         run_(run),
         shades_(map),
-        scale_(detail::kMapPixels / std::max(map.x_size(), map.y_size())),
+        scale_(taut::detail::kMapPixels / std::max(map.x_size(), map.y_size())),
         width_(scale_ * map.x_size()),
         height_(scale_ * map.y_size()),
-        frame_({width_, height_}, title_of(map.source()), facts(), keys()) {
+        frame_({width_, height_}, title, facts(), keys()) {
     const std::vector<ChaseStep>& track = run.result.track;
     for (std::size_t i = 0; i + 1 < track.size(); ++i)
       robot_.insert(robot_.end(), static_cast<std::size_t>(track[i + 1].second - track[i].second), track[i].cell);
@@ -136,12 +140,15 @@ class Picture {
   }
 
   std::string drawn(bool moves) {
-    out_ = frame_.head("chase", kStyle + fmt::format(".taut.chase .obstacle{{fill:{}}}\n", colour_of(kWall)));
+    out_ = frame_.head("chase", kStyle);
     out_ += fmt::format("<g transform=\"translate({:.2f} {:.2f})\">\n", frame_.map().min.x, frame_.map().min.y);
     draw_map();
     draw_ways();
-    moves ? draw_runners() : draw_marks();
-    return out_ + "</g>\n" + frame_.foot();
+    draw_marks();
+    if (moves) draw_runners();
+    out_ += "</g>\n";
+    if (moves) out_ += taut::detail::film_controls({frame_.width() - 4, 3});
+    return out_ + frame_.foot();
   }
 
  private:
@@ -186,8 +193,9 @@ class Picture {
     if (after.size() > 1) out_ += fmt::format("<path class=\"way rest target\" d=\"{}\"/>\n", line(after));
     for (const bool is_robot : {false, true}) {
       const std::string way = line(is_robot ? robot_ : until);
-      out_ += fmt::format("<path class=\"way casing\" d=\"{0}\"/><path class=\"way {1}\" d=\"{0}\"/>\n", way,
-                          is_robot ? "robot" : "target");
+      out_ += fmt::format(
+          "<g class=\"path\"><path class=\"way casing\" d=\"{0}\"/><path class=\"way {1}\" d=\"{0}\"/></g>\n", way,
+          is_robot ? "line" : "target");
     }
   }
 
@@ -206,10 +214,10 @@ class Picture {
   // Where there is no room for a label its mark is without one; the end comes first.
   void draw_marks() {
     const int step = mark_step(seconds());
-    out_ += "<g class=\"mark robot\">";
+    out_ += "<g class=\"mark forward\">";
     mark(robot_.back(), fmt::format("{} at {}", run_.is_caught() ? "caught" : "ends", seconds()), false);
     out_ += "</g>\n";
-    for (const auto& [who, above] : {std::pair{"target", true}, std::pair{"robot", false}}) {
+    for (const auto& [who, above] : {std::pair{"target", true}, std::pair{"forward", false}}) {
       const bool is_robot = !above;
       out_ += fmt::format("<g class=\"mark {}\">", who);
       const auto at = [&](int s) { return is_robot ? robot_[static_cast<std::size_t>(s)] : target(s); };
@@ -226,7 +234,7 @@ class Picture {
   void draw_runners() {
     const int most = 3000, every = seconds() / most + 1, pause = std::max(1, seconds() / every / 20);
     const double lasts = std::clamp(seconds() / 25.0, 4.0, 40.0);
-    for (const char* who : {"target", "robot"}) {
+    for (const char* who : {"target", "runner"}) {
       std::string xs, ys;
       const auto add = [&](int second) {
         const bool is_robot = who[0] == 'r';
@@ -237,7 +245,8 @@ class Picture {
       for (int s = 0; s < seconds(); s += every) add(s);
       for (int i = 0; i <= pause; ++i) add(seconds());
       out_ += fmt::format(
-          "<circle class=\"{}\" r=\"8\"><animate attributeName=\"cx\" dur=\"{:.1f}s\" repeatCount=\"indefinite\" "
+          "<circle class=\"{} moving\" r=\"8\"><animate attributeName=\"cx\" dur=\"{:.1f}s\" "
+          "repeatCount=\"indefinite\" "
           "values=\"{}\"/><animate attributeName=\"cy\" dur=\"{:.1f}s\" repeatCount=\"indefinite\" "
           "values=\"{}\"/></circle>\n",
           who, lasts, xs, lasts, ys);
@@ -254,15 +263,16 @@ class Picture {
             fmt::format("clock {}", name(run_.request.clock))};
   }
 
-  std::vector<detail::SvgKey> keys() const {
-    using enum detail::SvgKey::Sample;
-    std::vector<detail::SvgKey> keys{{"robot", "robot", line, {}}, {"target", "target", line, {}}};
+  std::vector<taut::detail::SvgKey> keys() const {
+    using enum taut::detail::SvgKey::Sample;
+    std::vector<taut::detail::SvgKey> keys{{"path", "robot", line, {}}, {"target", "target", line, {}}};
     if (run_.result.track.back().second + 1 < static_cast<int>(map_.duration() + shift()))
       keys.push_back({"target rest", "target later", line, {}});
     keys.push_back({"obstacle", "obstacle", patch, {}});
     keys.push_back({"cost",
                     fmt::format("cost {} to {}", map_.cost_text(shades_.least()), map_.cost_text(shades_.most())),
                     scale, shades_.scale()});
+    keys.push_back(taut::detail::ruler_key(scale_, "cell", "cells"));
     return keys;
   }
 
@@ -270,7 +280,7 @@ class Picture {
   const ChaseRun& run_;
   Shades shades_;
   double scale_, width_, height_;
-  detail::SvgFrame frame_;
+  taut::detail::SvgFrame frame_;
   std::vector<Label> labels_;
   std::vector<CellIndex> robot_;  // one a second
   std::string out_;
@@ -278,6 +288,8 @@ class Picture {
 
 }  // namespace
 
-std::string chase_svg(const ChaseMap& map, const ChaseRun& run, bool moves) { return Picture(map, run).drawn(moves); }
+std::string chase_svg(const ChaseMap& map, const ChaseRun& run, const std::string& title, bool moves) {
+  return Picture(map, run, title).drawn(moves);
+}
 
-}  // namespace taut::cli
+}  // namespace taut::pursuit

@@ -1,4 +1,4 @@
-#include <taut/robots/pursuit/detail/decimal.h>
+#include <taut/io/worlds/detail/decimal.h>
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include <taut/cli/png.h>
+#include <taut/io/pictures/png.h>
 
 #include <png.h>
 
@@ -6,7 +6,7 @@
 
 #include <taut/geometry/detail/expects.h>
 
-namespace taut::cli {
+namespace taut {
 
 namespace {
 
@@ -50,4 +50,4 @@ std::string png(const Pixels& image) {
 
 std::string png_address(const Pixels& image) { return "data:image/png;base64," + base64(png(image)); }
 
-}  // namespace taut::cli
+}  // namespace taut

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include <taut/io/worlds/detail/decimal.h>
 #include <taut/robots/pursuit/chase_map.h>
-#include <taut/robots/pursuit/detail/decimal.h>
 
 namespace taut::pursuit::detail {
 

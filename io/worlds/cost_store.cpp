@@ -1,4 +1,4 @@
-#include <taut/robots/pursuit/detail/cost_store.h>
+#include <taut/io/worlds/detail/cost_store.h>
 
 #include <algorithm>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace taut::cli {
+namespace taut {
 
 using Pixel = std::array<std::uint8_t, 3>;  ///< red, green, blue
 
@@ -23,4 +23,4 @@ std::string png(const Pixels& image);
 /// The same as `data:image/png;base64,...`
 std::string png_address(const Pixels& image);
 
-}  // namespace taut::cli
+}  // namespace taut

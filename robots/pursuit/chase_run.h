@@ -1,0 +1,54 @@
+// One chase, asked for and played: a planner, or somebody who sees the target second by second, on a map by a clock.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include <taut/robots/pursuit/chase.h>
+
+namespace taut::pursuit {
+
+/// How it is played.
+struct ChaseRequest {
+  const NamedPlanner* planner = nullptr;
+  Clock clock = Clock::zero;
+  bool free_planning = false;
+  double plan_seconds = 0;     ///< a call of the planner; 0: no limit
+  std::optional<int> horizon;  ///< online: the seconds of the trajectory that are seen ahead; nobody plans on all of it
+
+  std::string_view planner_name() const { return horizon ? "online" : planner->name; }
+
+  PlanLimits limits() const;
+};
+
+/// What came of it.
+struct ChaseRun {
+  ChaseRequest request;
+  ChaseResult result;
+  Plan plan;  ///< the first; when online what somebody would do who knows it all: `exact`
+  PlanEffort effort;
+  int plans = 0;
+  double seconds_ahead = 0;  ///< of planning while the robot moved
+  std::string fault;         ///< of a plan as fault_of() sees it, or of a step; a defect of the planner
+
+  bool is_caught() const { return result.end == ChaseEnd::caught; }
+  /// Nobody catches it for less: the plan is proven, and it was kept.
+  bool is_proven(const ChaseMap& map) const;
+  /// Nobody catches it at all.
+  bool is_hopeless() const { return plan.status == PlanStatus::none && !is_caught(); }
+  std::string why_not() const;  ///< when not caught
+  /// When online and caught: the cost in parts of that of `plan`.
+  std::optional<double> ratio() const;
+};
+
+/// Plays the request. `better` is told of each better plan for the whole chase, see PlanLimits, and is kept no longer
+/// than the call.
+ChaseRun run_chase(const ChaseMap& map, const ChaseRequest& request,
+                   const std::function<void(const Plan&)>& better = {});
+
+/// `zero` or `one`
+std::string_view name(Clock clock);
+
+}  // namespace taut::pursuit
