@@ -227,6 +227,10 @@ std::vector<Stand> stands(const FreeSpace& space, Point p, Point goal) {
 
 }  // namespace
 
+std::string_view name(Algorithm algorithm) {
+  return algorithm == Algorithm::bug1 ? "bug1" : algorithm == Algorithm::bug2 ? "bug2" : "tangent";
+}
+
 Journey travel(const FreeSpace& space, Point from, Point to, const Options& options) {
   require_free(space, from, "start");
   require_free(space, to, "goal");

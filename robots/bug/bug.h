@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include <taut/geometry/free_space.h>
@@ -17,6 +18,9 @@ enum class Algorithm {
   bug2,  ///< walks along the contour it hits until it is on the m-line again, no farther from the goal, and can go on
   tangent,  ///< goes around what it sees in its way by the corner that promises the shorter path
 };
+
+/// `bug1`, `bug2`, `tangent`
+std::string_view name(Algorithm algorithm);
 
 /// Which way the robot turns when it hits: left keeps the obstacle at its right hand. Tangent Bug: when both promise
 /// the same.

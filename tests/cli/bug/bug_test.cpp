@@ -1,4 +1,6 @@
 // taut bug: what it prints, writes and returns.
+#include <sys/stat.h>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,8 +21,9 @@ class BugCommand : public ProgramTest {};
 TEST_F(BugCommand, GivesLengthBoundAndContactsAsJson) {
   const Outcome run = run_taut("bug - --algorithm 2 --turn left --json -", kRoom);
   ASSERT_EQ(run.code, 0) << run.err;
-  const auto json = nlohmann::json::parse(run.out);
-  EXPECT_EQ(json["status"], "found");
+  const auto envelope = nlohmann::json::parse(run.out), json = envelope["result"];
+  EXPECT_EQ(envelope["status"], "found");
+  EXPECT_EQ(envelope["command"], "bug");
   EXPECT_EQ(json["length"], 4);
   EXPECT_GE(json["bound"], json["length"]);
   EXPECT_EQ(json["hits"].size(), 1U);
@@ -37,7 +40,7 @@ TEST_F(BugCommand, EndsWithOneWhenThereIsNoPathAndTwoOnNonsense) {
 TEST_F(BugCommand, PrintsTheShortestLengthAndTheRatioBesideTangentBugs) {
   const Outcome run = run_taut("bug - --algorithm tangent --range inf --json -", kRoom);
   ASSERT_EQ(run.code, 0) << run.err;
-  const auto json = nlohmann::json::parse(run.out);
+  const auto json = nlohmann::json::parse(run.out)["result"];
   EXPECT_EQ(json["algorithm"], "tangent");
   EXPECT_EQ(json["range"], "inf");
   EXPECT_EQ(json["length"], json["shortest"]);
@@ -63,6 +66,13 @@ TEST_F(BugCommand, DrawsWhatWasInSight) {
               testing::Not(testing::HasSubstr("<g class=\"views\">")));
 }
 
+TEST_F(BugCommand, NamesItsContactsBesideThePathAndInTheKey) {
+  const std::string picture = run_taut("bug - --svg -", kRoom).out;
+  for (const char* words : {">H1<", ">L1<", ">hit point<", ">leave point<", ">straight line<"})
+    EXPECT_THAT(picture, testing::HasSubstr(words));
+  EXPECT_EQ(picture, run_taut("bug - --svg -", kRoom).out);
+}
+
 TEST_F(BugCommand, ComparesAllBugsWithTheShortestPath) {
   const std::string room = folder.file("room.txt", kRoom), sealed = folder.file("sealed.txt", kSealed);
   const Outcome run = run_taut("bug compare " + room + " --range 0,1,inf");
@@ -70,8 +80,24 @@ TEST_F(BugCommand, ComparesAllBugsWithTheShortestPath) {
   for (const char* robot : {"bug1", "bug2", "tangent", "shortest"}) EXPECT_THAT(run.out, testing::HasSubstr(robot));
   EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 7);
   EXPECT_EQ(run_taut("bug compare " + room + " " + sealed).code, 1);
+  EXPECT_EQ(run_taut("bug compare -q " + room).out, "");
+  const auto all = nlohmann::json::parse(run_taut("bug compare --json - " + room + " " + sealed).out);
+  EXPECT_EQ(all["status"], "none");
+  EXPECT_EQ(all["result"]["journeys"].size(), 8U);
   EXPECT_EQ(run_taut("bug compare").code, 2);
   EXPECT_EQ(run_taut("bug").code, 2);
+}
+
+TEST_F(BugCommand, KeepsFinishedRowsWhenTheComparisonIsStopped) {
+  const std::string room = folder.file("room.txt", kRoom), endless = (folder / "endless").string();
+  ASSERT_EQ(mkfifo(endless.c_str(), 0600), 0);
+  const std::string file = (folder / "a.json").string();
+  const Outcome run = run_taut("bug compare " + room + " - --max-seconds 2 --json " + file + " <>" + endless);
+  EXPECT_EQ(run.code, 4);
+  EXPECT_THAT(run.out, testing::HasSubstr("shortest"));
+  const auto envelope = nlohmann::json::parse(contents(file));
+  EXPECT_EQ(envelope["status"], "stopped");
+  EXPECT_EQ(envelope["result"]["journeys"].size(), 4U);
 }
 
 }  // namespace

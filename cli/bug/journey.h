@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include <taut/cli/command_line.h>
 #include <taut/cli/options.h>
+#include <taut/cli/run.h>
 #include <taut/geometry/free_space.h>
 #include <taut/geometry/length.h>
 #include <taut/robots/bug/bug.h>
@@ -21,29 +21,30 @@ struct BugWorld {
   Point goal;                      ///< of a goal room the middle of its first box that is free
   std::optional<Length> shortest;  ///< of all paths; nothing when there is none
   bool is_shut = false;            ///< walls prove that there is none
+  bool is_shut = false;            ///< walls prove that there is none
 };
 
 /// Throws InputError.
-BugWorld read_bug_world(const WorldOptions& world, const QueryOptions& query);
+BugWorld read_bug_world(const WorldOptions& world, const QueryOptions& query, Run& run);
 
 /// Throws std::logic_error when the journey does not pass verify(), is longer than its bound, or is wrong about whether
 /// there is a path.
-bug::Journey checked_journey(const BugWorld& world, const bug::Options& options);
+bug::Journey checked_journey(const BugWorld& world, const bug::Options& options, Run& run);
 
-/// `bug1`, `bug2`, `tangent`
-std::string name_of(bug::Algorithm algorithm);
-/// Of these names, or `1`, `2`. Throws UsageError.
-bug::Algorithm bug_algorithm_of(const std::string& text);
+/// found, none where walls prove it, else unproven.
+Outcome outcome_of(const BugWorld& world);
+std::string reason_of(const BugWorld& world);
+
 /// A number >= 0 or `inf`. Throws UsageError.
 double bug_range_of(const std::string& text);
-bug::Turn bug_turn_of(const std::string& text);
 std::string range_text(double range);
-/// The journey's length by the shortest; nothing without a path or when both are 0.
-std::optional<double> ratio_of(const BugWorld& world, const bug::Journey& journey);
+/// --turn.
+void add_turn_option(CommandLine& app, bug::Options& options);
+/// A line for each algorithm, for --help.
+void explain_bugs(CommandLine& app);
 
-/// `bug tangent`, `range 2`, `length 12`, ...
-std::vector<std::string> bug_facts(const BugWorld& world, const bug::Options& options, const bug::Journey& journey);
-std::string bug_svg(const BugWorld& world, const bug::Options& options, const bug::Journey& journey, bool animated);
-std::string bug_json(const BugWorld& world, const bug::Options& options, const bug::Journey& journey);
+/// `tangent bug`, `range 2`, `length 12`, ...; `all`: what pictures say by labels, too.
+std::vector<std::string> bug_facts(const BugWorld& world, const bug::Options& options, const bug::Journey& journey,
+                                   bool all);
 
 }  // namespace taut::cli

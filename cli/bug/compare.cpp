@@ -1,0 +1,128 @@
+// taut bug compare: all bugs on the same worlds, beside the shortest path.
+#include <taut/cli/bug/compare.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include <taut/cli/bug/journey.h>
+#include <taut/cli/report.h>
+#include <taut/io/results/bug_json.h>
+
+namespace taut::cli {
+
+using bug::Algorithm;
+using bug::Journey;
+
+namespace {
+
+struct CompareOptions {
+  WorldOptions world;
+  std::vector<std::string> files;
+  QueryOptions query;
+  CommonOptions common;
+  bug::Options bug;
+  std::vector<double> ranges{0, bug_range_of("inf")};
+};
+
+std::vector<double> ranges_in(const std::string& list) {
+  std::vector<double> ranges;
+  for (std::size_t from = 0; from <= list.size();) {
+    const std::size_t comma = std::min(list.find(',', from), list.size());
+    ranges.push_back(bug_range_of(list.substr(from, comma - from)));
+    from = comma + 1;
+  }
+  return ranges;
+}
+
+void add_options(CommandLine& app, CompareOptions& options) {
+  app.add_option("FILE", options.files, "Worlds").required();
+  add_query_options(app, options.query);
+  app.add_option_function(
+         "--range", [&options](const std::string& list) { options.ranges = ranges_in(list); },
+         "The ranges of tangent, separated by commas (default: 0,inf)")
+      .type_name("LIST")
+      .group("Query");
+  add_turn_option(app, options.bug);
+  explain_bugs(app);
+  app.example("taut bug compare data/maze_25x25.txt --range 0,2,inf");
+}
+
+std::size_t followed(const Journey& journey) {
+  std::size_t count = 0;
+  for (const bug::Obstacle& o : journey.obstacles) count += o.hits;
+  return count;
+}
+
+/// All bugs in all worlds.
+class Comparison {
+ public:
+  Comparison(const CompareOptions& options, Run& run) : options_(options), run_(run) {}
+
+  void add(const std::string& file) {
+    WorldOptions one = options_.world;
+    one.file = file;
+    const BugWorld world = read_bug_world(one, options_.query, run_);
+    add(world, {Algorithm::bug1, options_.bug.turn, 0});
+    add(world, {Algorithm::bug2, options_.bug.turn, 0});
+    for (const double range : options_.ranges) add(world, {Algorithm::tangent, options_.bug.turn, range});
+    add_shortest(world);
+    if (exit_code(outcome_of(world)) > exit_code(outcome_)) {
+      outcome_ = outcome_of(world);
+      reason_ = title_of(world.name) + ": " + reason_of(world);
+    }
+  }
+
+  Answer answer() const {
+    return {.outcome = outcome_, .reason = reason_, .result = {{"journeys", rows_}}, .line = table_};
+  }
+
+ private:
+  void add(const BugWorld& world, const bug::Options& how) {
+    const double before = run_.seconds("search").cpu;
+    const Journey journey = checked_journey(world, how, run_);
+    const double cpu = run_.seconds("search").cpu - before;
+    const auto ratio = ratio_of(journey, world.shortest);
+    table_ += fmt::format("{:<24} {:<8} {:>6} {:>8} {:>14} {:>8} {:>14} {:>9} {:>9}\n", title_of(world.name),
+                          name(how.algorithm), how.algorithm == Algorithm::tangent ? range_text(how.range) : "",
+                          journey.reached ? "found" : "none", journey.path.length.decimals(6),
+                          ratio ? fmt::format("{:.3f}", *ratio) : "", fmt::format("{:.6f}", journey.bound.hi),
+                          followed(journey), seconds_text(cpu));
+    Json row = bug_json(journey, how, world.start, world.goal, world.shortest);
+    row["world"] = world.name;
+    row["status"] = taut::name(outcome_of(world));
+    row["cpu_seconds"] = cpu;
+    rows_.push_back(std::move(row));
+    run_.so_far({{"journeys", rows_}}, table_);
+  }
+
+  void add_shortest(const BugWorld& world) {
+    table_ += fmt::format("{:<24} {:<8} {:>6} {:>8} {:>14}\n", title_of(world.name), "shortest", "",
+                          world.shortest ? "found" : "none", world.shortest ? world.shortest->decimals(6) : "");
+    run_.so_far({{"journeys", rows_}}, table_);
+  }
+
+  const CompareOptions& options_;
+  Run& run_;
+  std::string table_ = fmt::format("{:<24} {:<8} {:>6} {:>8} {:>14} {:>8} {:>14} {:>9} {:>9}\n", "world", "robot",
+                                   "range", "goal", "length", "ratio", "bound", "followed", "cpu");
+  Json rows_ = Json::array();
+  Outcome outcome_ = Outcome::found;
+  std::string reason_;
+};
+
+int run(const CompareOptions& options, Run& run) {
+  run.sources(options.files);
+  Comparison comparison(options, run);
+  for (const std::string& file : options.files) comparison.add(file);
+  return run.end(comparison.answer());
+}
+
+}  // namespace
+
+Command bug_compare_command(CommandLine& bug) {
+  return command<CompareOptions>(bug, "compare", "All bugs on the same worlds, beside the shortest path", add_options,
+                                 run);
+}
+
+}  // namespace taut::cli
