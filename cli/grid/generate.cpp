@@ -5,11 +5,8 @@
 #include <random>
 
 #include <taut/cli/command.h>
-#include <taut/cli/command_line.h>
-#include <taut/cli/exit_code.h>
-#include <taut/cli/output.h>
 #include <taut/cli/report.h>
-#include <taut/cli/stop.h>
+#include <taut/cli/run.h>
 #include <taut/io/worlds/movingai.h>
 #include <taut/search/grid/grid_generator.h>
 #include <taut/search/grid/grid_search.h>
@@ -69,9 +66,9 @@ void add_options(CommandLine& app, GenerateOptions& options) {
       .range(1, 100000)
       .type_name("N")
       .group("Output");
-  app.callback([&options] {
-    if (options.output == "-" && options.scenario_file == "-")
-      throw UsageError("only one of --output and --scen can have standard output");
+  app.example("taut grid generate --kind rooms --size 80x60 --seed 3 -o rooms.map --scen rooms.map.scen");
+  app.callback([&app, &options] {
+    if (app.count("--scenarios") > 0 && options.scenario_file.empty()) throw UsageError("--scenarios needs --scen");
   });
 }
 
@@ -103,18 +100,20 @@ std::vector<Scenario> drawn_scenarios(const OccupancyGrid& grid, const GenerateO
   return all;
 }
 
-int run(const GenerateOptions& options) {
-  require_writable(options.output);
-  require_writable(options.scenario_file);
-  begin_stage("generate");
-  const OccupancyGrid grid = generate_grid(options.kind, options.width, options.height, options.common.seed);
-  const std::string map = movingai_map_text(grid);
-  const std::string scenarios =
-      options.scenario_file.empty() ? "" : movingai_scenario_text(drawn_scenarios(grid, options));
-  finish();
-  write_file(options.output, map);
-  if (!options.scenario_file.empty()) write_file(options.scenario_file, scenarios);
-  return kFound;
+int run(const GenerateOptions& options, Run& run) {
+  run.promise(options.output);
+  run.promise(options.scenario_file);
+  const OccupancyGrid grid = run.stage(
+      "generate", [&] { return generate_grid(options.kind, options.width, options.height, options.common.seed); });
+  Json result{
+      {"kind", name(options.kind)}, {"width", grid.width}, {"height", grid.height}, {"seed", options.common.seed}};
+  std::vector<OutputFile> files{{options.output, movingai_map_text(grid)}};
+  if (!options.scenario_file.empty()) {
+    const std::vector<Scenario> drawn = run.stage("scenarios", [&] { return drawn_scenarios(grid, options); });
+    result["scenarios"] = drawn.size();
+    files.push_back({options.scenario_file, movingai_scenario_text(drawn)});
+  }
+  return run.end({.result = std::move(result), .files = std::move(files)});
 }
 
 }  // namespace

@@ -1,13 +1,15 @@
 // taut grid: discrete searches on grid maps. What its subcommands share.
-#include <taut/cli/command_line.h>
 #include <taut/cli/grid/grid.h>
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
 
 #include <taut/cli/command.h>
+#include <taut/cli/foreign.h>
+#include <taut/cli/options.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/worlds/read_world.h>
 
@@ -24,6 +26,11 @@ std::string algorithm_names() {
 
 bool is_movingai(std::string_view text) {
   return text.substr(0, text.find('\n')).find("type") != std::string_view::npos;
+}
+
+// In its first line.
+bool has_blanks(std::string_view text) {
+  return text.substr(0, text.find('\n')).find_first_of(" \t") != std::string_view::npos;
 }
 
 /// The place, which must be free.
@@ -79,14 +86,6 @@ double grid_weight_of(const std::string& text) {
   return weight;
 }
 
-std::size_t grid_steps_of(const std::string& text) {
-  std::size_t steps = 0;
-  const char* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, steps);
-  if (read.ec != std::errc() || read.ptr != end) throw UsageError("--max-steps: '" + text + "' is no number of steps");
-  return steps;
-}
-
 void add_grid_options(CommandLine& app, GridOptions& options, bool with_start) {
   app.add_option("FILE", options.file, "A grid map: csv, MovingAI map or drawing; - is standard input").required();
   add_value(app, "--moves", options.moves, &grid_moves_of, "RULE",
@@ -94,18 +93,23 @@ void add_grid_options(CommandLine& app, GridOptions& options, bool with_start) {
             "octile in MovingAI maps and for jps",
             "Query");
   if (with_start)
-    add_value(app, "--from", options.from, &grid_place_of, "ROW,COLUMN", "Start here instead, counted from 0", "Query");
-  add_value(app, "--to", options.to, &grid_place_of, "ROW,COLUMN", "Go here instead", "Query");
+    add_value(app, "--start", options.start, &grid_place_of, "ROW,COLUMN",
+              "Start here instead of where FILE says, counted from 0", "Query");
+  add_value(app, "--goal", options.goal, &grid_place_of, "ROW,COLUMN", "Go here instead of where FILE says", "Query");
+  if (with_start) app.renamed("--from", "--start");
+  app.renamed("--to", "--goal");
 }
 
 GridInput read_grid_input(const GridOptions& options, bool with_start) {
-  const std::string source = options.file == "-" ? "<stdin>" : options.file;
-  const std::string text = read_bytes(options.file);
-  GridInput input{read_grid(text, source), GridMoves::four, source};
-  if (options.from) input.task.start = checked(*options.from, input.task.grid, "--from", source);
-  if (options.to) input.task.goal = checked(*options.to, input.task.grid, "--to", source);
-  if (with_start && !input.task.start) throw InputError(source, 0, "says no start; give one with --from ROW,COLUMN");
-  if (!input.task.goal) throw InputError(source, 0, "says no goal; give one with --to ROW,COLUMN");
+  const std::string text = read_bytes(options.file), source = source_name(options.file);
+  // What a drawing looks like may be a world's first line, too.
+  const FileKind drawing = is_movingai(text) || !has_blanks(text) ? FileKind::world : FileKind::grid_csv;
+  GridInput input{read_own(text, source, {FileKind::grid_csv, drawing}, [&] { return read_grid(text, source); }),
+                  GridMoves::four, source};
+  if (options.start) input.task.start = checked(*options.start, input.task.grid, "--start", source);
+  if (options.goal) input.task.goal = checked(*options.goal, input.task.grid, "--goal", source);
+  if (with_start && !input.task.start) throw InputError(source, 0, "says no start; give one with --start ROW,COLUMN");
+  if (!input.task.goal) throw InputError(source, 0, "says no goal; give one with --goal ROW,COLUMN");
   input.moves = options.moves.value_or(is_movingai(text) ? GridMoves::octile : GridMoves::four);
   return input;
 }
@@ -124,6 +128,49 @@ GridQuery grid_query(const GridSearchOptions& options, GridMoves moves) {
   query.weight = static_cast<std::uint32_t>(std::llround(options.weight * 1000));
   query.max_steps = options.max_steps.value_or(grid_budget(options.algorithm));
   return query;
+}
+
+GridMoves moves_for(GridAlgorithm algorithm, const GridOptions& options, const GridInput& input) {
+  return !options.moves && algorithm == GridAlgorithm::jps && input.moves == GridMoves::four ? GridMoves::octile
+                                                                                             : input.moves;
+}
+
+GridResult checked_search(const GridInput& input, GridMoves moves, const GridQuery& query) {
+  const GridPlace start = *input.task.start, goal = *input.task.goal;
+  GridResult result = GridSearch(input.task.grid, moves).find(start, goal, query);
+  if (result.status != GridStatus::found) return result;
+  const GridPathCheck check = grid_path_check(input.task.grid, moves, start, goal, result.path);
+  if (!check.fault.empty()) throw std::logic_error("the path found does not pass the check: " + check.fault);
+  if (check.cost != result.cost) throw std::logic_error("the path found does not cost what the search says");
+  return result;
+}
+
+Outcome outcome_of(GridStatus status) {
+  return status == GridStatus::found ? Outcome::found : status == GridStatus::none ? Outcome::none : Outcome::stopped;
+}
+
+void explain_grid_algorithms(CommandLine& app) {
+  app.explain("Algorithms", {{"bfs", "first in, first out: the fewest moves"},
+                             {"dfs", "the first neighbour not yet taken, as deep as it goes"},
+                             {"dijkstra", "the least cost so far first"},
+                             {"greedy", "the least estimate first; a cell may be taken again and again"},
+                             {"greedy-once", "the same, each cell once"},
+                             {"astar", "the least cost so far plus estimate first (default)"},
+                             {"weighted-astar", "the same with the estimate times --weight: within that of the least"},
+                             {"bidirectional-astar", "A* from both ends"},
+                             {"idastar", "depth first within a bound on cost plus estimate that grows"},
+                             {"jps", "A* that jumps along straight lines; diagonal moves only"}});
+}
+
+void explain_grid_heuristics(CommandLine& app) {
+  app.explain("Heuristics", {{"zero", "no estimate"},
+                             {"manhattan", "rows plus columns: too much where moves are diagonal"},
+                             {"euclidean", "the straight line"},
+                             {"chebyshev", "the larger of rows and columns"},
+                             {"octile", "the way on an empty grid with diagonal moves"},
+                             {"biased-row", "rows, negative above the goal"},
+                             {"biased-column", "columns, negative left of the goal"},
+                             {"exact", "the true cost, by a search backwards beforehand"}});
 }
 
 std::string cost_text(GridCost cost) {

@@ -1,19 +1,15 @@
 // taut grid scen: a MovingAI scenario file, every optimal length checked.
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 
 #include <taut/cli/command.h>
-#include <taut/cli/command_line.h>
-#include <taut/cli/exit_code.h>
+#include <taut/cli/foreign.h>
 #include <taut/cli/grid/grid.h>
 #include <taut/cli/messages.h>
-#include <taut/cli/output.h>
 #include <taut/cli/report.h>
-#include <taut/cli/timing.h>
+#include <taut/cli/run.h>
 #include <taut/geometry/errors.h>
-#include <taut/io/results/detail/result_values.h>
 #include <taut/io/worlds/movingai.h>
 #include <taut/io/worlds/read_world.h>
 
@@ -21,14 +17,11 @@ namespace taut::cli {
 
 namespace {
 
-using nlohmann::ordered_json;
-
 struct ScenarioOptions {
   std::string map;
   std::string scenarios;
   CommonOptions common;
   GridAlgorithm algorithm = GridAlgorithm::jps;
-  std::string json;
 };
 
 void add_options(CommandLine& app, ScenarioOptions& options) {
@@ -36,12 +29,10 @@ void add_options(CommandLine& app, ScenarioOptions& options) {
   app.add_option("SCEN", options.scenarios, "Its scenarios (version 1)").required();
   app.add_option_function(
          "--algorithm", [&options](const std::string& text) { options.algorithm = grid_algorithm_of(text); },
-         "One that finds the least cost: jps (default), astar, dijkstra, bidirectional-astar, idastar")
+         "One that finds the least cost: jps (default), astar, dijkstra, bidirectional-astar or idastar")
       .type_name("NAME")
       .group("Search");
-  app.add_option("--json", options.json, "Write the totals and mismatches as JSON; - is standard output")
-      .type_name("FILE")
-      .group("Output");
+  app.example("taut grid scen arena.map arena.map.scen --algorithm astar");
   app.callback([&options] {
     if (!finds_least_cost({options.algorithm, natural_heuristic(GridMoves::octile)}, GridMoves::octile))
       throw UsageError(fmt::format("{} does not find the least cost", name(options.algorithm)));
@@ -55,67 +46,94 @@ bool agrees(double cost, const Scenario& scenario) {
   return std::abs(cost - scenario.optimal) <= 0.5 * scenario.unit() + 1e-12 * cost;
 }
 
-struct Totals {
-  std::size_t matched = 0, missed = 0, shorter = 0, steps = 0;
-  double cost = 0;
-  double seconds = 0;
+/// What came of the scenarios so far.
+class Tally {
+ public:
+  explicit Tally(GridAlgorithm algorithm) : algorithm_(algorithm) {}
+
+  void add(const Scenario& scenario, const GridResult& result, const std::string& file) {
+    const bool found = result.status == GridStatus::found;
+    const double cost = found ? result.cost.value() : 0;
+    ++run_;
+    steps_ += result.steps;
+    cost_ += cost;
+    if (found && agrees(cost, scenario)) return;
+    shorter_ += found && cost > scenario.optimal;
+    const std::string what = found ? fmt::format("{:.8f}", cost) : "no path";
+    note(fmt::format("{}:{}: says {}, found {}", file, scenario.line, scenario.optimal_text, what));
+    mismatches_.push_back({{"line", scenario.line}, {"expected", scenario.optimal_text}, {"found", what}});
+  }
+
+  std::size_t missed() const { return mismatches_.size(); }
+  /// As any-angle lengths between corners of cells are.
+  bool is_all_shorter() const { return missed() > 0 && shorter_ == missed(); }
+
+  Json json() const {
+    return {{"scenarios", run_},         {"matched", run_ - missed()},
+            {"mismatches", mismatches_}, {"algorithm", name(algorithm_)},
+            {"steps", steps_},           {"cost", cost_}};
+  }
+  std::string text(const std::string& file, double seconds) const {
+    return fmt::format("{}: {}, {} as the file says, {}; {}, total cost {:.6f}, {}\n", file,
+                       count_text(run_, "scenario"), run_ - missed(), count_text(missed(), "mismatch", "mismatches"),
+                       count_text(steps_, "step"), cost_, seconds_text(seconds));
+  }
+
+ private:
+  GridAlgorithm algorithm_;
+  std::size_t run_ = 0, shorter_ = 0, steps_ = 0;
+  double cost_ = 0;
+  Json mismatches_ = Json::array();
 };
 
-int run(const ScenarioOptions& options) {
-  require_writable(options.json);
-  const std::string map_name = options.map == "-" ? "<stdin>" : options.map;
-  const std::string scen_name = options.scenarios == "-" ? "<stdin>" : options.scenarios;
-  begin_stage("read");
-  const OccupancyGrid grid = read_movingai_map(read_bytes(options.map), map_name);
-  const std::vector<Scenario> scenarios = read_movingai_scenarios(read_bytes(options.scenarios), scen_name);
-  begin_stage("search");
+/// Throws InputError unless both ends are free cells of a map of the scenario's size.
+void require_of(const OccupancyGrid& grid, const Scenario& s, const std::string& map, const std::string& file) {
+  const int line = static_cast<int>(s.line);
+  if (s.width != grid.width || s.height != grid.height)
+    throw InputError(
+        file, line,
+        fmt::format("is for a map of {} x {} cells, {} has {} x {}", s.width, s.height, map, grid.width, grid.height));
+  for (const GridPlace p : {GridPlace{s.start_row, s.start_column}, GridPlace{s.goal_row, s.goal_column}})
+    if (!grid.free(p.column, p.row))
+      throw InputError(file, line, fmt::format("column {}, row {} is blocked or outside", p.column, p.row));
+}
+
+OccupancyGrid read_map(const std::string& file, const std::string& source) {
+  const std::string bytes = read_bytes(file);
+  return read_own(bytes, source, {FileKind::world}, [&] { return read_movingai_map(bytes, source); });
+}
+
+std::vector<Scenario> read_scenarios(const std::string& file, const std::string& source) {
+  const std::string bytes = read_bytes(file);
+  return read_own(bytes, source, {FileKind::scenarios}, [&] { return read_movingai_scenarios(bytes, source); });
+}
+
+int run(const ScenarioOptions& options, Run& run) {
+  run.sources({options.map, options.scenarios});
+  const std::string map = source_name(options.map), file = source_name(options.scenarios);
+  const OccupancyGrid grid = run.stage("read", [&] { return read_map(options.map, map); });
+  const std::vector<Scenario> scenarios = run.stage("read", [&] { return read_scenarios(options.scenarios, file); });
   GridSearch search(grid, GridMoves::octile);
   const GridQuery query{options.algorithm, natural_heuristic(GridMoves::octile)};
-  Totals totals;
-  ordered_json mismatches = ordered_json::array();
-  const Stopwatch watch;
+  Tally tally(options.algorithm);
   for (const Scenario& s : scenarios) {
-    const int line = static_cast<int>(s.line);
-    if (s.width != grid.width || s.height != grid.height)
-      throw InputError(scen_name, line,
-                       fmt::format("is for a map of {} x {} cells, {} has {} x {}", s.width, s.height, map_name,
-                                   grid.width, grid.height));
-    for (const GridPlace p : {GridPlace{s.start_row, s.start_column}, GridPlace{s.goal_row, s.goal_column}})
-      if (!grid.free(p.column, p.row))
-        throw InputError(scen_name, line, fmt::format("column {}, row {} is blocked or outside", p.column, p.row));
-    const GridResult result = search.find({s.start_row, s.start_column}, {s.goal_row, s.goal_column}, query);
-    const double cost = result.cost.value();
-    totals.steps += result.steps;
-    if (result.status == GridStatus::found) totals.cost += cost;
-    if (result.status == GridStatus::found && agrees(cost, s)) {
-      ++totals.matched;
-      continue;
-    }
-    ++totals.missed;
-    totals.shorter += result.status == GridStatus::found && cost > s.optimal;
-    const std::string found = result.status == GridStatus::found ? fmt::format("{:.8f}", cost) : "no path";
-    note(fmt::format("{}:{}: says {}, found {}", scen_name, s.line, s.optimal_text, found));
-    mismatches.push_back({{"line", s.line}, {"expected", s.optimal_text}, {"found", found}});
+    require_of(grid, s, map, file);
+    tally.add(s,
+              run.stage("search",
+                        [&] {
+                          return search.find({s.start_row, s.start_column}, {s.goal_row, s.goal_column}, query);
+                        }),
+              file);
+    run.so_far(tally.json(), tally.text(file, run.seconds("search").cpu));
   }
-  totals.seconds = watch.seconds();
-  if (totals.missed > 0 && totals.shorter == totals.missed)
+  if (tally.is_all_shorter())
     note(
         "all that differ are shorter in the file, as any-angle lengths between corners of cells are: `taut batch` "
-        "checks "
-        "those");
-  begin_stage("write");
-  const ordered_json all{{"scenarios", scenarios.size()}, {"matched", totals.matched},
-                         {"mismatches", mismatches},      {"algorithm", name(options.algorithm)},
-                         {"steps", totals.steps},         {"cost", totals.cost},
-                         {"seconds", totals.seconds}};
-  finish();
-  if (!options.json.empty()) write_file(options.json, detail::json_text(all));
-  if (options.json != "-")
-    print(fmt::format("{}: {}, {} as the file says, {}; {}, total cost {:.6f}, {}\n", scen_name,
-                      count_text(scenarios.size(), "scenario"), totals.matched,
-                      count_text(totals.missed, "mismatch", "mismatches"), count_text(totals.steps, "step"),
-                      totals.cost, seconds_text(totals.seconds)));
-  return totals.missed == 0 ? kFound : kNone;
+        "checks those");
+  return run.end({.outcome = tally.missed() > 0 ? Outcome::differs : Outcome::done,
+                  .reason = tally.missed() > 0 ? count_text(tally.missed(), "mismatch", "mismatches") : "",
+                  .result = tally.json(),
+                  .line = tally.text(file, run.seconds("search").cpu)});
 }
 
 }  // namespace

@@ -26,8 +26,11 @@ constexpr const char* kSealed = "S#G\n";
 
 class GridProgram : public ProgramTest {
  protected:
-  static json answer(const std::string& arguments, std::string_view input = {}) {
+  static json envelope(const std::string& arguments, std::string_view input = {}) {
     return json::parse(run_taut("grid " + arguments + " --json -", input).out);
+  }
+  static json answer(const std::string& arguments, std::string_view input = {}) {
+    return envelope(arguments, input)["result"];
   }
 };
 
@@ -53,8 +56,8 @@ class GridFigure : public GridProgram, public testing::WithParamInterface<Figure
 
 TEST_P(GridFigure, IsThatOfTheSource) {
   const auto& [file, options, steps, cells, optimal] = GetParam();
-  const json out = answer("solve " + file + " " + options);
-  EXPECT_EQ(out["status"], "found");
+  const json all = envelope("solve " + file + " " + options), out = all["result"];
+  EXPECT_EQ(all["status"], "found");
   EXPECT_EQ(out["steps"], steps);
   EXPECT_EQ(out["cells"], cells);
   EXPECT_EQ(out["path"].size(), static_cast<std::size_t>(cells));
@@ -113,7 +116,7 @@ TEST_F(GridSolve, SaysWhatItFoundInOneLine) {
 TEST_F(GridSolve, GivesThePathAsRowsAndColumns) {
   const json path = json::parse("[[0,0],[0,1],[1,1],[2,1],[2,2],[2,3],[1,3],[0,3]]");
   EXPECT_EQ(answer("solve - --algorithm dfs", kBend)["path"], path);
-  EXPECT_EQ(run_taut("grid solve - --path --algorithm dfs", kBend).out, "0,0\n0,1\n1,1\n2,1\n2,2\n2,3\n1,3\n0,3\n");
+  EXPECT_EQ(run_taut("grid solve - -q --path --algorithm dfs", kBend).out, "0,0\n0,1\n1,1\n2,1\n2,2\n2,3\n1,3\n0,3\n");
 }
 
 TEST_F(GridSolve, KnowsThreeKindsOfMoves) {
@@ -127,7 +130,7 @@ TEST_F(GridSolve, KnowsThreeKindsOfMoves) {
 }
 
 TEST_F(GridSolve, StartsAndEndsWhereItIsTold) {
-  const json out = answer("solve - --from 2,0 --to 2,3", kBend);
+  const json out = answer("solve - --start 2,0 --goal 2,3", kBend);
   EXPECT_EQ(out["path"], json::parse("[[2,0],[2,1],[2,2],[2,3]]"));
 }
 
@@ -137,8 +140,8 @@ TEST_F(GridSolve, EndsWithOneWhenThereIsNoPath) {
     SCOPED_TRACE(algorithm);
     const Outcome run = run_taut(std::string("grid solve - --json - --algorithm ") + algorithm, kSealed);
     EXPECT_EQ(run.code, 1);
-    const json out = json::parse(run.out);
-    EXPECT_EQ(out["status"], "none");
+    const json all = json::parse(run.out), out = all["result"];
+    EXPECT_EQ(all["status"], "none");
     EXPECT_EQ(out["cost"], nullptr);
     EXPECT_EQ(out["path"], json::array());
   }
@@ -150,7 +153,7 @@ TEST_F(GridSolve, EndsWithFourWhenItsStepsAreUsedUp) {
   const json out = json::parse(run.out);
   EXPECT_EQ(out["status"], "stopped");
   EXPECT_EQ(out["reason"], "--max-steps 3");
-  EXPECT_EQ(out["steps"], 3);
+  EXPECT_EQ(out["result"]["steps"], 3);
   EXPECT_EQ(run_taut("grid solve - --max-steps 3", kBend).code, 4);
 }
 
@@ -172,6 +175,12 @@ TEST_F(GridSolve, WritesAResultWhenTimeIsUp) {
   const std::string forever = " --algorithm greedy --heuristic zero --max-steps 1000000000000";
   EXPECT_EQ(run_taut("grid solve -" + forever + " --max-seconds 0.5 --json " + file, open).code, 4);
   EXPECT_EQ(json::parse(contents(file))["status"], "stopped");
+  EXPECT_EQ(json::parse(contents(file))["result"]["algorithm"], "greedy");
+  const Outcome all = run_taut("grid compare - --heuristic zero --max-steps 1000000000000 --max-seconds 1.5 --json " + file, open);
+  EXPECT_EQ(all.code, 4);
+  EXPECT_THAT(all.out, ContainsRegex("dijkstra +4 +found"));
+  EXPECT_EQ(json::parse(contents(file))["status"], "stopped");
+  EXPECT_GE(json::parse(contents(file))["result"]["searches"].size(), 4U);
 }
 
 TEST_F(GridSolve, DrawsStillAndPlaying) {
@@ -185,13 +194,20 @@ TEST_F(GridSolve, DrawsStillAndPlaying) {
 TEST_F(GridSolve, RefusesWrongUsageAndWrongInput) {
   for (const char* options :
        {"--algorithm a*", "--heuristic foo", "--heuristic manhattan,", "--ties none", "--moves 6", "--weight nan",
-        "--weight 0.5", "--weight 1e9", "--max-steps -1", "--max-steps 1e3", "--from 0", "--from -1,0", "--to 0,1,2",
+        "--weight 0.5", "--weight 1e9", "--max-steps -1", "--max-steps 1e3", "--start 0", "--start -1,0", "--goal 0,1,2",
+        "--weight 2", "--algorithm bfs --heuristic zero", "--algorithm dfs --ties lifo", "--robot disc:1",
         "--algorithm jps --moves 4", "--json - --svg -", "extra", "--frobnicate"}) {
     const Outcome run = run_taut(std::string("grid solve - ") + options, kBend);
     EXPECT_EQ(run.code, 2) << options;
     EXPECT_EQ(run.out, "") << options;
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
   }
+  for (const char* command : {"solve", "compare", "heuristics"}) {
+    const Outcome old = run_taut(std::string("grid ") + command + " - --to 0,1", kBend);
+    EXPECT_EQ(old.code, 2);
+    EXPECT_THAT(old.err, HasSubstr("--to is --goal here; did you mean `--goal 0,1`?"));
+  }
+  EXPECT_THAT(run_taut("grid solve - --from 0,1", kBend).err, HasSubstr("did you mean `--start 0,1`?"));
   EXPECT_EQ(run_taut("grid").code, 2);
   EXPECT_EQ(run_taut("grid frobnicate").code, 2);
   const auto refusal = [](const char* options, const char* input) {
@@ -199,9 +215,9 @@ TEST_F(GridSolve, RefusesWrongUsageAndWrongInput) {
     EXPECT_EQ(run.code, 3) << run.err;
     return run.err;
   };
-  EXPECT_EQ(refusal("--from 0,2", kBend), "taut: <stdin>: --from 0,2 is blocked in the grid of 3 rows and 4 columns\n");
-  EXPECT_EQ(refusal("--to 3,0", kBend), "taut: <stdin>: --to 3,0 is outside the grid of 3 rows and 4 columns\n");
-  EXPECT_EQ(refusal("", "..\n.G\n"), "taut: <stdin>: says no start; give one with --from ROW,COLUMN\n");
+  EXPECT_EQ(refusal("--start 0,2", kBend), "taut: <stdin>: --start 0,2 is blocked in the grid of 3 rows and 4 columns\n");
+  EXPECT_EQ(refusal("--goal 3,0", kBend), "taut: <stdin>: --goal 3,0 is outside the grid of 3 rows and 4 columns\n");
+  EXPECT_EQ(refusal("", "..\n.G\n"), "taut: <stdin>: says no start; give one with --start ROW,COLUMN\n");
   EXPECT_EQ(refusal("", "start,0,0\ngoal,0,1\n0,2\n"), "taut: <stdin>:3: cell (row 0, column 1) is '2', not 0 or 1\n");
   EXPECT_THAT(refusal("", ""), StartsWith("taut: <stdin>"));
 }
@@ -222,6 +238,8 @@ TEST_F(GridCompare, PutsAllSearchesSideBySide) {
 
 TEST_F(GridCompare, SaysNoneOnlyWhenProven) {
   EXPECT_EQ(run_taut("grid compare -", kSealed).code, 1);
+  EXPECT_EQ(run_taut("grid compare - -q", kBend).out, "");
+  EXPECT_EQ(run_taut("grid heuristics - -q", kBend).out, "");
   EXPECT_EQ(run_taut("grid compare - --max-steps 2", kBend).code, 4);
 }
 
@@ -250,6 +268,9 @@ TEST_F(GridScenarios, AgreeWithTheirFileToItsDigits) {
   const std::string wrong = folder.file("b.scen", "version 1\n0\ta.map\t4\t3\t0\t0\t3\t0\t6.41420\n");
   const Outcome other = run_taut("grid scen " + map + " " + wrong);
   EXPECT_EQ(other.code, 1);
+  EXPECT_EQ(envelope("scen " + map + " " + wrong)["status"], "differs");
+  EXPECT_EQ(envelope("scen " + map + " " + right)["result"]["matched"], 1);
+  EXPECT_EQ(run_taut("grid scen -q " + map + " " + right).out, "");
   EXPECT_THAT(other.err, HasSubstr("b.scen:2: says 6.41420, found 6.41421356"));
   const std::string foreign = folder.file("c.scen", "version 1\n0\ta.map\t5\t3\t0\t0\t3\t0\t6.41421\n");
   EXPECT_EQ(run_taut("grid scen " + map + " " + foreign).code, 3);

@@ -1,0 +1,100 @@
+// taut grid compare: all searches on one map.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <stdexcept>
+
+#include <taut/cli/command.h>
+#include <taut/cli/grid/search_options.h>
+#include <taut/cli/report.h>
+#include <taut/cli/run.h>
+#include <taut/io/results/grid_json.h>
+
+namespace taut::cli {
+
+namespace {
+
+struct GridCompareOptions {
+  GridOptions grid;
+  GridSearchOptions search;
+  CommonOptions common;
+};
+
+void add_options(CommandLine& app, GridCompareOptions& options) {
+  add_grid_options(app, options.grid);
+  add_grid_search_options(app, options.search);
+  explain_grid_algorithms(app);
+  explain_grid_heuristics(app);
+  app.example("taut grid compare data/pocket.csv --moves octile");
+}
+
+/// Throws std::logic_error where two that prove the least cost with the same moves do not agree.
+class LeastCosts {
+ public:
+  void add(GridMoves moves, const GridResult& result) {
+    if (!result.optimal) return;
+    std::optional<GridCost>& known = least_[static_cast<std::size_t>(moves)];
+    if (known.value_or(result.cost) != result.cost) throw std::logic_error("two searches prove different least costs");
+    known = result.cost;
+  }
+
+ private:
+  std::array<std::optional<GridCost>, 3> least_;
+};
+
+std::string row_of(const GridQuery& query, GridMoves moves, const GridResult& result, double seconds) {
+  const bool found = result.status == GridStatus::found;
+  return fmt::format("{:<20} {:<6} {:<14} {:<8} {:>9} {:>7} {:>22} {:>8} {:>9}\n", name(query.algorithm), name(moves),
+                     is_informed(query.algorithm) ? name(query.heuristic) : "", name(result.status), result.steps,
+                     result.path.size(), found ? cost_text(result.cost) : "", result.optimal ? "yes" : "",
+                     seconds_text(seconds));
+}
+
+Json json_of(const GridQuery& query, GridMoves moves, const GridResult& result, double seconds) {
+  Json json = grid_result_json(result, query, moves);
+  json["status"] = name(result.status);
+  json["seconds"] = seconds;
+  return json;
+}
+
+int compare(const GridCompareOptions& options, Run& run) {
+  run.source(options.grid.file);
+  const GridInput input = run.stage("read", [&] { return read_grid_input(options.grid); });
+  std::string table = fmt::format("{:<20} {:<6} {:<14} {:<8} {:>9} {:>7} {:>22} {:>8} {:>9}\n", "algorithm", "moves",
+                                  "heuristic", "status", "steps", "cells", "cost", "least", "cpu");
+  Json all{{"searches", Json::array()}};
+  GridStatus best = GridStatus::stopped;
+  LeastCosts least;
+  for (std::size_t i = 0; i < kGridAlgorithms; ++i) {
+    GridSearchOptions search = options.search;
+    search.algorithm = static_cast<GridAlgorithm>(i);
+    const GridMoves moves = moves_for(search.algorithm, options.grid, input);
+    if (search.algorithm == GridAlgorithm::jps && moves == GridMoves::four) continue;
+    const GridQuery query = grid_query(search, moves);
+    const double before = run.seconds("search").cpu;
+    const GridResult result = run.stage("search", [&] { return checked_search(input, moves, query); });
+    const double seconds = run.seconds("search").cpu - before;
+    least.add(moves, result);
+    best = std::min(best, result.status);  // a path, or a proof that there is none, by any of them is an answer
+    table += row_of(query, moves, result, seconds);
+    all["searches"].push_back(json_of(query, moves, result, seconds));
+    run.so_far(all, table);
+  }
+  return run.end({.outcome = outcome_of(best),
+                  .reason = best == GridStatus::stopped ? "--max-steps, of every search"
+                            : best == GridStatus::none  ? "all cells that can be reached from the start were looked at"
+                                                        : "",
+                  .result = std::move(all),
+                  .line = std::move(table)});
+}
+
+}  // namespace
+
+Command grid_compare_command(CommandLine& grid) {
+  return command<GridCompareOptions>(grid, "compare", "All searches on one grid: steps, cost, time", add_options,
+                                     compare);
+}
+
+}  // namespace taut::cli
