@@ -197,7 +197,7 @@ void add_robot_option(CommandLine& app, Footprint& robot) {
 }
 
 void add_output_options(CommandLine& app, OutputOptions& options) {
-  app.add_option("--svg", options.svg, "Write a picture; - is standard output").type_name("FILE").group("Output");
+  add_svg_option(app, options.svg);
   app.add_option("--json", options.json, "Write everything as JSON; - is standard output")
       .type_name("FILE")
       .group("Output");
@@ -210,7 +210,16 @@ void add_output_options(CommandLine& app, OutputOptions& options) {
 }
 
 Option add_svg_option(CommandLine& app, std::string& file, const std::string& description) {
-  return app.add_option("--svg", file, description + "; NAME.png gets pixels, - is standard output")
+  return app
+      .add_option_function(
+          "--svg",
+          [&file](const std::string& name) {
+            for (const char* ending : {".jpg", ".jpeg", ".gif", ".pdf", ".webp"})
+              if (name.ends_with(ending))
+                throw UsageError("'" + name + "': pictures are written as SVG or, .png, pixels");
+            file = name;
+          },
+          description + "; NAME.png gets pixels, - is standard output")
       .type_name("FILE")
       .group("Output");
 }
@@ -237,6 +246,7 @@ void settle_animation(const CommandLine& app, std::string& animation, std::strin
     if (svg.empty()) throw UsageError("--animate needs a FILE, or --svg");
     std::swap(animation, svg);
   }
+  if (animation.ends_with(".png")) throw UsageError("--animate: '" + animation + "': a PNG does not move, an SVG does");
   if ((svg == "-") + (animation == "-") + (json == "-") > 1)
     throw UsageError("only one of --svg, --animate and --json can have standard output");
 }

@@ -21,7 +21,6 @@ struct BugWorld {
   Point goal;                      ///< of a goal room the middle of its first box that is free
   std::optional<Length> shortest;  ///< of all paths; nothing when there is none
   bool is_shut = false;            ///< walls prove that there is none
-  bool is_shut = false;            ///< walls prove that there is none
 };
 
 /// Throws InputError.

@@ -24,7 +24,7 @@ namespace taut {
 ///  greedy_once     the least estimate h first.
 ///  greedy          the same with a careless frontier: a cell that is not marked goes in each time it is seen, and is
 ///                  taken, counted and looked around from each time it comes out, so that steps can grow exponentially.
-///                  For comparison with reports that did so (and called it A*).
+///                  To be seen beside A*, for which it is sometimes taken.
 ///  astar           the least f = g + h first.
 ///  weighted_astar  the least f = g + w h first (w h rounded down to the unit of GridCost): at most w times the least
 ///                  cost when h is consistent.

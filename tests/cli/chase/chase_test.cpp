@@ -106,8 +106,7 @@ TEST_F(ChaseProgram, WritesTheBestPlanSoFarWhenStopped) {
 TEST_F(ChaseProgram, KeepsFinishedRowsWhenTheComparisonIsStopped) {
   const std::string endless = (folder / "endless").string(), file = (folder / "a.json").string();
   ASSERT_EQ(mkfifo(endless.c_str(), 0600), 0);
-  const Outcome run =
-      run_taut("chase compare " + town() + " - --max-seconds 5 --json " + file + " <>" + endless);
+  const Outcome run = run_taut("chase compare " + town() + " - --max-seconds 5 --json " + file + " <>" + endless);
   EXPECT_EQ(run.code, 4);
   EXPECT_THAT(run.out, ContainsRegex("first +yes"));
   const json envelope = json::parse(contents(file));

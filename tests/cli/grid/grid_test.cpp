@@ -176,7 +176,8 @@ TEST_F(GridSolve, WritesAResultWhenTimeIsUp) {
   EXPECT_EQ(run_taut("grid solve -" + forever + " --max-seconds 0.5 --json " + file, open).code, 4);
   EXPECT_EQ(json::parse(contents(file))["status"], "stopped");
   EXPECT_EQ(json::parse(contents(file))["result"]["algorithm"], "greedy");
-  const Outcome all = run_taut("grid compare - --heuristic zero --max-steps 1000000000000 --max-seconds 1.5 --json " + file, open);
+  const Outcome all =
+      run_taut("grid compare - --heuristic zero --max-steps 1000000000000 --max-seconds 1.5 --json " + file, open);
   EXPECT_EQ(all.code, 4);
   EXPECT_THAT(all.out, ContainsRegex("dijkstra +4 +found"));
   EXPECT_EQ(json::parse(contents(file))["status"], "stopped");
@@ -192,11 +193,27 @@ TEST_F(GridSolve, DrawsStillAndPlaying) {
 }
 
 TEST_F(GridSolve, RefusesWrongUsageAndWrongInput) {
-  for (const char* options :
-       {"--algorithm a*", "--heuristic foo", "--heuristic manhattan,", "--ties none", "--moves 6", "--weight nan",
-        "--weight 0.5", "--weight 1e9", "--max-steps -1", "--max-steps 1e3", "--start 0", "--start -1,0", "--goal 0,1,2",
-        "--weight 2", "--algorithm bfs --heuristic zero", "--algorithm dfs --ties lifo", "--robot disc:1",
-        "--algorithm jps --moves 4", "--json - --svg -", "extra", "--frobnicate"}) {
+  for (const char* options : {"--algorithm a*",
+                              "--heuristic foo",
+                              "--heuristic manhattan,",
+                              "--ties none",
+                              "--moves 6",
+                              "--weight nan",
+                              "--weight 0.5",
+                              "--weight 1e9",
+                              "--max-steps -1",
+                              "--max-steps 1e3",
+                              "--start 0",
+                              "--start -1,0",
+                              "--goal 0,1,2",
+                              "--weight 2",
+                              "--algorithm bfs --heuristic zero",
+                              "--algorithm dfs --ties lifo",
+                              "--robot disc:1",
+                              "--algorithm jps --moves 4",
+                              "--json - --svg -",
+                              "extra",
+                              "--frobnicate"}) {
     const Outcome run = run_taut(std::string("grid solve - ") + options, kBend);
     EXPECT_EQ(run.code, 2) << options;
     EXPECT_EQ(run.out, "") << options;
@@ -215,7 +232,8 @@ TEST_F(GridSolve, RefusesWrongUsageAndWrongInput) {
     EXPECT_EQ(run.code, 3) << run.err;
     return run.err;
   };
-  EXPECT_EQ(refusal("--start 0,2", kBend), "taut: <stdin>: --start 0,2 is blocked in the grid of 3 rows and 4 columns\n");
+  EXPECT_EQ(refusal("--start 0,2", kBend),
+            "taut: <stdin>: --start 0,2 is blocked in the grid of 3 rows and 4 columns\n");
   EXPECT_EQ(refusal("--goal 3,0", kBend), "taut: <stdin>: --goal 3,0 is outside the grid of 3 rows and 4 columns\n");
   EXPECT_EQ(refusal("", "..\n.G\n"), "taut: <stdin>: says no start; give one with --start ROW,COLUMN\n");
   EXPECT_EQ(refusal("", "start,0,0\ngoal,0,1\n0,2\n"), "taut: <stdin>:3: cell (row 0, column 1) is '2', not 0 or 1\n");

@@ -220,7 +220,7 @@ TEST(EntryPlan, TakesTheWayOfLeastCostWhenThereAreTooManyStates) {
 
 struct Published {
   std::filesystem::path file;
-  Cost zero, one;           // optima
+  Cost zero, one;          // optima
   Cost entry = 1'000'000;  // the most that the planner `entry` may pay
 };
 
