@@ -196,19 +196,6 @@ void add_robot_option(CommandLine& app, Footprint& robot) {
       .group("Query");
 }
 
-void add_output_options(CommandLine& app, OutputOptions& options) {
-  add_svg_option(app, options.svg);
-  app.add_option("--json", options.json, "Write everything as JSON; - is standard output")
-      .type_name("FILE")
-      .group("Output");
-  app.add_flag("--stats", options.stats, "Say on stderr what each stage took").group("Output");
-  app.add_flag("--quiet,-q", options.quiet, "No line on standard output").group("Output");
-  app.callback([&options] {
-    if (options.svg == "-" && options.json == "-")
-      throw UsageError("--svg - and --json - cannot both have standard output");
-  });
-}
-
 Option add_svg_option(CommandLine& app, std::string& file, const std::string& description) {
   return app
       .add_option_function(

@@ -29,17 +29,6 @@ struct QueryOptions {
   Footprint robot;
 };
 
-/// What is written besides the line on stdout; `-` is stdout, empty is nothing.
-struct OutputOptions {
-  std::string svg;
-  std::string json;
-  bool stats = false;
-  bool quiet = false;
-
-  /// Something else goes to stdout, so the line must not.
-  bool stdout_taken() const { return svg == "-" || json == "-"; }
-};
-
 /// On every subcommand.
 struct CommonOptions {
   Limits limits;
@@ -55,7 +44,6 @@ struct CommonOptions {
 Option add_world_options(CommandLine& app, WorldOptions& options);
 void add_query_options(CommandLine& app, QueryOptions& options);
 void add_robot_option(CommandLine& app, Footprint& robot);  ///< that one of the query options alone
-void add_output_options(CommandLine& app, OutputOptions& options);
 void add_result_options(CommandLine& app, CommonOptions& options);
 void add_common_options(CommandLine& app, CommonOptions& options);
 
