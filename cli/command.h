@@ -62,18 +62,6 @@ Command command(CommandLine& app, const char* name, const char* description, voi
           [options, run](Run& how) { return run(*options, how); }};
 }
 
-// The way of those that do not know Run: they bring --json and the like themselves.
-template <typename Options>
-Command command(CommandLine& app, const char* name, const char* description, void (*add)(CommandLine&, Options&),
-                int (*run)(const Options&)) {
-  auto options = std::make_shared<Options>();
-  auto line = std::make_shared<CommandLine>(app.add_subcommand(name, description));
-  add(*line, *options);
-  add_common_options(*line, options->common);
-  return {line, std::shared_ptr<CommonOptions>(options, &options->common),
-          [options, run](Run&) { return run(*options); }};
-}
-
 /// A subcommand that only holds others, as `taut grid` holds `solve`: one of them has to follow.
 CommandLine command_group(CommandLine& app, const char* name, const char* description);
 

@@ -1,5 +1,6 @@
 #include <taut/cli/input.h>
 
+#include <filesystem>
 #include <utility>
 
 #include <taut/cli/foreign.h>
@@ -8,12 +9,16 @@
 
 namespace taut::cli {
 
+World read_world_of(const std::string& file, ReadOptions read, ReadNotes& notes) {
+  const std::string bytes = read_bytes(file);
+  read.source = source_name(file);
+  read.folder = file == "-" ? "" : std::filesystem::path(file).parent_path().string();
+  return read_own(bytes, read.source, {FileKind::world}, [&] { return read_world(bytes, read, &notes); });
+}
+
 Input read_input(const WorldOptions& options, const QueryOptions& query) {
   ReadNotes notes;
-  const std::string bytes = read_bytes(options.file), source = source_name(options.file);
-  ReadOptions read = options.read;
-  read.source = source;
-  World world = read_own(bytes, source, {FileKind::world}, [&] { return read_world(bytes, read, &notes); });
+  World world = read_world_of(options.file, options.read, notes);
   if (options.wall_thickness) world = world.with_wall_thickness(*options.wall_thickness);
   if (query.from || query.to) world = world.with_ends(query.from, query.to);
   std::string name = world.source();

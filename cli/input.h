@@ -16,6 +16,9 @@ struct Input {
   std::string name;  ///< of the file, for messages; `<stdin>`
 };
 
+/// read_world_file; a file that another subcommand reads is refused with that one's name.
+World read_world_of(const std::string& file, ReadOptions read, ReadNotes& notes);
+
 /// Reads FILE and applies --wall-thickness, --from and --to. Throws InputError.
 Input read_input(const WorldOptions& options, const QueryOptions& query = {});
 

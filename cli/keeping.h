@@ -1,7 +1,7 @@
 // When to tell Run::so_far() in a loop.
 #pragma once
 
-#include <taut/cli/timing.h>
+#include <taut/search/stopwatch.h>
 
 namespace taut::cli {
 
@@ -11,16 +11,16 @@ class Keeping {
  public:
   template <typename Tell>
   void tell(Tell tell) {
-    if (spent_ > kShare * whole_.seconds()) return;
-    const Stopwatch watch;
+    if (spent_ > kShare * whole_.seconds().wall) return;
+    const taut::Stopwatch watch;
     tell();
-    spent_ += watch.seconds();
+    spent_ += watch.seconds().wall;
   }
 
  private:
   static constexpr double kShare = 0.1;
 
-  Stopwatch whole_;
+  taut::Stopwatch whole_;
   double spent_ = 0;
 };
 

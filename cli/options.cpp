@@ -196,28 +196,15 @@ void add_robot_option(CommandLine& app, Footprint& robot) {
       .group("Query");
 }
 
-void add_output_options(CommandLine& app, OutputOptions& options) {
-  add_svg_option(app, options.svg);
-  app.add_option("--json", options.json, "Write everything as JSON; - is standard output")
-      .type_name("FILE")
-      .group("Output");
-  app.add_flag("--stats", options.stats, "Say on stderr what each stage took").group("Output");
-  app.add_flag("--quiet,-q", options.quiet, "No line on standard output").group("Output");
-  app.callback([&options] {
-    if (options.svg == "-" && options.json == "-")
-      throw UsageError("--svg - and --json - cannot both have standard output");
-  });
-}
-
-Option add_svg_option(CommandLine& app, std::string& svg, const std::string& description) {
+Option add_svg_option(CommandLine& app, std::string& file, const std::string& description) {
   return app
       .add_option_function(
           "--svg",
-          [&svg](const std::string& name) {
+          [&file](const std::string& name) {
             for (const char* ending : {".jpg", ".jpeg", ".gif", ".pdf", ".webp"})
               if (name.ends_with(ending))
                 throw UsageError("'" + name + "': pictures are written as SVG or, .png, pixels");
-            svg = name;
+            file = name;
           },
           description + "; NAME.png gets pixels, - is standard output")
       .type_name("FILE")

@@ -29,17 +29,6 @@ struct QueryOptions {
   Footprint robot;
 };
 
-/// What is written besides the line on stdout; `-` is stdout, empty is nothing.
-struct OutputOptions {
-  std::string svg;
-  std::string json;
-  bool stats = false;
-  bool quiet = false;
-
-  /// Something else goes to stdout, so the line must not.
-  bool stdout_taken() const { return svg == "-" || json == "-"; }
-};
-
 /// On every subcommand.
 struct CommonOptions {
   Limits limits;
@@ -55,12 +44,11 @@ struct CommonOptions {
 Option add_world_options(CommandLine& app, WorldOptions& options);
 void add_query_options(CommandLine& app, QueryOptions& options);
 void add_robot_option(CommandLine& app, Footprint& robot);  ///< that one of the query options alone
-void add_output_options(CommandLine& app, OutputOptions& options);
 void add_result_options(CommandLine& app, CommonOptions& options);
 void add_common_options(CommandLine& app, CommonOptions& options);
 
 /// `--svg FILE`. A name in .png gets pixels.
-Option add_svg_option(CommandLine& app, std::string& svg, const std::string& description = "Write a picture");
+Option add_svg_option(CommandLine& app, std::string& file, const std::string& description = "Write a picture");
 /// Throws UsageError when more than one of these files, with the options they were given by, is standard output.
 void require_one_stdout(const std::vector<std::pair<const char*, std::string>>& files);
 

@@ -169,6 +169,7 @@ void Run::rasterise(std::vector<OutputFile>& files) {
 
 int Run::end(Answer answer) {
   rasterise(answer.files);
+  when_stopped({});
   so_far(std::move(answer.result), answer.line);  // where nobody reads a stream, this is what is written
   begin_stage("write");
   for (const OutputFile& file : answer.files)

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include <taut/cli/foreign.h>
 #include <taut/cli/input.h>
 #include <taut/cli/report.h>
 #include <taut/geometry/errors.h>
@@ -163,32 +164,19 @@ class Driver {
   std::string reason_;
 };
 
-bool is_road_map(std::string_view bytes) {
-  for (std::size_t at = 0; at < bytes.size();) {
-    const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
-    const std::string_view row = bytes.substr(at, end - at);
-    if (row.starts_with("grid ") || row.starts_with("roadblock ")) return true;
-    at = end + 1;
-  }
-  return false;
-}
-
 }  // namespace
 
 void require_road_map(std::string_view bytes, const std::string& name) {
-  if (is_road_map(bytes)) return;
-  try {
-    detect_format(bytes, name);
-  } catch (const InputError&) {
-    return;
-  }
-  throw InputError(name, 0,
-                   "is no roadblock map but a world; say which car drives there: --car length=L,width=W,radius=R");
+  if (file_kind(bytes) == FileKind::world)
+    throw InputError(name, 0,
+                     "is no roadblock map but a world; say which car drives there: --car length=L,width=W,radius=R");
+  redirect(bytes, name, {FileKind::roadblock_map});
 }
 
 int drive_in_world(const WorldDriveOptions& options, const DriveOutput& output, std::string_view bytes,
                    const std::string& name, Run& run) {
-  if (is_road_map(bytes)) throw InputError(name, 0, "is a roadblock map, whose rules fix the car; leave out --car");
+  if (file_kind(bytes) == FileKind::roadblock_map)
+    throw InputError(name, 0, "is a roadblock map, whose rules fix the car; leave out --car");
   return Driver(options, output, name, run).drive(bytes);
 }
 

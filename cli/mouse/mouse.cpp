@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 
+#include <taut/cli/input.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/report.h>
 #include <taut/cli/run.h>
@@ -86,7 +87,7 @@ MouseMaze read_grid_maze(const std::string& file, std::optional<Format> format) 
   ReadNotes notes;
   ReadOptions options;
   options.format = format;
-  const World world = read_world_file(file, options, &notes);
+  const World world = read_world_of(file, options, notes);
   if (!world.grid())
     throw InputError(world.source(), 0,
                      fmt::format("is a world of {}, not a grid maze (cells, drawing, maz or num)", name(notes.format)));

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include <taut/io/pictures/detail/svg_frame.h>
+#include <taut/io/pictures/detail/svg_motion.h>
 
 namespace taut {
 
@@ -20,26 +21,26 @@ constexpr double kOutlinesEvery = 1.5;  // car lengths
 
 constexpr const char* kStyle = R"(.taut.car-in-world .beyond{fill:#ccd2dc}
 .taut.car-in-world .free{fill:#fff}
-.taut.car-in-world .solid{fill:#ccd2dc;stroke:#2c3440}
+.taut.car-in-world .solid{fill:#4b5668;stroke:#2c3440}
 .taut.car-in-world .wall{fill:none;stroke:#2c3440;stroke-width:2;stroke-linecap:round}
 .taut.car-in-world .thick{stroke:#4b5668;stroke-linecap:square}
-.taut.car-in-world .swept{fill:#0b7fc1;fill-opacity:.16}
-.taut.car-in-world .outlines{fill:none;stroke:#0b7fc1;stroke-width:.7;stroke-opacity:.6}
+.taut.car-in-world .swept{fill:#ee5a10;fill-opacity:.16}
+.taut.car-in-world .outlines{fill:none;stroke:#ee5a10;stroke-width:.7;stroke-opacity:.6}
 .taut.car-in-world .ahead{fill:none;stroke:#ee5a10;stroke-width:2}
-.taut.car-in-world .back{fill:none;stroke:#7a3fd4;stroke-width:2.4}
-.taut.car-in-world .car{fill:#0b7fc1;fill-opacity:.55;stroke:#0a4a75}
+.taut.car-in-world .back{fill:none;stroke:#00838f;stroke-width:2.4}
+.taut.car-in-world .car{fill:#ee5a10;fill-opacity:.55;stroke:#9a3606}
 .taut.car-in-world .barrier{fill:none;stroke:#d3245e;stroke-width:3}
 @media (prefers-color-scheme:dark){
 .taut.car-in-world .beyond{fill:#3c4656}
 .taut.car-in-world .free{fill:#1d2430}
-.taut.car-in-world .solid{fill:#3c4656;stroke:#d4dbe6}
+.taut.car-in-world .solid{fill:#8e9aad;stroke:#d4dbe6}
 .taut.car-in-world .wall{stroke:#d4dbe6}
 .taut.car-in-world .thick{stroke:#8e9aad}
-.taut.car-in-world .swept{fill:#4cc2ff}
-.taut.car-in-world .outlines{stroke:#4cc2ff}
+.taut.car-in-world .swept{fill:#ff8340}
+.taut.car-in-world .outlines{stroke:#ff8340}
 .taut.car-in-world .ahead{stroke:#ff8340}
-.taut.car-in-world .back{stroke:#b48cff}
-.taut.car-in-world .car{fill:#4cc2ff;stroke:#bfe8ff}
+.taut.car-in-world .back{stroke:#4dd0e1}
+.taut.car-in-world .car{fill:#ff8340;stroke:#ffd9c2}
 .taut.car-in-world .barrier{stroke:#ff5c8d}
 }
 .taut.car-in-world .sample.ahead,.taut.car-in-world .sample.back{stroke-width:4}
@@ -67,6 +68,7 @@ class Picture {
     last();
     marker("start", picture_.start);
     for (const Point goal : picture_.goals) marker("goal", goal);
+    if (picture_.animate) out_ += detail::film_controls({frame_.width() - 4, 3});
     return out_ + frame_.foot();
   }
 
@@ -82,6 +84,7 @@ class Picture {
     if (goes(true)) keys.push_back({"back", "reverse", line, {}});
     if (!picture_.legs.empty()) keys.push_back({"swept", "swept by the car", patch, {}});
     if (!picture_.barrier.empty()) keys.push_back({"barrier", "in the way", line, {}});
+    keys.push_back(detail::ruler_key(scale_));
     return keys;
   }
 
@@ -191,7 +194,7 @@ class Picture {
     frames += outline(poses_.back());
     const double seconds = std::max(2.0, length_ / (shape_.front + shape_.back) / kCarsASecond);
     out_ += fmt::format(
-        "<path class=\"car\" d=\"{}\"><animate attributeName=\"d\" dur=\"{:.2f}s\" repeatCount=\"indefinite\" "
+        "<path class=\"car moving\" d=\"{}\"><animate attributeName=\"d\" dur=\"{:.2f}s\" repeatCount=\"indefinite\" "
         "values=\"{}\"/></path>\n",
         outline(poses_.back()), seconds, frames);
   }

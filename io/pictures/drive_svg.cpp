@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <taut/io/pictures/detail/svg_frame.h>
+#include <taut/io/pictures/detail/svg_motion.h>
 
 namespace taut {
 
@@ -28,21 +29,21 @@ constexpr const char* kStyle = R"(.taut.drive .ground{fill:#fff}
 .taut.drive .closed{fill:#d3245e}
 .taut.drive .unknown{fill:#8a93a3}
 .taut.drive .letter{font-size:.8px;fill:#fff;text-anchor:middle}
-.taut.drive .outlines{fill:none;stroke:#0b7fc1;stroke-opacity:.4;stroke-width:.04}
+.taut.drive .outlines{fill:none;stroke:#ee5a10;stroke-opacity:.4;stroke-width:.04}
 .taut.drive .casing{fill:none;stroke:#fff;stroke-width:.36;stroke-linecap:round}
 .taut.drive .ahead{fill:none;stroke:#ee5a10;stroke-width:.18;stroke-linecap:round}
-.taut.drive .back{fill:none;stroke:#7a3fd4;stroke-width:.24;stroke-linecap:round}
-.taut.drive .car{fill:#0b7fc1;fill-opacity:.55;stroke:#0a4a75;stroke-width:.08}
+.taut.drive .back{fill:none;stroke:#00838f;stroke-width:.24;stroke-linecap:round}
+.taut.drive .car{fill:#ee5a10;fill-opacity:.55;stroke:#9a3606;stroke-width:.08}
 @media (prefers-color-scheme:dark){
 .taut.drive .ground{fill:#1d2430}
 .taut.drive .seen{fill:#ffd166;fill-opacity:.14}
 .taut.drive .wall{fill:#3c4656}
 .taut.drive .dot{fill:#d4dbe6}
-.taut.drive .outlines{stroke:#4cc2ff}
+.taut.drive .outlines{stroke:#ff8340}
 .taut.drive .casing{stroke:#12161d}
 .taut.drive .ahead{stroke:#ff8340}
-.taut.drive .back{stroke:#b48cff}
-.taut.drive .car{fill:#4cc2ff;stroke:#bfe8ff}
+.taut.drive .back{stroke:#4dd0e1}
+.taut.drive .car{fill:#ff8340;stroke:#ffd9c2}
 }
 .taut.drive .sample.ahead,.taut.drive .sample.back{stroke-width:4}
 )";
@@ -51,7 +52,7 @@ constexpr const char* kStyle = R"(.taut.drive .ground{fill:#fff}
 constexpr const char* kValueStyle = R"(.taut.drive .wall{fill:#868e96}
 .taut.drive .outlines{stroke:#fff;stroke-width:.05}
 .taut.drive .casing{stroke:#fff}
-.taut.drive .car{fill:#4cc2ff;fill-opacity:.8;stroke:#fff}
+.taut.drive .car{fill:#ff8340;fill-opacity:.9;stroke:#fff}
 )";
 
 std::string square_path(int x, int y) { return fmt::format("M{} {}h1v1h-1z", x - 0.5, y - 0.5); }
@@ -88,6 +89,7 @@ class Picture {
     car();
     out_ += "</svg>\n";
     out_ += marker("start", course_.start) + marker("goal", course_.goal);
+    if (what_.animate) out_ += detail::film_controls({frame_.width() - 4, 3});
     return out_ + frame_.foot();
   }
 
@@ -107,6 +109,7 @@ class Picture {
       keys.push_back({"values", what_.values->scale, scale, what_.values->colours});
     else
       keys.push_back({"seen", "in sight", patch, {}});
+    keys.push_back(detail::ruler_key(cell_, "cell", "cells"));
     return keys;
   }
 
@@ -188,7 +191,7 @@ class Picture {
     for (std::size_t i = 0; i < drive_.poses.size(); i += every) frames += outline(drive_.poses[i]) + ";";
     frames += outline(drive_.poses.back());
     out_ += fmt::format(
-        "<path class=\"car\" d=\"{}\"><animate attributeName=\"d\" dur=\"{:.2f}s\" repeatCount=\"indefinite\" "
+        "<path class=\"car moving\" d=\"{}\"><animate attributeName=\"d\" dur=\"{:.2f}s\" repeatCount=\"indefinite\" "
         "values=\"{}\"/></path>\n",
         outline(drive_.poses.back()), static_cast<double>(drive_.controls.size()) / kStepsPerSecond, frames);
   }

@@ -127,7 +127,7 @@ std::string film_floor(const MouseSheet& sheet, const Record& record, const Sigh
   std::string out;
   for (const auto& [step, data] : by_step)
     out +=
-        fmt::format("<path fill=\"{}\" d=\"{}\">{}</path>\n",
+        fmt::format("<path class=\"appears\" fill=\"{}\" d=\"{}\">{}</path>\n",
                     shade_name(shade_of(std::min(step, record.run1), exploring_steps(record))), data, film.from(step));
   return MouseSheet::group("sight", out);
 }
@@ -139,7 +139,7 @@ std::string film_walls(const MouseSheet& sheet, const GridMaze& maze, const Sigh
   for (const auto& [wall, moment] : sights.walls) by_moment[moment] += sheet.wall(wall);
   std::string out;
   for (const auto& [moment, data] : by_moment)
-    out += fmt::format("<path d=\"{}\">{}</path>\n", data, film.from(moment));
+    out += fmt::format("<path class=\"appears\" d=\"{}\">{}</path>\n", data, film.from(moment));
   return MouseSheet::group("seen", out);
 }
 
@@ -148,7 +148,8 @@ std::string film_route(const MouseSheet& sheet, const Record& record, int run, c
   for (std::size_t i = 0; i < record.steps.size(); ++i) {
     const Step& s = record.steps[i];
     if (s.run != run || s.action.reset || s.moved == 0) continue;
-    out += fmt::format("<path d=\"{}\">{}</path>\n", sheet.line({place(s.before.cell, run), place(s.after.cell, run)}),
+    out += fmt::format("<path class=\"appears\" d=\"{}\">{}</path>\n",
+                       sheet.line({place(s.before.cell, run), place(s.after.cell, run)}),
                        film.from(static_cast<double>(i) + 1));
   }
   return MouseSheet::group(run == 1 ? "run1" : "run2", out);
@@ -162,10 +163,10 @@ std::string film_counter(const MouseSheet& sheet, const Record& record, const Mo
     const int step = static_cast<int>(i) + 1 - (s.run == 2 ? record.run1 : 0);
     const double begin = static_cast<double>(i);
     const bool last = i + 1 == record.steps.size();
-    out +=
-        fmt::format("<text x=\"{}\" y=\"{}\"{}>run {} \xC2\xB7 step {}{}{}</text>\n", svg_number(at.x),
-                    svg_number(at.y - 8), last ? "" : " opacity=\"0\"", s.run, step,
-                    s.action.reset ? " \xC2\xB7 reset" : "", last ? film.from(begin) : film.between(begin, begin + 1));
+    out += fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\"{}>run {} \xC2\xB7 step {}{}{}</text>\n",
+                       last ? "appears" : "moving", svg_number(at.x), svg_number(at.y - 8),
+                       last ? "" : " opacity=\"0\"", s.run, step, s.action.reset ? " \xC2\xB7 reset" : "",
+                       last ? film.from(begin) : film.between(begin, begin + 1));
   }
   return MouseSheet::group("counter", out);
 }
@@ -198,7 +199,7 @@ std::string mouse_animation(const GridMaze& maze, const Record& record, const Mo
                            }())) +
          film_walls(sheet, maze, sights, film) + sheet.posts() + film_route(sheet, record, 1, film) +
          film_route(sheet, record, 2, film) + sheet.ends() + film.mouse(sheet) + film_counter(sheet, record, film) +
-         sheet.foot();
+         sheet.controls() + sheet.foot();
 }
 
 }  // namespace taut

@@ -76,7 +76,7 @@ class Picture {
     if (space_.footprint().kind() != Footprint::Kind::point) add("solid");
     for (const SvgLabelKey& key : what_.label_keys)
       keys.push_back({"labels", key.meaning, detail::SvgKey::Sample::digit, {}, key.letter});
-    keys.push_back(detail::ruler_key(SvgLayers::pixels_a_unit(space_.world(), detail::kMapPixels)));
+    keys.push_back(SvgLayers::ruler(space_.world(), detail::kMapPixels));
     return keys;
   }
 

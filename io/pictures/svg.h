@@ -60,10 +60,10 @@ struct SvgPicture {
   std::vector<SvgView> views{};             ///< tinted, in the order of `at`; a moving picture shows the last one only
   std::vector<Segment> guides{};            ///< auxiliary lines, dashed, below the path
   std::vector<SvgLabel> labels{};           ///< above all else, each where it hides least
+  double seconds = 0;                       ///< > 0: a dot runs along `path` in that time, again and again (SMIL)
+  bool milestones = false;                  ///< the roadmap's vertices are dots, also those joined to nothing
+  std::vector<SvgDisc> discs{};             ///< the robot, below the path
   std::vector<SvgLabelKey> label_keys{};
-  double seconds = 0;            ///< > 0: a dot runs along `path` in that time, again and again (SMIL)
-  bool milestones = false;       ///< the roadmap's vertices are dots, also those joined to nothing
-  std::vector<SvgDisc> discs{};  ///< the robot, below the path
 };
 
 /// The picture as one SVG 1.1 document, north up.

@@ -55,8 +55,7 @@ TEST_F(Subcommand, SolvePutsStatisticsOnStderrOnly) {
   const Outcome run = run_taut("solve - --stats --roadmap visibility", kRoom);
   EXPECT_THAT(run_taut("solve - --stats", kRoom).err, HasSubstr("navigation mesh"));
   EXPECT_THAT(run.out, StartsWith("<stdin>: length"));
-  for (const char* word :
-       {"read", "space", "triangles", "vertices", "edge", "expanded", "displacement", "peak memory"})
+  for (const char* word : {"read", "space", "triangles", "vertices", "edge", "expanded", "displacement", "peak memory"})
     EXPECT_THAT(run.err, HasSubstr(word));
 }
 

@@ -85,9 +85,9 @@ std::string MouseFilm::mouse(const MouseSheet& sheet) const {
   const Pose last = last_pose(record_);
   at.end();
   turn.end();
-  return "<g transform=\"translate(" + position(sheet, last.cell) + ")\">" + transform("translate", at) +
-         "<g transform=\"rotate(" + svg_number(degrees(last.heading)) + ")\">" + transform("rotate", turn) +
-         sheet.wedge() + "</g></g>\n";
+  return "<g class=\"moving\" transform=\"translate(" + position(sheet, last.cell) + ")\">" +
+         transform("translate", at) + "<g transform=\"rotate(" + svg_number(degrees(last.heading)) + ")\">" +
+         transform("rotate", turn) + sheet.wedge() + "</g></g>\n";
 }
 
 std::string MouseFilm::duration() const {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include <taut/io/pictures/detail/svg_motion.h>
 #include <taut/io/pictures/detail/svg_path.h>
 
 namespace taut::detail {
@@ -24,7 +25,7 @@ constexpr std::string_view kColours = R"(
 .taut.mouse .unseen{stroke:#9aa3b2;fill:none}
 .taut.mouse .run1,.taut.mouse .shortest{stroke:#0b7fc1;fill:none}
 .taut.mouse .run2,.taut.mouse .fastest{stroke:#ee5a10;fill:none}
-.taut.mouse .wedge{fill:#0b7fc1;stroke:#fff}
+.taut.mouse .wedge{fill:#ee5a10;stroke:#fff}
 .taut.mouse .flood,.taut.mouse .flood text{fill:#5a6474}
 @media(prefers-color-scheme:dark){
 .taut.mouse .floor{fill:#1d2430}
@@ -34,10 +35,19 @@ constexpr std::string_view kColours = R"(
 .taut.mouse .unseen{stroke:#5a6474}
 .taut.mouse .run1,.taut.mouse .shortest{stroke:#4cc2ff}
 .taut.mouse .run2,.taut.mouse .fastest{stroke:#ff8340}
-.taut.mouse .wedge{fill:#4cc2ff;stroke:#12161d}
+.taut.mouse .wedge{fill:#ff8340;stroke:#12161d}
 .taut.mouse .flood,.taut.mouse .flood text{fill:#a3adbc}
 }
 )";
+
+}  // namespace
+
+namespace {
+
+std::vector<SvgKey> with_ruler(std::vector<SvgKey> keys, double pitch) {
+  keys.push_back(ruler_key(pitch, "cell", "cells"));
+  return keys;
+}
 
 }  // namespace
 
@@ -57,7 +67,10 @@ MouseSheet::MouseSheet(const GridMaze& maze, std::string title, std::vector<std:
                        std::vector<SvgKey> keys)
     : maze_(maze),
       pitch_(std::min(kWidestCell, kMapPixels / std::max(maze.width(), maze.height()))),
-      frame_({pitch_ * maze.width(), pitch_ * maze.height()}, std::move(title), std::move(facts), std::move(keys)) {}
+      frame_({pitch_ * maze.width(), pitch_ * maze.height()}, std::move(title), std::move(facts),
+             with_ruler(std::move(keys), pitch_)) {}
+
+std::string MouseSheet::controls() const { return film_controls({frame_.width() - 4, 3}); }
 
 Point MouseSheet::pixel(Point p) const {
   return {frame_.map().min.x + pitch_ * p.x, frame_.map().max.y - pitch_ * p.y};

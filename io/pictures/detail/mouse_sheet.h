@@ -17,7 +17,8 @@ class MouseSheet {
  public:
   MouseSheet(const GridMaze& maze, std::string title, std::vector<std::string> facts, std::vector<SvgKey> keys);
 
-  std::string head() const;  ///< up to and with the floor
+  std::string head() const;      ///< up to and with the floor
+  std::string controls() const;  ///< of a film, before the foot
   std::string foot() const { return frame_.foot(); }
 
   /// The middle of a cell in pixels, or any point whose unit is a cell and whose origin is the lower left corner.

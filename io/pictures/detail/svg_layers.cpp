@@ -52,7 +52,7 @@ Point SvgLayers::size(const World& world, double pixels) {
   return {(box.max.x - box.min.x) / extent * pixels, (box.max.y - box.min.y) / extent * pixels};
 }
 
-double SvgLayers::pixels_a_unit(const World& world, double pixels) { return pixels / longer_side(box_of(world)); }
+SvgKey SvgLayers::ruler(const World& world, double pixels) { return ruler_key(pixels / longer_side(box_of(world))); }
 
 SvgStrokes SvgLayers::strokes(const FreeSpace& space, double pixels) {
   return {corridor_width(space) / longer_side(box_of(space.world())) * pixels};

@@ -21,8 +21,9 @@ class SvgLayers {
 
   /// How large that is, in pixels.
   static Point size(const World& world, double pixels);
+  /// The legend's scale bar for it.
+  static SvgKey ruler(const World& world, double pixels);
   static SvgStrokes strokes(const FreeSpace& space, double pixels);
-  static double pixels_a_unit(const World& world, double pixels);
 
   const SvgScale& scale() const { return scale_; }
   const SvgStrokes& strokes() const { return strokes_; }

@@ -9,7 +9,7 @@ namespace taut::detail {
 ///
 ///  | class                    | colour        | meaning                                                       |
 ///  |--------------------------|---------------|---------------------------------------------------------------|
-///  | path .line, forward      | orange        | where the robot goes, ahead; `runner`, `discs` are the robot   |
+///  | path .line, forward      | orange        | where the robot goes, ahead; `runner`, `discs`: the robot     |
 ///  | path .casing             | the page      | sets a path off from what it crosses                          |
 ///  | backward                 | teal          | where it goes in reverse                                      |
 ///  | start                    | green         | where it begins                                               |
@@ -19,7 +19,7 @@ namespace taut::detail {
 ///  | views, frontier          | amber         | what was seen: from a place on the path; cells not yet taken  |
 ///  | separation               | crimson       | the walls that leave no path                                  |
 ///  | gates                    | blue          | narrow places                                                 |
-///  | roadmap, milestones      | pale blue     | ways that were considered, and their dots                     |
+///  | roadmap, milestones      | pale blue     | ways that were considered, and where they meet                |
 ///  | guides, openings, grid   | grey          | lines that help the eye                                       |
 std::string_view palette();
 

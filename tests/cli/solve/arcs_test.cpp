@@ -46,8 +46,8 @@ TEST_F(SolveArcs, DrawsTheDiscAtBothEndsAndWhereItIsPinched) {
   std::size_t count = 0;
   for (std::size_t at = 0; (at = discs.find("<circle", at)) != std::string::npos; ++at) ++count;
   EXPECT_EQ(count, 3U) << discs;
-  const json answer = json::parse(
-      run_taut("solve - --robot disc:0.5 --arcs --from 5,2 --to 5,8 --json -", hall).out)["result"];
+  const json answer =
+      json::parse(run_taut("solve - --robot disc:0.5 --arcs --from 5,2 --to 5,8 --json -", hall).out)["result"];
   EXPECT_EQ(answer["pinch"]["width_text"], "3/2");
   EXPECT_EQ(answer["pinch"]["at"][1], 5);
 }

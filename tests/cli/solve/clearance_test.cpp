@@ -252,7 +252,8 @@ TEST_F(VoronoiKind, SolvesAndIsCompared) {
   EXPECT_EQ(path["optimal"], false);
   EXPECT_EQ(path["verified"], true);
   EXPECT_NEAR(path["clearance"], 0.5, 1e-2);
-  const json all = json::parse(run_taut("compare - --planners voronoi,visibility-astar --json -", kTwoDoors).out)["result"];
+  const json all =
+      json::parse(run_taut("compare - --planners voronoi,visibility-astar --json -", kTwoDoors).out)["result"];
   EXPECT_GT(all["planners"][0]["ratio"], 1.0);
   EXPECT_EQ(all["planners"][0]["verified"], true);
   EXPECT_GT(all["planners"][0]["expanded"], 0);

@@ -47,7 +47,8 @@ TEST_F(Compare, NeverFindsAnythingShorterThanTheOptimum) {
 }
 
 TEST_F(Compare, MeasuresAgainstTheOptimumAlsoWhenOnlyCellsRun) {
-  const json all = json::parse(run_taut("compare --planners cells8,cells4 --json - " + data_file("maze_5x7.txt")).out)["result"];
+  const json all =
+      json::parse(run_taut("compare --planners cells8,cells4 --json - " + data_file("maze_5x7.txt")).out)["result"];
   ASSERT_EQ(all["planners"].size(), 2U);
   EXPECT_EQ(all["planners"][0]["name"], "cells8");
   EXPECT_NEAR(all["optimum"], 9.321693, 1e-6);
@@ -55,8 +56,8 @@ TEST_F(Compare, MeasuresAgainstTheOptimumAlsoWhenOnlyCellsRun) {
 }
 
 TEST_F(Compare, RunsRandomisedPlannersWithSeveralSeeds) {
-  const json all =
-      json::parse(run_taut("compare --planners prm --runs 3 --seed 5 --json - " + data_file("maze_25x25.txt")).out)["result"];
+  const json all = json::parse(
+      run_taut("compare --planners prm --runs 3 --seed 5 --json - " + data_file("maze_25x25.txt")).out)["result"];
   EXPECT_EQ(all["planners"][0]["solved"], 1.0);
   EXPECT_EQ(all["planners"][0]["verified"], true);
 }
@@ -138,7 +139,8 @@ TEST_F(Compare, AsksWhetherAnotherNameWasMeant) {
 TEST_F(Compare, HasHelp) { EXPECT_THAT(run_taut("compare --help").out, HasSubstr("Usage: taut compare")); }
 
 TEST_F(Compare, TakesRunsAndSeed) {
-  const json all = json::parse(run_taut("compare --runs 3 --seed 7 --json - " + data_file("maze_5x7.txt")).out)["result"];
+  const json all =
+      json::parse(run_taut("compare --runs 3 --seed 7 --json - " + data_file("maze_5x7.txt")).out)["result"];
   EXPECT_EQ(all["runs"], 3);
   EXPECT_EQ(all["seed"], 7);
   EXPECT_FALSE(all["planners"][0].contains("all_runs"));  // nothing random about it
@@ -185,7 +187,8 @@ TEST_F(RoadmapKinds, SayThatTheirPathsAreNotProvenOptimal) {
   const Outcome run = run_taut("solve --roadmap cells " + data_file("maze_5x7.txt"));
   EXPECT_EQ(run.code, 0);
   EXPECT_THAT(run.out, HasSubstr("length 13.000000 (shortest in the roadmap cells; not proven optimal), "));
-  const json answer = json::parse(run_taut("solve --roadmap cells8 --json - " + data_file("maze_5x7.txt")).out)["result"];
+  const json answer =
+      json::parse(run_taut("solve --roadmap cells8 --json - " + data_file("maze_5x7.txt")).out)["result"];
   EXPECT_EQ(answer["optimal"], false);
   EXPECT_EQ(answer["roadmap"], "cells8");
   EXPECT_EQ(run_taut("solve --roadmap magic " + data_file("maze_5x7.txt")).code, 2);
