@@ -48,7 +48,7 @@ constexpr Row kRows[] = {
     {"solve @sloped --roadmap full", 0, "length "},
     {"solve @sloped --roadmap voronoi", 0, "length "},
     {"solve @sloped --roadmap prm", 0, "length "},
-    {"solve @room --roadmap prm-homework", 0, "length "},
+    {"solve @room --roadmap prm-fixed", 0, "length "},
     {"solve @room --roadmap cells", 0, "length "},
     {"solve @sloped --anytime", 0, "length "},
     {"solve @sloped --widest", 0, "radius"},

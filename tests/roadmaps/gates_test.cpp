@@ -29,7 +29,7 @@ struct Rational {
   friend bool operator==(const Rational& a, const Rational& b) { return a.x == b.x && a.y == b.y; }
 };
 
-Rational rational(Point p) { return {p.x, p.y}; }
+Rational rational(Point p) { return {detail::meaning(p.x), detail::meaning(p.y)}; }
 Rational minus(const Rational& a, const Rational& b) { return {a.x - b.x, a.y - b.y}; }
 mpq_class dot(const Rational& a, const Rational& b) { return a.x * b.x + a.y * b.y; }
 

@@ -14,7 +14,7 @@ namespace {
 constexpr const char* kTwoDoors =
     "0 0 20 0\n20 0 20 20\n20 20 0 20\n0 20 0 0\n10 0 10 2\n10 3 10 16\n10 19 10 20\nstart 5 5\ngoal 15 5\n";
 
-TEST(Passage, SaysHowLargeADiscMayBeAndWhatStopsALargerOne) {
+TEST(DiscPassageAnswer, SaysHowLargeADiscMayBeAndWhatStopsALargerOne) {
   const Gates gates{FreeSpace(read_world(kTwoDoors))};
   const Passage any = passage(gates, {5, 5}, {{15, 5}});
   EXPECT_TRUE(any.gets_through());
@@ -24,7 +24,7 @@ TEST(Passage, SaysHowLargeADiscMayBeAndWhatStopsALargerOne) {
   EXPECT_EQ(any.barrier.gates[0].width_text, "3") << "the widest first";
 }
 
-TEST(Passage, OfADiscIsNoneWithTheGatesThatAreTooNarrow) {
+TEST(DiscPassageAnswer, OfADiscIsNoneWithTheGatesThatAreTooNarrow) {
   const Gates gates{FreeSpace(read_world(kTwoDoors))};
   EXPECT_TRUE(passage(gates, {5, 5}, {{15, 5}}, 1.5).gets_through());
   const Passage none = passage(gates, {5, 5}, {{15, 5}}, 1.6);
@@ -33,7 +33,7 @@ TEST(Passage, OfADiscIsNoneWithTheGatesThatAreTooNarrow) {
   EXPECT_EQ(none.barrier.gates.size(), 2U);
 }
 
-TEST(Passage, GoesToTheGoalThatTheLargestDiscReaches) {
+TEST(DiscPassageAnswer, GoesToTheGoalThatTheLargestDiscReaches) {
   const Gates gates{FreeSpace(read_world(kTwoDoors))};
   EXPECT_EQ(passage(gates, {5, 5}, {{15, 19.9}, {15, 5}}).goal, (Point{15, 5}));
 }

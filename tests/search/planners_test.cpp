@@ -18,7 +18,7 @@ constexpr const char* kRoom = "0 0 4 0\n4 0 4 4\n4 4 0 4\n0 4 0 0\n2 0 2 3\nstar
 
 Goal to(Point p) { return {p, {}}; }
 
-TEST(RoadmapKinds, HaveNamesOfTheirOwnAndALineForThoseWhoChoose) {
+TEST(RoadmapKindTable, HaveNamesOfTheirOwnAndALineForThoseWhoChoose) {
   std::set<std::string> names;
   for (const RoadmapKind& kind : roadmap_kinds()) {
     EXPECT_TRUE(names.insert(kind.name).second) << kind.name;
@@ -27,7 +27,7 @@ TEST(RoadmapKinds, HaveNamesOfTheirOwnAndALineForThoseWhoChoose) {
   }
 }
 
-TEST(RoadmapKinds, CountWhatWasDrawnAndKeptWhereTheySample) {
+TEST(RoadmapKindTable, CountWhatWasDrawnAndKeptWhereTheySample) {
   const FreeSpace space(read_world(kRoom));
   for (const RoadmapKind& kind : roadmap_kinds()) {
     if (std::string(kind.name).starts_with("cells")) continue;  // no grid

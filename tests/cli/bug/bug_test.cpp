@@ -34,7 +34,7 @@ TEST_F(BugCommand, EndsWithOneWhenThereIsNoPathAndTwoOnNonsense) {
   EXPECT_EQ(run_taut("bug - --algorithm 1", kSealed).code, 1);
   EXPECT_EQ(run_taut("bug - --algorithm 2", kSealed).code, 1);
   EXPECT_EQ(run_taut("bug - --algorithm 3", kSealed).code, 2);
-  EXPECT_EQ(run_taut("bug - --from 9,9", kSealed).code, 3);
+  EXPECT_EQ(run_taut("bug - --from 9,9", "boundary 0 0 4 4\n" + std::string(kSealed)).code, 3);
 }
 
 TEST_F(BugCommand, PrintsTheShortestLengthAndTheRatioBesideTangentBugs) {
