@@ -5,6 +5,7 @@
 #include <taut/geometry/detail/obstacle_union.h>
 #include <taut/geometry/detail/obstacles.h>
 #include <taut/geometry/free_space.h>
+#include <taut/geometry/predicates.h>
 #include <taut/geometry/written.h>
 #include "support/messy_world.h"
 #include "support/polygon_set.h"

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <taut/geometry/free_space.h>
+#include <taut/geometry/predicates.h>
 #include <taut/geometry/written.h>
 
 #include "support/random_world.h"

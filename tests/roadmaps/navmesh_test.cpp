@@ -5,6 +5,7 @@
 #include <memory>
 
 #include <taut/geometry/maze_generator.h>
+#include <taut/geometry/predicates.h>
 #include <taut/geometry/written.h>
 #include <taut/roadmaps/navmesh.h>
 
