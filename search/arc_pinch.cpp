@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut {
 
@@ -21,9 +21,9 @@ double cross(Point o, Point p, Point q) { return (p.x - o.x) * (q.y - o.y) - (p.
 // Where the leg crosses the gate, its ends included; two on one line do not cross.
 std::optional<Point> crossing(const Segment& leg, const Segment& gate) {
   if (!boxes_meet(leg, gate)) return std::nullopt;
-  const int a = orientation(gate.a, gate.b, leg.a), b = orientation(gate.a, gate.b, leg.b);
+  const int a = written::orientation(gate.a, gate.b, leg.a), b = written::orientation(gate.a, gate.b, leg.b);
   if (a * b > 0 || (a == 0 && b == 0)) return std::nullopt;
-  if (orientation(leg.a, leg.b, gate.a) * orientation(leg.a, leg.b, gate.b) > 0) return std::nullopt;
+  if (written::orientation(leg.a, leg.b, gate.a) * written::orientation(leg.a, leg.b, gate.b) > 0) return std::nullopt;
   const double before = cross(gate.a, gate.b, leg.a), after = cross(gate.a, gate.b, leg.b);
   const double t = before == after ? 0 : std::clamp(before / (before - after), 0.0, 1.0);
   return Point{leg.a.x + t * (leg.b.x - leg.a.x), leg.a.y + t * (leg.b.y - leg.a.y)};

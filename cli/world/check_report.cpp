@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include <taut/cli/report.h>
-#include <taut/geometry/lattice.h>
+#include <taut/geometry/number_lattice.h>
 #include <taut/geometry/predicates.h>
 
 namespace taut::cli {
@@ -73,7 +73,7 @@ std::string CheckReport::text() const {
   if (!world.solids().empty()) row("obstacles", count_text(world.solids().size(), "polygon"));
   row("boundary",
       fmt::format("{}, {} to {}", name_of(world.boundary()), point_text(world.box().min), point_text(world.box().max)));
-  const std::optional<Lattice> lattice = lattice_of(world);
+  const std::optional<NumberLattice> lattice = number_lattice(world);
   row("numbers", lattice ? taut::text(*lattice) : "computed, or too many digits for a lattice");
   if (world.boundary() == Boundary::limit)
     row("openings", world.openings().empty() ? "none"
@@ -99,7 +99,7 @@ Json CheckReport::json() const {
   json["areas"] = world.areas().size();
   json["boundary"] = name_of(world.boundary());
   json["box"] = json_of(world.box());
-  const std::optional<Lattice> lattice = lattice_of(world);
+  const std::optional<NumberLattice> lattice = number_lattice(world);
   json["numbers"] = lattice ? Json(taut::text(*lattice)) : Json(nullptr);
   json["openings"] = world.openings();
   json["start"] = world.start();

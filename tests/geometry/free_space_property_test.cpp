@@ -8,7 +8,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <taut/geometry/detail/segment_distance.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 #include "support/constraint_walk.h"
 #include "support/random_world.h"
@@ -22,9 +22,9 @@ using test::RandomWorld;
 
 bool in_polygons(const FreeSpace& space, Point p) {
   return std::any_of(space.polygons().begin(), space.polygons().end(), [p](const Polygon& polygon) {
-    return side_of_ring(p, polygon.outer) >= 0 &&
+    return written::side_of_ring(p, polygon.outer) >= 0 &&
            std::none_of(polygon.holes.begin(), polygon.holes.end(),
-                        [p](const Ring& hole) { return side_of_ring(p, hole) > 0; });
+                        [p](const Ring& hole) { return written::side_of_ring(p, hole) > 0; });
   });
 }
 
@@ -95,9 +95,9 @@ RC_GTEST_PROP(FreeSpace, HasConstraintsThatMeetOnlyAtEnds, ()) {
     RC_ASSERT(!(c[i].solid_left && c[i].solid_right));
     for (std::size_t j = 0; j < i; ++j) {
       const Segment s{c[i].a, c[i].b}, t{c[j].a, c[j].b};
-      RC_ASSERT(!cross_properly(s, t));
-      for (const Point p : {s.a, s.b}) RC_ASSERT(p == t.a || p == t.b || !on_segment(p, t.a, t.b));
-      for (const Point p : {t.a, t.b}) RC_ASSERT(p == s.a || p == s.b || !on_segment(p, s.a, s.b));
+      RC_ASSERT(!written::cross_properly(s, t));
+      for (const Point p : {s.a, s.b}) RC_ASSERT(p == t.a || p == t.b || !written::on_segment(p, t.a, t.b));
+      for (const Point p : {t.a, t.b}) RC_ASSERT(p == s.a || p == s.b || !written::on_segment(p, s.a, s.b));
       RC_ASSERT(!((s.a == t.a && s.b == t.b) || (s.a == t.b && s.b == t.a)));
     }
   }

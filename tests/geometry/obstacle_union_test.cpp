@@ -6,6 +6,7 @@
 #include <taut/geometry/detail/obstacles.h>
 #include <taut/geometry/free_space.h>
 #include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 #include "support/messy_world.h"
 #include "support/polygon_set.h"
 
@@ -41,7 +42,7 @@ TEST(OutlineOfUnion, KeepsBothBlocksThatTouchInAPoint) {
 TEST(OutlineOfUnion, RoundsCrossingsToTheFreeSide) {
   const std::vector<Ring> rings = {{{0, 0}, {3, 1}, {0, 1}}, {{1, -1}, {2, 2}, {0.7, 2}}};
   for (const detail::Edge& e : outline(rings))
-    for (const Ring& ring : rings) EXPECT_LE(side_of_ring(e.a, ring), 0) << e.a.x << ' ' << e.a.y;
+    for (const Ring& ring : rings) EXPECT_LE(written::side_of_ring(e.a, ring), 0) << e.a.x << ' ' << e.a.y;
 }
 
 TEST(FreeSpacePolygons, NeverClaimWhatCgalCallsSolidAndMissAlmostNothing) {
@@ -67,7 +68,7 @@ TEST(Obstacles, CoverATiltedWallWhollyAndLittleMore) {
   const Ring& ring = obstacles.pieces[0].ring;
   for (const Point corner : {Point{-0.6 + 0.8, -0.8 - 0.6}, Point{-0.6 - 0.8, -0.8 + 0.6}, Point{3.6 + 0.8, 4.8 - 0.6},
                              Point{3.6 - 0.8, 4.8 + 0.6}})
-    EXPECT_GE(side_of_ring(corner, ring), 0) << corner.x << ' ' << corner.y;
+    EXPECT_GE(written::side_of_ring(corner, ring), 0) << corner.x << ' ' << corner.y;
   EXPECT_NEAR(ring_area(ring) / 2, 7 * 2, 1e-12);
   EXPECT_LE(obstacles.excess, 1e-12);
 }

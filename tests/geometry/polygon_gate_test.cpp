@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 #include <algorithm>
 #include <cmath>
 
@@ -22,7 +22,7 @@ TEST(PolygonGate, DropsRepeatedVerticesAndTurnsRings) {
   Polygon polygon{{{0, 0}, {0, 4}, {0, 4}, {4, 4}, {4, 0}, {0, 0}}, {square(1, 1, 2, 2)}};
   admit(polygon, "", 0);
   EXPECT_EQ(polygon.outer, (Ring{{0, 0}, {4, 0}, {4, 4}, {0, 4}}));
-  EXPECT_EQ(ring_orientation(polygon.holes[0]), -1);
+  EXPECT_EQ(written::ring_orientation(polygon.holes[0]), -1);
 }
 
 TEST(PolygonGate, KeepsStraightThroughVertices) {
@@ -105,9 +105,10 @@ RC_GTEST_PROP(PolygonGate, AgreesWithTestingAllPairsOfSides, ()) {
   for (std::size_t i = 0; simple && i < n; ++i) {
     const Segment s{clean[i], clean[(i + 1) % n]};
     const Point next = clean[(i + 2) % n];
-    simple = !on_segment(next, s.a, s.b) && !on_segment(s.a, s.b, next);
+    simple = !written::on_segment(next, s.a, s.b) && !written::on_segment(s.a, s.b, next);
     for (std::size_t j = 0; simple && j < n; ++j)
-      if (j != i && (j + 1) % n != i && (i + 1) % n != j) simple = !segments_meet(s, {clean[j], clean[(j + 1) % n]});
+      if (j != i && (j + 1) % n != i && (i + 1) % n != j)
+        simple = !written::segments_meet(s, {clean[j], clean[(j + 1) % n]});
   }
   RC_TAG(simple ? "simple" : "not simple");
   RC_ASSERT((verdict({ring, {}}) == "accepted") == simple);

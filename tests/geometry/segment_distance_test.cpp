@@ -8,7 +8,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 namespace taut {
 namespace {
@@ -62,7 +62,7 @@ Fraction squared(Point p, Point a, Point b) {
 }
 
 Fraction squared(const Segment& s, const Segment& t) {
-  if (segments_meet(s, t)) return {0, 1};
+  if (written::segments_meet(s, t)) return {0, 1};
   return std::min({squared(s.a, t.a, t.b), squared(s.b, t.a, t.b), squared(t.a, s.a, s.b), squared(t.b, s.a, s.b)});
 }
 

@@ -5,6 +5,7 @@
 
 #include <taut/geometry/free_space.h>
 #include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 #include "support/random_world.h"
 
@@ -52,7 +53,7 @@ RC_GTEST_PROP(VisibilityPolygonOfAPoint, ContainsJustThePointsThatAreSeen, ()) {
   for (int k = 0; k < 30; ++k) {
     // Off all lines through lattice points but a few: rounding can't matter.
     const Point q{any(0, 600) / 100.0 + 0.0037, any(0, 600) / 100.0 + 0.0071};
-    RC_ASSERT((side_of_ring(q, v.ring) > 0) == space.sees(p, q));
+    RC_ASSERT((written::side_of_ring(q, v.ring) > 0) == space.sees(p, q));
   }
 }
 

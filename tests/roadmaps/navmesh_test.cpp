@@ -6,6 +6,7 @@
 
 #include <taut/geometry/maze_generator.h>
 #include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 #include <taut/roadmaps/navmesh.h>
 
 #include "support/random_world.h"
@@ -76,7 +77,8 @@ RC_GTEST_PROP(Navmesh, IsConvexAndCoversTheFreeSpace, ()) {
   for (std::uint32_t c = 0; c < mesh.corners.size(); ++c) {
     const std::uint32_t next = mesh.next(c), across = mesh.corners[c].across;
     RC_ASSERT(mesh.previous(next) == c);
-    RC_ASSERT(orientation(mesh.corners[mesh.previous(c)].point, mesh.corners[c].point, mesh.corners[next].point) >= 0);
+    RC_ASSERT(written::orientation(mesh.corners[mesh.previous(c)].point, mesh.corners[c].point,
+                                   mesh.corners[next].point) >= 0);
     if (across == kNone) continue;
     RC_ASSERT(mesh.corners[across].across == c);
     RC_ASSERT(mesh.corners[across].point == mesh.corners[next].point);

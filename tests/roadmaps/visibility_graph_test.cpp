@@ -7,7 +7,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 
 #include "support/constraint_walk.h"
 #include "support/random_world.h"
@@ -145,7 +145,7 @@ bool hidden(const VisibilityGraph& graph, Point p, Point v) {
   const Triangulation& mesh = graph.space().triangulation();
   return std::any_of(mesh.sectors.begin(), mesh.sectors.end(), [&](const Triangulation::Sector& s) {
     const Point w = mesh.points[s.vertex];
-    return s.reflex && w != p && w != v && on_segment(w, p, v);
+    return s.reflex && w != p && w != v && written::on_segment(w, p, v);
   });
 }
 

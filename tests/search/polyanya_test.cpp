@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include <taut/geometry/maze_generator.h>
-#include <taut/geometry/predicates.h>
+#include <taut/geometry/written.h>
 #include <taut/io/worlds/query_lines.h>
 #include <taut/io/worlds/read_world.h>
 #include <taut/search/polyanya.h>
@@ -252,7 +252,7 @@ TEST(Polyanya, FindsTenThousandPathsAmongPolygonsAsLongAsTheVisibilityGraph) {
         const double px = x + r * std::cos(angle), py = y + r * std::sin(angle);
         ring.push_back({px, py});
       }
-      if (ring_orientation(ring) > 0) world.solids.push_back(ring);
+      if (written::ring_orientation(ring) > 0) world.solids.push_back(ring);
     }
     FreeSpace space = [&] {
       for (;; world.solids.pop_back()) try {

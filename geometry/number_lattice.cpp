@@ -1,4 +1,4 @@
-#include <taut/geometry/lattice.h>
+#include <taut/geometry/number_lattice.h>
 
 #include <algorithm>
 #include <cmath>
@@ -42,11 +42,11 @@ class Places {
       if (++count_ > 1100) exists_ = false;
   }
 
-  std::optional<Lattice> lattice(const Box& box) const {
+  std::optional<NumberLattice> lattice(const Box& box) const {
     const double size = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
     const double largest = base_ == 10 ? size * std::pow(10, count_) : std::ldexp(size, count_);
     if (!exists_ || !(largest < kLimit)) return std::nullopt;
-    return Lattice{base_, count_, box.min, largest};
+    return NumberLattice{base_, count_, box.min, largest};
   }
 
  private:
@@ -57,9 +57,9 @@ class Places {
 
 }  // namespace
 
-double Lattice::unit() const { return base == 10 ? written::number(1, exponent) : std::ldexp(1.0, -exponent); }
+double NumberLattice::unit() const { return base == 10 ? written::number(1, exponent) : std::ldexp(1.0, -exponent); }
 
-std::optional<Lattice> lattice_of(const World& world) {
+std::optional<NumberLattice> number_lattice(const World& world) {
   Places tenths(10), halves(2);
   for (const Point p : points_of(world))
     for (const double v : {p.x, p.y}) {
@@ -71,7 +71,7 @@ std::optional<Lattice> lattice_of(const World& world) {
   return binary->largest < decimal->largest ? binary : decimal;
 }
 
-std::string text(const Lattice& lattice) {
+std::string text(const NumberLattice& lattice) {
   if (lattice.exponent == 0) return "integers";
   const std::string unit = detail::text(lattice.unit());
   if (lattice.base == 2)

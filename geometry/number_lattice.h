@@ -10,7 +10,7 @@
 namespace taut {
 
 /// Multiples of one unit, counted from a corner of the world's box.
-struct Lattice {
+struct NumberLattice {
   int base = 10;       ///< the unit is base^-exponent: a decimal (10) or a binary fraction (2)
   int exponent = 0;    ///< >= 0
   Point origin;        ///< the lower left corner of the box
@@ -22,9 +22,9 @@ struct Lattice {
 /// The lattice of all coordinates that the input gave (walls, rings; thicknesses, start and goal never decide it): the
 /// unit 10^-k or 2^-j of which they are multiples counted from the corner, the one with the smaller integers; nothing
 /// when these would reach 2^52, or when no such unit exists (computed numbers).
-std::optional<Lattice> lattice_of(const World& world);
+std::optional<NumberLattice> number_lattice(const World& world);
 
 /// `integers`, `decimals, 1 mm if the unit is a metre (0.001)`, `decimals, 1e-07`, `binary fractions, 1/1024`.
-std::string text(const Lattice& lattice);
+std::string text(const NumberLattice& lattice);
 
 }  // namespace taut
