@@ -245,11 +245,11 @@ class Picture {
       for (int s = 0; s < seconds(); s += every) add(s);
       for (int i = 0; i <= pause; ++i) add(seconds());
       out_ += fmt::format(
-          "<circle class=\"{} moving\" r=\"8\"><animate attributeName=\"cx\" dur=\"{:.1f}s\" "
+          "<circle class=\"{0} moving\" cx=\"{4}\" cy=\"{5}\" r=\"8\"><animate attributeName=\"cx\" dur=\"{1:.1f}s\" "
+          "repeatCount=\"indefinite\" values=\"{2}\"/><animate attributeName=\"cy\" dur=\"{1:.1f}s\" "
           "repeatCount=\"indefinite\" "
-          "values=\"{}\"/><animate attributeName=\"cy\" dur=\"{:.1f}s\" repeatCount=\"indefinite\" "
-          "values=\"{}\"/></circle>\n",
-          who, lasts, xs, lasts, ys);
+          "values=\"{3}\"/></circle>\n",
+          who, lasts, xs, ys, xs.substr(0, xs.find(';')), ys.substr(0, ys.find(';')));
     }
   }
 

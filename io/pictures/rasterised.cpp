@@ -16,7 +16,7 @@ namespace taut {
 namespace {
 
 constexpr double kFiner = 2, kLongestSide = 8192;
-constexpr std::size_t kRoom = std::size_t{384} << 20;  // of address space: libraries, fonts, the picture
+constexpr std::size_t kRoom = std::size_t{640} << 20;  // of address space: libraries, fonts, the picture take 460 MB
 
 // The functions of librsvg and of what it stands on, found by name. Never unloaded: GLib cannot be.
 struct Rsvg {

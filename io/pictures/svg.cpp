@@ -159,17 +159,29 @@ class Picture {
     out_ += SvgLayers::path(line);
   }
 
-  void labels() {
-    if (what_.labels.empty()) return;
+  // What labels should leave to be seen, in pixels: path, walls, and the markers as crosses.
+  std::vector<Segment> drawn() const {
     std::vector<Segment> lines;
     const auto add = [&](Point a, Point b) { lines.push_back({scale_.pixel(a), scale_.pixel(b)}); };
     for (std::size_t i = 1; what_.path && i < what_.path->points.size(); ++i)
       add(what_.path->points[i - 1], what_.path->points[i]);
     for (const Wall& wall : space_.world().walls()) add(wall.a, wall.b);
+    const double r = strokes_.marker_radius();
+    for (const std::optional<Point>& end : {what_.start, goal_point()}) {
+      if (!end) continue;
+      const Point p = scale_.pixel(*end);
+      lines.push_back({{p.x - r, p.y - r}, {p.x + r, p.y + r}});
+      lines.push_back({{p.x - r, p.y + r}, {p.x + r, p.y - r}});
+    }
+    return lines;
+  }
+
+  void labels() {
+    if (what_.labels.empty()) return;
     std::vector<detail::SvgWord> words;
     for (const SvgLabel& label : what_.labels) words.push_back({scale_.pixel(label.at), label.text});
     const double size = std::clamp(0.3 * strokes_.corridor, 11.0, 15.0);
-    out_ += "<g class=\"labels\">" + detail::words_beside_dots(words, lines, frame_.map(), size) + "</g>\n";
+    out_ += "<g class=\"labels\">" + detail::words_beside_dots(words, drawn(), frame_.map(), size) + "</g>\n";
   }
 
   void runner() {

@@ -83,7 +83,7 @@ def cases(data):
         yield f"grid {kind} sealed --start 0,0 --goal 0,2", grid, "none"
         yield f"grid {kind} wrong --start 0,0 --goal 0,2", grid, "refused"
     yield "grid heuristics map --goal 0,2", grid, "done"
-    yield "grid scen scen --map map", grid, "done"
+    yield "grid scen map scen", grid, "done"
     yield "grid generate --size 9x9 -o out", grid, "done"
     mouse = {"maze": MOUSE, "other": MOUSE_SEALED, "wrong": WRONG}
     yield "diff maze maze", mouse, "done"
@@ -94,8 +94,11 @@ def cases(data):
     yield "mouse run wrong", mouse, "refused"
     yield "mouse compare maze", mouse, "done"
     yield "mouse speed maze", mouse, "found"
-    chase = {"map": os.path.join(data, "town_60x40.chase"), "wrong": WRONG}
+    chase = {"map": os.path.join(data, "town_60x40.chase"), "sealed": CHASE_SEALED, "wrong": WRONG}
     yield "chase map", chase, "found"
+    yield "chase map --online", chase, "found"
+    yield "chase sealed", chase, "none"
+    yield "chase compare sealed", chase, "none"
     yield "chase wrong", chase, "refused"
     yield "chase compare map", chase, "found"
     yield "chase generate --size 20 -o out", chase, "done"
