@@ -38,6 +38,7 @@ struct Row {
 
 constexpr Row kRows[] = {
     {"--version", 0, "taut "},
+    {"help", 0, "Usage: taut"},
     {"solve @room", 0, "length 2.828427"},
     {"solve @sealed", 1, "this wall separates"},
     {"solve absent", 3, "", "no such file"},
@@ -81,9 +82,9 @@ constexpr Row kRows[] = {
     {"space @sloped -o new.wkt", 3, "", "new.wkt: "},
     {"batch @sloped @queries", 0, "1 ", "1 query"},
     {"batch @sealed @queries", 1, "1 none", "1 query"},
-    {"grid solve @grid --from 0,0 --to 2,3", 0, "cost"},
-    {"grid compare @grid --from 0,0 --to 2,3", 0, "jps"},
-    {"grid heuristics @grid --to 2,3", 0, "manhattan"},
+    {"grid solve @grid --start 0,0 --goal 2,3", 0, "cost"},
+    {"grid compare @grid --start 0,0 --goal 2,3", 0, "jps"},
+    {"grid heuristics @grid --goal 2,3", 0, "manhattan"},
     {"grid scen @grid @scen", 0, "1 as the file says"},
     {"grid generate --size 8x6 --seed 1", 0, "type octile"},
     {"diff @bend @bend", 0, ""},
