@@ -132,7 +132,7 @@ int help(CLI::App& app, const std::vector<std::string>& words) {
     if (named.empty()) return wrong_usage(*at, fmt::format("there is no subcommand '{}'", word));
     at = named.front();
   }
-  print(at->help());
+  print(at->help(at->get_parent() == nullptr ? "" : full_name(*at->get_parent())));
   return kFound;
 }
 

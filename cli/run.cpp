@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <mutex>
 #include <tuple>
 #include <utility>
@@ -18,6 +19,12 @@
 namespace taut::cli {
 
 namespace {
+
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code error;
+  return !b.empty() && b != "-" &&
+         std::filesystem::weakly_canonical(a, error) == std::filesystem::weakly_canonical(b, error);
+}
 
 bool is_png(std::string_view name) { return name.ends_with(".png") || name.ends_with(".PNG"); }
 
@@ -104,7 +111,12 @@ void Run::promise(const std::string& file) {
   if (is_png(file) && !why_not_rasterised().empty())
     throw InputError(file, 0, "cannot write a PNG: " + why_not_rasterised());
   if (file == "-" && is_stdout_taken_) throw UsageError("only one output can have standard output");
-  require_writable(file);
+  try {
+    require_writable(file);
+  } catch (const InputError&) {
+    if (is_same_file(file, shared_->json)) shared_->json.clear();  // it is another output's: not to be touched
+    throw;
+  }
   if (file == "-") is_stdout_taken_ = true;
   const std::lock_guard lock(shared_->mutex);
   shared_->prints = is_talkative();

@@ -42,7 +42,8 @@ class Run {
   Run(std::string command, const CommonOptions& options);
   ~Run();
 
-  /// Throws InputError where no file of that name can be made. `-` is standard output: then no line is printed; a second
+  /// Throws InputError where no file of that name can be made. `-` is standard output: then no line is printed; a
+  /// second
   /// one is a UsageError.
   void promise(const std::string& file);
   /// The input's name for the envelope, `-` being <stdin>.

@@ -15,7 +15,8 @@ namespace taut {
 /// InputError when there are no cells. O(cells), and O(n log n) for n corners of outlines.
 World world_of(const OccupancyGrid& grid, std::string source = {});
 
-/// The same, with the cells' corners elsewhere and y upwards, for others to add ends to: `corner(column, row)`, column 0
+/// The same, with the cells' corners elsewhere and y upwards, for others to add ends to: `corner(column, row)`, column
+/// 0
 /// to width, row 0 to height. Rows and columns stay straight lines, one beside the other (precondition).
 WorldParts parts_of(const OccupancyGrid& grid, const std::function<Point(std::uint32_t, std::uint32_t)>& corner,
                     std::string source);

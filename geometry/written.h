@@ -37,7 +37,8 @@ double number(std::int64_t digits, int places);
 /// Does `v` mean exactly the double that it is? So integers, halves and everything computed.
 bool is_plain(double v);
 
-/// The double nearest to what a + b (a - b, a / 2 + b / 2, n times a) mean together, and itself written where the result
+/// The double nearest to what a + b (a - b, a / 2 + b / 2, n times a) mean together, and itself written where the
+/// result
 /// has at most 15 digits: sum(0.7, 0.1) is 0.8.
 double sum(double a, double b);
 inline double difference(double a, double b) { return sum(a, -b); }

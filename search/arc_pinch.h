@@ -15,7 +15,8 @@ struct ArcPinch {
   NamedGate gate;
 };
 
-/// Of several equally narrow gates the first of Gates::gates() that is passed. Nothing where none is: a way in the open.
+/// Of several equally narrow gates the first of Gates::gates() that is passed. Nothing where none is: a way in the
+/// open.
 /// For pictures and people: the path is followed along chords of its arcs. O(gates times pieces) at worst.
 std::optional<ArcPinch> narrowest_gate(const Gates& gates, const ArcPath& path);
 

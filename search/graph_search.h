@@ -65,12 +65,14 @@ struct GraphSearchResult {
 /// A way through the graph. Lengths are exact: labels are intervals; two that overlap are compared as the exact sums of
 /// square roots they stand for (compare_lengths); equal ones keep the predecessor found first. Each search ends when it
 /// takes a goal from its queue.
-///  - astar: boost::astar_search_no_init. Estimates are to the nearest goal, rounded down. Where they are admissible the
+///  - astar: boost::astar_search_no_init. Estimates are to the nearest goal, rounded down. Where they are admissible
+///  the
 ///    search goes on until no open vertex could still improve the goal, so rounding decides nothing and the path is the
 ///    shortest: `optimal`. Manhattan and octile are admissible on few graphs (heuristic_verdict): elsewhere the path is
 ///    not called optimal, also when it happens to be, and `overestimate` is the witness.
 ///  - dijkstra: boost::dijkstra_shortest_paths_no_init. The shortest.
-///  - bfs: boost::breadth_first_visit, dfs: boost::depth_first_visit, greedy: boost::astar_search_no_init ordered by the
+///  - bfs: boost::breadth_first_visit, dfs: boost::depth_first_visit, greedy: boost::astar_search_no_init ordered by
+///  the
 ///    estimate alone. Some path, never called optimal; bfs has the fewest legs, those of the ends included.
 /// All search the whole reachable part before they say `none`. Among goals equally far, the first of those reached.
 /// Precondition: V + goals < 2^32 - 1. O((V + E) log V) in the part reached, the heuristic O(goals); memory 16 bytes a

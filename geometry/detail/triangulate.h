@@ -16,7 +16,8 @@ struct Mesh {
 };
 
 /// Triangulates the convex hull of the edges' ends; edges become constrained sides. Precondition: they meet only at
-/// end points. CGAL's constrained Delaunay triangulation of what the points mean; on lattices with predicates in int64 and int128, which decide
+/// end points. CGAL's constrained Delaunay triangulation of what the points mean; on lattices with predicates in int64
+/// and int128, which decide
 /// the many cocircular quadruples of a grid without multi-precision. Deterministic. O(n log n) expected.
 Mesh triangulate(std::span<const Edge> edges);
 

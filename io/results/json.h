@@ -51,7 +51,8 @@ class Json {
   static Json array(std::initializer_list<Json> items) { return Json(Array(items)); }
   static Json object() { return Json(Members{}); }
 
-  /// A value that is written already: for millions of numbers, of which a tree would take gigabytes. Precondition: it is
+  /// A value that is written already: for millions of numbers, of which a tree would take gigabytes. Precondition: it
+  /// is
   /// JSON; line ends in it stay.
   static Json verbatim(std::string json) { return Json(Verbatim{std::move(json)}); }
 

@@ -15,7 +15,8 @@ Json goal_json(const Goal& goal);
 /// {"kind": "point" | "disc" | "polygon", "radius": r (disc and square only)}
 Json robot_json(const Footprint& robot);
 
-/// {"samples", "vertices", "edges", "edges_tested", "components", "start_part", "goal_part"}; the parts are the vertices
+/// {"samples", "vertices", "edges", "edges_tested", "components", "start_part", "goal_part"}; the parts are the
+/// vertices
 /// that hang together with an end.
 Json prm_json(const PrmConnectivity& prm);
 

@@ -9,7 +9,8 @@
 
 namespace taut {
 
-/// roadmap_json's object (kind, vertices, edges [[u, v], ...] with u <= v, here in the diagram's order and possibly twice
+/// roadmap_json's object (kind, vertices, edges [[u, v], ...] with u <= v, here in the diagram's order and possibly
+/// twice
 /// the same pair), and:
 ///  max_error    VoronoiRoadmap::max_error, null when no bound is known
 ///  clearances   of each vertex

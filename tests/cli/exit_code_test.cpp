@@ -129,8 +129,8 @@ TEST_F(ExitCode, IsThreeWhenThereIsNoSuchFileOrItIsAFolder) {
 }
 
 TEST_F(ExitCode, IsThreeWhenStartOrGoalIsInAWallOrOutside) {
-  expect_one_line(run_taut("solve - --from 9,9", kRoom), 3, "start (9, 9)");
-  expect_one_line(run_taut("solve - --to -1,2", kRoom), 3, "goal (-1, 2)");
+  expect_one_line(run_taut("solve - --from 9,9", "boundary 0 0 4 4\n" + std::string(kRoom)), 3, "start (9, 9)");
+  expect_one_line(run_taut("solve - --to -1,2", "boundary 0 0 4 4\n" + std::string(kRoom)), 3, "goal (-1, 2)");
   expect_one_line(run_taut("solve - --wall-thickness 0.5 --from 2.1,1", kRoom), 3, "start (2.1, 1)");
   expect_one_line(run_taut("check - --wall-thickness 0.5 --to 2.1,1", kRoom), 3, "goal (2.1, 1)");
 }

@@ -31,7 +31,7 @@ constexpr HardWorld kSliver{"two.wkt",
                             "LINESTRING(999999.999825306 1000000.00509603, 999999.998026552 1000000.00032481)\n"
                             "LINESTRING(999999.998351364 1000000.00229826, 999999.999825306 1000000.00509603)\n",
                             "--wall-thickness 0.00025 --from 1000000.001,1000000.001 --to 999999.996,1000000.003",
-                            0.0010584354167804122};
+                            0.0010818729167804122};
 // A wall that ends one unit in the last place from the corner of two others.
 constexpr HardWorld kNearMiss{"three.txt", "5 42 6 42\n5 41 4.999999999999999 42\n5 47 5 48\n", "--from 1,1 --to 9,60",
                               10.5};

@@ -60,10 +60,5 @@ TEST(NarrowestGate, IsTheNarrowestOfThoseThatTheWayOfADiscPasses) {
   EXPECT_LE(small->at.y, 2.75 + 1e-9);
 }
 
-TEST(NarrowestGate, IsNothingInTheOpen) {
-  const FreeSpace space(read_world("boundary 0 0 9 9\n8 8 8.5 8\nstart 1 1\ngoal 2 1\n"));
-  EXPECT_FALSE(narrowest_gate(Gates(space), arc_search(TangentGraph(space, 0.1), {1, 1}, {2, 1}).path));
-}
-
 }  // namespace
 }  // namespace taut

@@ -72,12 +72,5 @@ TEST(Comparison, NamesThePlannerWhosePathDoesNotPassTheCheck) {
   EXPECT_STREQ(comparison.wrong()->planner->name, "polyanya");
 }
 
-TEST(Comparison, SaysWhyAPlannerDoesNotFit) {
-  const FreeSpace space(read_world(kRoom));
-  const PlannerRuns runs = run_planner(*planner("cells4"), space, {1, 2}, to({3, 2}), 1, 1);
-  EXPECT_TRUE(runs.runs.empty());
-  EXPECT_THAT(runs.unfit, HasSubstr("has no cells"));
-}
-
 }  // namespace
 }  // namespace taut

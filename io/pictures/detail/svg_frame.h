@@ -39,7 +39,8 @@ class SvgFrame {
   double height() const { return height_; }
   Box map() const { return map_; }  ///< where the picture belongs, y down
 
-  /// From the <svg> tag to the page's ground. `css` adds to the colours all pictures share, see svg_palette.h. Its rules begin with `.taut.KIND`, so that pictures of several kinds leave each other alone on one page.
+  /// From the <svg> tag to the page's ground. `css` adds to the colours all pictures share, see svg_palette.h. Its
+  /// rules begin with `.taut.KIND`, so that pictures of several kinds leave each other alone on one page.
   std::string head(const std::string& kind, const std::string& css) const;
   /// The <g class="legend"> and the end of the document.
   std::string foot() const;

@@ -70,9 +70,9 @@ TEST_F(DriveWorld, EndsWithItsCode) {
   const Outcome which = run_taut("drive " + maze);
   EXPECT_EQ(which.code, 3);
   EXPECT_THAT(which.err, HasSubstr("--car"));
-  const Outcome wall = run_taut("drive " + maze + car + " --from 0,0");
+  const Outcome wall = run_taut("drive " + maze + car + " --from 0.5,3");
   EXPECT_EQ(wall.code, 3);
-  EXPECT_THAT(wall.err, HasSubstr("the car cannot stand at the start (0, 0)"));
+  EXPECT_THAT(wall.err, HasSubstr("the car cannot stand at the start (0.5, 3)"));
 }
 
 }  // namespace

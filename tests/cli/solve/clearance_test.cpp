@@ -170,8 +170,8 @@ TEST_F(SolveClearance, RefusesWhatDoesNotGoTogether) {
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1);
   }
   EXPECT_EQ(run_taut("solve - --widest --from 10,1.5,2", kTwoDoors).code, 2);
-  EXPECT_EQ(run_taut("solve - --widest --from 30,30", kTwoDoors).code, 3);
-  EXPECT_EQ(run_taut("passage - --from 30,30", kTwoDoors).code, 3);
+  EXPECT_EQ(run_taut("solve - --widest --from 30,30", "boundary 0 0 20 20\n" + std::string(kTwoDoors)).code, 3);
+  EXPECT_EQ(run_taut("passage - --from 30,30", "boundary 0 0 20 20\n" + std::string(kTwoDoors)).code, 3);
 }
 
 TEST_F(Passage, IsWhatSolveNamesWhenADiscHasNoPath) {

@@ -65,8 +65,6 @@ std::string message_of(const std::string& bytes) {
 TEST(GeoJson, SaysWhatIsWrong) {
   EXPECT_EQ(message_of(feature(R"({"role": "goal"})", "Polygon", "[[[0, 0], [4, 0], [4, 5], [0, 4], [0, 0]]]")),
             "line 1: a goal polygon must be an axis-parallel rectangle");
-  EXPECT_EQ(message_of(feature(R"({"thickness": -1})", "LineString", "[[0, 0], [4, 0]]")),
-            "line 1: wall thickness -1 is negative");
   EXPECT_EQ(message_of("{\"type\": \"Polygon\"}"), "line 1: Polygon without \"coordinates\"");
   EXPECT_EQ(message_of("{}"), "line 1: a GeoJSON object without \"type\"");
   EXPECT_EQ(message_of("{\"type\": \"FeatureCollection\"}"), "line 1: \"features\" is missing or no array");

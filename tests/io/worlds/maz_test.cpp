@@ -53,7 +53,9 @@ TEST(Maz, NamesBothCellsThatDisagree) {
     read_world(bytes, {.source = "a.maz"});
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "a.maz: cell (0,0) says wall to the right, cell (1,0) says open");
+    EXPECT_STREQ(
+        error.what(),
+        "a.maz: binary data of 256 bytes, but no .maz maze: cell (0,0) says wall to the right, cell (1,0) says open");
   }
 }
 

@@ -44,7 +44,7 @@ TEST_F(RosMap, IsPlannedIn) {
 TEST_F(RosMap, KnowsWhatNobodyKnows) {
   const std::string grey = "P2 2 1 255 205 254";
   const std::string file = map("resolution: 1\norigin: [0, 0, 0]\noccupied_thresh: 0.65\nfree_thresh: 0.196\n", grey);
-  EXPECT_EQ(read_world_file(file).solids().size(), 0U);  // (255 - 205) / 255 = 0.19608 is not below 0.196
+  EXPECT_EQ(read_world_file(file).solids().size(), 1U);  // (255 - 205) / 255 = 0.19608 is not below 0.196
   EXPECT_EQ(read_world_file(map("resolution: 1\norigin: [0, 0, 0]\nfree_thresh: 0.1\n", grey)).solids().size(), 1U);
   ReadOptions free;
   free.unknown_is_free = true;

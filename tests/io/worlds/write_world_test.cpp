@@ -42,7 +42,9 @@ void check_same(const World& a, const World& b) {
 // Any double World takes, every bit pattern possible.
 double any_coordinate() {
   const double value = std::bit_cast<double>(*rc::gen::arbitrary<std::uint64_t>());
-  return std::abs(value) <= 1e70 ? value + 0.0 : static_cast<double>(*rc::gen::inRange(-100, 100)) / 8;
+  return std::abs(value) <= 1e70 && (value == 0 || std::abs(value) >= World::kSmallest)
+             ? value + 0.0
+             : static_cast<double>(*rc::gen::inRange(-100, 100)) / 8;
 }
 
 Point any_point() {
