@@ -20,7 +20,7 @@ SLIT = "boundary 0 0 4 4\nstart 1 1\ngoal 3 3\n2 0 2 1.9\n2 2 2 4\n"
 WRONG = "boundary 0 0 4\n"
 GRID = "type octile\nheight 3\nwidth 3\nmap\n.@.\n.@.\n...\n"
 GRID_SEALED = "type octile\nheight 3\nwidth 3\nmap\n.@.\n.@.\n.@.\n"
-SCENARIO = "version 1\n0\tmap\t3\t3\t0\t0\t2\t0\t5.65685425\n"
+SCENARIO = "version 1\n0\tmap\t3\t3\t0\t0\t2\t0\t6.00000000\n"
 MOUSE = "o---o---o\n| G     |\no   o   o\n| S |   |\no---o---o\n"
 MOUSE_SEALED = "o---o---o\n| G |   |\no---o   o\n| S |   |\no---o---o\n"
 CHASE_SEALED = "N\n3,3\nC\n100\nR\n1,1\nT\n3,3\n3,3\nM\n1,200,1\n1,200,1\n1,200,1\n"
@@ -77,13 +77,13 @@ def cases(data):
     yield "bug wrong", world, "refused"
     yield "bug compare room", world, "found"
     yield "bug compare sealed", world, "none"
-    grid = {"map": GRID, "sealed": GRID_SEALED, "wrong": WRONG, "scen": SCENARIO}
+    grid = {"map": GRID, "sealed": GRID_SEALED, "wrong": WRONG, "routes": SCENARIO}
     for kind in ("solve", "compare"):
         yield f"grid {kind} map --start 0,0 --goal 0,2", grid, "found"
         yield f"grid {kind} sealed --start 0,0 --goal 0,2", grid, "none"
         yield f"grid {kind} wrong --start 0,0 --goal 0,2", grid, "refused"
     yield "grid heuristics map --goal 0,2", grid, "done"
-    yield "grid scen map scen", grid, "done"
+    yield "grid scen map routes", grid, "done"
     yield "grid generate --size 9x9 -o out", grid, "done"
     mouse = {"maze": MOUSE, "other": MOUSE_SEALED, "wrong": WRONG}
     yield "diff maze maze", mouse, "done"

@@ -68,7 +68,7 @@ TEST_F(BugCommand, DrawsWhatWasInSight) {
 
 TEST_F(BugCommand, NamesItsContactsBesideThePathAndInTheKey) {
   const std::string picture = run_taut("bug - --svg -", kRoom).out;
-  for (const char* words : {">H1<", ">L1<", ">hit point<", ">leave point<", ">straight line<"})
+  for (const char* words : {">H1 L1<", ">hit point<", ">leave point<", ">straight line<"})
     EXPECT_THAT(picture, testing::HasSubstr(words));
   EXPECT_EQ(picture, run_taut("bug - --svg -", kRoom).out);
 }

@@ -114,8 +114,9 @@ TEST_F(Compare, DrawsTheSameSheetEveryTime) {
 TEST_F(Compare, KeepsThePlannersThatFinishedWhenItIsStopped) {
   const std::string maze = folder.file("maze.txt", run_taut("generate --size 60x60 --loops 0.3 --seed 2").out);
   // A PRM that never finds a way: its milestones keep too far from the walls.
-  const Outcome run = run_taut("compare --planners polyanya,prm --prm-clearance 0.6 --max-seconds 3 --json " +
-                               in_folder("a.json") + " " + maze);
+  const Outcome run =
+      run_taut("compare --planners polyanya,prm --prm-clearance 0.6 --samples 100000000 --max-seconds 3 --json " +
+               in_folder("a.json") + " " + maze);
   EXPECT_EQ(run.code, 4) << run.out << run.err;
   EXPECT_THAT(run.out, ContainsRegex("polyanya +yes "));
   const json answer = json::parse(contents(in_folder("a.json")));
