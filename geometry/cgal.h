@@ -69,7 +69,8 @@ Polygon from_cgal(const CGAL::Polygon_with_holes_2<Kernel, Container>& polygon) 
 
 /// The free space as CGAL's polygons with holes: FreeSpace::polygons(), in their order, outer boundaries
 /// counter-clockwise, holes clockwise, every coordinate the double it is. Walls of zero thickness are in none of them
-/// (FreeSpace::constraints). Their area is what the free triangles of FreeSpace::triangulation() have together.
+/// (FreeSpace::constraints). Their area is what the free triangles of FreeSpace::triangulation() have together,
+/// but for corners that are in line as written (written.h) and left out, though their doubles are not quite.
 template <class Kernel = CGAL::Exact_predicates_inexact_constructions_kernel>
 std::vector<CGAL::Polygon_with_holes_2<Kernel>> cgal_polygons(const FreeSpace& space) {
   std::vector<CGAL::Polygon_with_holes_2<Kernel>> polygons;

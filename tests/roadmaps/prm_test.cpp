@@ -1,3 +1,4 @@
+#include <taut/geometry/detail/exact.h>
 #include <taut/roadmaps/prm.h>
 
 #include <gmpxx.h>
@@ -57,12 +58,12 @@ bool joins(const Roadmap& graph, Point p, Point q) {
 
 /// The squared distance of p and the segment a b, as a fraction.
 mpq_class squared_distance(Point p, Point a, Point b) {
-  const mpq_class ux = mpq_class(b.x) - a.x, uy = mpq_class(b.y) - a.y;
+  const detail::ExactPoint at(p), from(a), to(b);
+  const mpq_class ux = to.x - from.x, uy = to.y - from.y;
   const mpq_class length = ux * ux + uy * uy;
-  mpq_class t =
-      length == 0 ? mpq_class(0) : mpq_class(((p.x - mpq_class(a.x)) * ux + (p.y - mpq_class(a.y)) * uy) / length);
+  mpq_class t = length == 0 ? mpq_class(0) : mpq_class(((at.x - from.x) * ux + (at.y - from.y) * uy) / length);
   t = t < 0 ? mpq_class(0) : t > 1 ? mpq_class(1) : t;
-  const mpq_class dx = a.x + t * ux - p.x, dy = a.y + t * uy - p.y;
+  const mpq_class dx = from.x + t * ux - at.x, dy = from.y + t * uy - at.y;
   return dx * dx + dy * dy;
 }
 
@@ -82,7 +83,7 @@ RC_GTEST_PROP(Prm, HasOnlyEdgesThatTheCheckAcceptsAndThatKeepTheClearance, ()) {
   const FreeSpace space = world.space();
   const PrmOptions options = any_options();
   const Roadmap graph = prm(space, options);
-  const mpq_class least = mpq_class(options.clearance) * options.clearance;
+  const mpq_class least = detail::meaning(options.clearance) * detail::meaning(options.clearance);
   for (Roadmap::Vertex v = 0; v < graph.vertex_count(); ++v) {
     const Point p = graph.point(v);
     for (const Constraint& c : space.constraints()) {
