@@ -11,6 +11,7 @@
 #include <memory>
 #include <utility>
 
+#include <taut/geometry/mend_rings.h>
 #include <taut/geometry/occupancy_world.h>
 #include <taut/io/worlds/detail/formats.h>
 #include <taut/io/worlds/detail/text_input.h>
@@ -141,6 +142,11 @@ World read_ros_map(std::string_view bytes, const ReadOptions& options) {
   return ros_world(occupancy(raster, info, options.unknown_is_free), info, options.source);
 }
 
+World read_shapes(WorldParts parts, ReadNotes& notes) {
+  for (std::string& remark : mend_rings(parts)) notes.remarks.push_back(std::move(remark));
+  return World(std::move(parts));
+}
+
 std::string drain(std::istream& in) {
   std::string bytes;
   std::array<char, 1 << 16> block;
@@ -200,13 +206,13 @@ World read_world(std::string_view bytes, const ReadOptions& options, ReadNotes* 
   ReadNotes& seen = notes ? *notes : local;
   seen = {options.format ? *options.format : detect_format(bytes, options.source), 0, {}};
   switch (seen.format) {
-    case Format::segments: return World(detail::read_segments(bytes, options.source));
+    case Format::segments: return read_shapes(detail::read_segments(bytes, options.source), seen);
     case Format::cell_values: return read_grid(detail::read_cell_values(bytes, options.source), options);
     case Format::drawing: return read_grid(detail::read_drawing(bytes, options.source, seen.unknown_walls), options);
     case Format::maz: return read_grid(detail::read_maz(bytes, options.source), options);
     case Format::num: return read_grid(detail::read_num(bytes, options.source), options);
-    case Format::wkt: return World(detail::read_wkt(bytes, options, seen));
-    case Format::geojson: return World(detail::read_geojson(bytes, options, seen));
+    case Format::wkt: return read_shapes(detail::read_wkt(bytes, options, seen), seen);
+    case Format::geojson: return read_shapes(detail::read_geojson(bytes, options, seen), seen);
     case Format::ros_map: return read_ros_map(bytes, options);
     case Format::picture: return read_picture(bytes, options);
     case Format::blocks: return World(detail::read_blocks(bytes, options.source));
