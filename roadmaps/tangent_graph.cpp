@@ -80,7 +80,6 @@ void sort_around(std::vector<std::uint32_t>& points, const std::vector<TangentPo
 
 }  // namespace detail
 
-using detail::TangentPoint;
 using detail::TangentRing;
 using detail::TangentSite;
 
@@ -122,11 +121,11 @@ void TangentGraph::Impl::find_legs() {
     for (const std::uint32_t v : walls.seen_from_vertex(sites[i].vertex)) {
       const std::uint32_t j = site_at[v];
       if (j == kNone || j <= i || sites[j].vertex == sites[i].vertex) continue;
-      for (detail::TangentPair& pair : detail::free_tangents(walls, r, sites[i], sites[j])) {
+      for (const detail::TangentPair& pair : detail::free_tangents(walls, r, sites[i], sites[j])) {
         const auto from = static_cast<std::uint32_t>(points.size());
         const int s = pair.from.here.side, t = -pair.to.here.side;
-        points.push_back(std::move(pair.from));
-        points.push_back(std::move(pair.to));
+        points.push_back(pair.from);
+        points.push_back(pair.to);
         site_of.insert(site_of.end(), {i, j});
         legs.push_back({from, from + 1, s, t, pair.length});
         legs.push_back({from + 1, from, -t, -s, pair.length});

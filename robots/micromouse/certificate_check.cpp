@@ -150,8 +150,8 @@ Finding check_certificate(const Certificate& certificate, const GridMaze& maze) 
 }
 
 Finding check_certificate(const Certificate& certificate, const GridMaze& maze, const Record& record) {
-  if (const Finding finding = check_certificate(certificate, maze); !finding) return finding;
-  if (const Finding finding = check_record(record, maze); !finding) return finding;
+  if (Finding finding = check_certificate(certificate, maze); !finding) return finding;
+  if (Finding finding = check_record(record, maze); !finding) return finding;
   if (record.task != certificate.task) return fault("the record is of another task");
   for (const auto* list : {&certificate.openings, &certificate.walls})
     for (const Witness& w : *list) {

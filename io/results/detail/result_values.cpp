@@ -20,7 +20,7 @@ std::string flat(const Json& json) {
 // A list with a line for each point would be unreadable, as would one with all of them on a line.
 std::string wrapped(const Json& array, const std::string& indent) {
   constexpr std::size_t kWidest = 100;
-  const std::string all = flat(array);
+  std::string all = flat(array);
   if (all.size() <= kWidest) return all;
   std::string out = "[";
   std::size_t width = kWidest;
