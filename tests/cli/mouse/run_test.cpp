@@ -106,6 +106,18 @@ TEST_F(MouseRun, SaysSoWhenTheGoalCannotBeReached) {
   }
 }
 
+TEST_F(MouseRun, HasItsScoreWhenWhatIsPossibleCannotBeMeasured) {
+  const std::string maze = in_folder("large"), answer = in_folder("a.json");
+  ASSERT_EQ(run_taut("generate --kind backtracker --size 64 --loops 0.2 --seed 2 --as num -o " + maze).code, 0);
+  const Outcome run = run_taut("mouse run --explorer flood --max-memory 300M --json " + answer + " " + maze);
+  EXPECT_EQ(run.code, 4);
+  const json envelope = json::parse(contents(answer));
+  EXPECT_EQ(envelope["status"], "stopped");
+  EXPECT_EQ(envelope["reason"], "out of memory (in stage `floor`)");
+  EXPECT_GE(envelope["result"]["score"], envelope["result"]["floor"]);
+  EXPECT_THAT(run.out, HasSubstr("\n  score "));
+}
+
 TEST_F(MouseRun, RefusesWhatIsNoGridMaze) {
   const Outcome run = run_taut("mouse run " + data_file("maze_5x7.txt"));
   EXPECT_EQ(run.code, 3);
