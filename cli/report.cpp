@@ -3,13 +3,7 @@
 #include <fmt/format.h>
 #include <sys/resource.h>
 
-#include <taut/cli/messages.h>
-
 namespace taut::cli {
-
-void note_stage(const char* stage, double seconds, const std::string& what) {
-  note(fmt::format("{:<12}{:>9.4f} s   {}", stage, seconds, what));
-}
 
 std::string cpu_text(const Seconds& seconds) {
   const std::string cpu = seconds_text(seconds.cpu) + " CPU";

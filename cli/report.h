@@ -15,7 +15,4 @@ std::string peak_memory_text();
 /// `1.20 s CPU, 0.61 s wall`.
 std::string cpu_text(const Seconds& seconds);
 
-/// A line of --stats on stderr: the stage, its seconds and what came of it.
-void note_stage(const char* stage, double seconds, const std::string& what);
-
 }  // namespace taut::cli

@@ -62,7 +62,8 @@ std::vector<std::string> roadmap_facts(const RoadmapKind& kind, const PlannedRoa
   if (planned.counts)
     facts.push_back(
         fmt::format("{} drawn, {} kept", count_text(planned.counts->drawn, "sample"), planned.counts->kept));
-  facts.push_back(count_text(planned.roadmap->vertex_count(), "vertex", "vertices"));
+  else
+    facts.push_back(count_text(planned.roadmap->vertex_count(), "vertex", "vertices"));
   facts.push_back(count_text(planned.roadmap->edge_count(), "edge"));
   return facts;
 }

@@ -52,9 +52,9 @@ std::string search_name(const SolveAnswer& answer, const SolveOptions& options) 
 
 std::string roadmap_stat(const SolveAnswer& answer, const SolveOptions& options) {
   if (!answer.kind->graph) return answer.kind->title;
-  std::string text = fmt::format("{}", fmt::join(roadmap_facts(*answer.kind, answer.planned), ", "));
-  if (!options.load.empty()) text += ", loaded from " + options.load;
-  return answer.planned.prm ? text + "; " + connectivity_text(*answer.planned.prm) : text;
+  if (answer.planned.prm) return answer.kind->title + (", " + connectivity_text(*answer.planned.prm));
+  const std::string text = fmt::format("{}", fmt::join(roadmap_facts(*answer.kind, answer.planned), ", "));
+  return options.load.empty() ? text : text + ", loaded from " + options.load;
 }
 
 }  // namespace

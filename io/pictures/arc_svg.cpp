@@ -11,6 +11,11 @@ namespace taut {
 
 namespace {
 
+// Exact where that is short.
+std::string width_text(const NamedGate& gate) {
+  return gate.width_text.size() <= 8 ? gate.width_text : fmt::format("{:.6g}", gate.width);
+}
+
 std::vector<std::string> facts(const ArcAnswer& answer) {
   const std::string radius = "disc of radius " + number_text(answer.radius);
   if (answer.result.status != ArcStatus::found)
@@ -19,7 +24,7 @@ std::vector<std::string> facts(const ArcAnswer& answer) {
   const auto arcs = std::count_if(path.bends.begin(), path.bends.end(), [](const ArcBend& b) { return b.turn != 0; });
   std::vector<std::string> facts{fmt::format("length {:.6f}", path.value()),
                                  count_text(static_cast<std::size_t>(arcs), "arc"), radius};
-  if (answer.pinch) facts.push_back("narrowest passage " + answer.pinch->gate.width_text);
+  if (answer.pinch) facts.push_back("narrowest passage " + width_text(answer.pinch->gate));
   return facts;
 }
 

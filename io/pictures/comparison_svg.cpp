@@ -21,9 +21,14 @@ constexpr std::size_t kEdgesDrawn = 6000;
 constexpr double kInner = 952, kGap = 20;  // of the page between its margins, between panels
 constexpr double kHead = 26, kRow = 20;    // a panel's title, a row of its numbers
 constexpr double kRim = 6;                 // what may stick out of a map
-constexpr std::size_t kRows = 3;
 
 std::string px(double v) { return detail::svg_number(v); }
+
+// Beside what all pictures have; a finer line would be lost in a small map.
+std::string more_style(const detail::SvgStrokes& strokes) {
+  return fmt::format(".taut .panel{{font-weight:600}}\n.taut .roadmap{{stroke-width:{}}}\n",
+                     px(std::max(0.6, strokes.roadmap())));
+}
 
 // Side by side as many as leave each 300 pixels; of wide worlds fewer.
 std::size_t columns_for(Point size) { return size.x > 2 * size.y ? 2 : 3; }
@@ -39,27 +44,34 @@ class Sheet {
     width_ = (kInner - kGap * static_cast<double>(columns_ - 1)) / static_cast<double>(columns_);
     pixels_ = std::min(width_ / whole.x, 1.25 * width_ / whole.y);
     map_ = {whole.x * pixels_, whole.y * pixels_};
-    height_ = kHead + map_.y + kRow * static_cast<double>(kRows) + kGap;
     title_ = title;
+    for (std::size_t i = 0; i < panels_.size(); i += columns_) tops_.push_back(tops_.back() + height_of_row(i));
   }
 
   std::string draw() {
-    const std::size_t rows = (panels_.size() + columns_ - 1) / columns_;
-    const detail::SvgFrame frame({kInner, height_ * static_cast<double>(rows)}, title_, facts(), keys());
+    const detail::SvgFrame frame({kInner, tops_.back()}, title_, facts(), keys());
     const SvgLayers layers(space_, {}, pixels_);
-    out_ = frame.head("", detail::style(layers.strokes()) + ".taut .panel{font-weight:600}\n");
+    out_ = frame.head("", detail::style(layers.strokes()) + more_style(layers.strokes()));
     out_ += "<g xmlns:xlink=\"http://www.w3.org/1999/xlink\">\n<defs>\n<g id=\"taut-ground\">" + layers.solid() +
             layers.free() + layers.rooms(comparison_.goal) + "</g>\n<g id=\"taut-walls\">" + layers.openings() +
             layers.walls() + "</g>\n</defs>\n";
     for (std::size_t i = 0; i < panels_.size(); ++i) {
       const Point at{frame.map().min.x + static_cast<double>(i % columns_) * (width_ + kGap),
-                     frame.map().min.y + static_cast<double>(i / columns_) * height_};
+                     frame.map().min.y + tops_[i / columns_]};
       panel(*panels_[i], layers, at);
     }
     return std::move(out_ += "</g>\n" + frame.foot());
   }
 
  private:
+  // As its longest list of numbers needs it.
+  double height_of_row(std::size_t first) const {
+    std::size_t rows = 0;
+    for (std::size_t i = first; i < std::min(first + columns_, panels_.size()); ++i)
+      rows = std::max(rows, numbers(*panels_[i]).size());
+    return kHead + map_.y + kRow * static_cast<double>(rows) + 1.5 * kGap;
+  }
+
   std::vector<std::string> facts() const {
     std::vector<std::string> facts;
     facts.push_back(comparison_.optimum   ? "shortest path " + length_text(*comparison_.optimum)
@@ -85,6 +97,7 @@ class Sheet {
     if (any(has_drawn_edges)) keys.push_back(detail::key_of("roadmap"));
     if (any(has_milestones)) keys.push_back(detail::key_of("milestones"));
     if (space_.footprint().kind() != Footprint::Kind::point) keys.push_back(detail::key_of("solid"));
+    keys.push_back(SvgLayers::ruler(space_.world(), pixels_));
     return keys;
   }
 
@@ -157,8 +170,9 @@ class Sheet {
   std::string title_;
   std::vector<const PlannerRuns*> panels_;
   std::size_t columns_ = 3;
-  double width_ = 0, height_ = 0, pixels_ = 0;  // of a panel, of its map's longer side
-  Point map_;                                   // its size
+  double width_ = 0, pixels_ = 0;  // of a panel, of its map's longer side
+  std::vector<double> tops_{0};    // of the rows of panels, and below the last
+  Point map_;                      // its size
   std::map<std::string, std::size_t> ids_;
   std::string out_;
 };

@@ -192,7 +192,7 @@ class Picture {
   }
 
   void marker(const char* kind, const std::optional<Point>& at) {
-    if (at) out_ += layers_.marker(kind, *at);
+    if (at) out_ += layers_.marker(kind, *at, what_.discs.empty() ? 0 : what_.discs.front().radius);
   }
 
   const FreeSpace& space_;

@@ -83,7 +83,7 @@ std::string words(const char* kind, double x, double y, const std::string& text)
 std::vector<std::string> wrapped(const std::vector<std::string>& facts, double width) {
   std::vector<std::string> rows(1);
   for (const std::string& fact : facts) {
-    if (!rows.back().empty() && text_width(rows.back(), kTextSize) + text_width(fact, kTextSize) > width)
+    if (!rows.back().empty() && text_width(rows.back() + std::string(kDot) + fact, kTextSize) > width)
       rows.emplace_back();
     rows.back() += rows.back().empty() ? fact : std::string(kDot) + fact;
   }

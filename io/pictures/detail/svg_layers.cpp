@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include <taut/geometry/corridor_width.h>
 
@@ -29,6 +31,30 @@ Box box_of(const World& world) {
 int decimals(const SvgStrokes& strokes) {
   return std::clamp(static_cast<int>(std::ceil(std::log10(60 / strokes.corridor))), 1, 4);
 }
+
+// Hands out each edge of a roadmap once.
+class Trails {
+ public:
+  explicit Trails(const Roadmap& roadmap) : roadmap_(roadmap), taken_(roadmap.vertex_count()) {
+    for (Roadmap::Vertex v = 0; v < roadmap.vertex_count(); ++v) taken_[v].resize(roadmap.neighbours(v).size());
+  }
+
+  /// The lowest neighbour to which there is an edge left, which is taken.
+  std::optional<Roadmap::Vertex> next(Roadmap::Vertex v) {
+    const auto row = roadmap_.neighbours(v);
+    const auto at = std::find(taken_[v].begin(), taken_[v].end(), false);
+    if (at == taken_[v].end()) return std::nullopt;
+    *at = true;
+    const Roadmap::Vertex w = row[static_cast<std::size_t>(at - taken_[v].begin())];
+    const auto back = roadmap_.neighbours(w);
+    taken_[w][static_cast<std::size_t>(std::lower_bound(back.begin(), back.end(), v) - back.begin())] = true;
+    return w;
+  }
+
+ private:
+  const Roadmap& roadmap_;
+  std::vector<std::vector<bool>> taken_;
+};
 
 bool all_is_free(const FreeSpace& space) {
   const auto& free = space.polygons();
@@ -132,15 +158,21 @@ std::string SvgLayers::discs(const std::vector<SvgDisc>& discs) const {
   return out + "</g>\n";
 }
 
-std::string SvgLayers::marker(const char* kind, Point at) const {
-  return detail::marker(kind, scale_.pixel(at), strokes_.marker_radius(), strokes_.corridor);
+std::string SvgLayers::marker(const char* kind, Point at, double disc) const {
+  const double usual = strokes_.marker_radius();
+  const double radius = disc > 0 ? std::min(usual, std::max(3.0, 0.5 * scale_.length(disc))) : usual;
+  return detail::marker(kind, scale_.pixel(at), radius,
+                        disc > 0 ? std::max(3 * radius, strokes_.corridor) : strokes_.corridor);
 }
 
+// Along trails: an edge that goes on from the one before needs no move, which is half of its bytes.
 SvgPath SvgLayers::edges(const Roadmap& roadmap) const {
   SvgPath path(scale_);
-  for (Roadmap::Vertex v = 0; v < roadmap.vertex_count(); ++v)
-    for (const Roadmap::Vertex w : roadmap.neighbours(v))
-      if (v < w) path.segment({roadmap.point(v), roadmap.point(w)});
+  Trails trails(roadmap);
+  for (Roadmap::Vertex from = 0; from < roadmap.vertex_count(); ++from)
+    while (const auto first = trails.next(from))
+      for (auto [at, to] = std::pair(from, first); to; at = *to, to = trails.next(at))
+        path.segment({roadmap.point(at), roadmap.point(*to)});
   return path;
 }
 

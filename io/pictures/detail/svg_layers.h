@@ -35,7 +35,8 @@ class SvgLayers {
   std::string openings() const { return lines("openings", space_.world().openings()); }
   std::string lines(const char* kind, const std::vector<Segment>& segments) const;
   std::string discs(const std::vector<SvgDisc>& discs) const;
-  std::string marker(const char* kind, Point at) const;
+  /// Where `disc` > 0, a radius in the world, it leaves a disc of that size to be seen around it.
+  std::string marker(const char* kind, Point at, double disc = 0) const;
 
   SvgPath edges(const Roadmap& roadmap) const;
   SvgPath edges(const VoronoiRoadmap& diagram) const;

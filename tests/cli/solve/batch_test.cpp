@@ -97,7 +97,7 @@ TEST_F(Batch, SumsUpInTheEnvelope) {
 
 TEST_F(Batch, PrintsAndKeepsTheAnswersSoFarWhenStopped) {
   const std::string file = (folder / "a.json").string();
-  const Outcome outcome = run_script("(echo 0.5 0.5 4.5 0.5; echo 0.5 0.5 0.5 0.5; sleep 60) | \"$taut\" batch \"" +
+  const Outcome outcome = run_script("(echo 0.5 0.5 4.5 0.5; echo 0.5 0.5 0.5 0.5; sleep 4) | \"$taut\" batch \"" +
                                      map + "\" - --max-seconds 1 --json \"" + file + "\"");
   EXPECT_EQ(outcome.code, 4) << outcome.err;
   EXPECT_EQ(outcome.out, "1 4\n2 0\n");

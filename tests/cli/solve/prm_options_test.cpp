@@ -110,10 +110,10 @@ TEST_F(PrmProgram, ShowsNoProgressWhereThereIsNoTerminal) {
 }
 
 TEST_F(PrmProgram, DrawsMilestonesAsDotsAndSaysHowManyWereDrawnAndKept) {
-  const Outcome run = run_taut("roadmap --kind prm-fixed --svg - " + data_file("maze_5x7.txt"));
+  const Outcome run = run_taut("roadmap --kind prm-fixed --svg - " + data_file("maze_25x25.txt"));
   EXPECT_THAT(run.out, ContainsRegex("500 samples drawn, [0-9]+ kept"));
   const json map =
-      json::parse(run_taut("roadmap --kind prm-fixed --json - " + data_file("maze_5x7.txt")).out)["result"];
+      json::parse(run_taut("roadmap --kind prm-fixed --json - " + data_file("maze_25x25.txt")).out)["result"];
   const std::size_t from = run.out.find("<g class=\"milestones\">"), to = run.out.find("</g>", from);
   ASSERT_NE(from, std::string::npos);
   // A dot is a move and a line of no length, isolated or not.
