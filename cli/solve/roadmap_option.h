@@ -16,8 +16,8 @@ void add_roadmap_kind(CommandLine& app, const std::string& option, const Roadmap
 /// Throws UsageError when roadmaps of that kind cannot be kept in files: what they hold besides legs is not in them.
 void require_savable(const RoadmapKind& kind);
 
-/// `reduced visibility graph`, `2 vertices`, `1 edge`; of a PRM `500 samples drawn, 430 kept` instead of vertices; of a diagram also
-/// its arcs and how exact its vertices are.
+/// `reduced visibility graph`, `2 vertices`, `1 edge`; of a PRM `500 samples drawn, 430 kept` instead of vertices; of a
+/// diagram also its arcs and how exact its vertices are.
 std::vector<std::string> roadmap_facts(const RoadmapKind& kind, const PlannedRoadmap& planned);
 
 }  // namespace taut::cli
