@@ -16,8 +16,7 @@ namespace taut {
 World world_of(const OccupancyGrid& grid, std::string source = {});
 
 /// The same, with the cells' corners elsewhere and y upwards, for others to add ends to: `corner(column, row)`, column
-/// 0
-/// to width, row 0 to height. Rows and columns stay straight lines, one beside the other (precondition).
+/// 0 to width, row 0 to height. Rows and columns stay straight lines, one beside the other (precondition).
 WorldParts parts_of(const OccupancyGrid& grid, const std::function<Point(std::uint32_t, std::uint32_t)>& corner,
                     std::string source);
 

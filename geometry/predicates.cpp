@@ -2,7 +2,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-#include <algorithm>
+#include <taut/geometry/detail/ring_tests.h>
 
 namespace taut {
 
@@ -41,29 +41,13 @@ double ring_area(const Ring& ring) {
 }
 
 int ring_orientation(const Ring& ring) {
-  if (ring.size() < 3) return 0;
-  const auto least = std::min_element(ring.begin(), ring.end()) - ring.begin();
-  const auto n = static_cast<std::ptrdiff_t>(ring.size());
-  const Point p = ring[least];
-  // Neighbours that differ from p and are not collinear with it: a simple ring has them.
-  std::ptrdiff_t i = least, j = least;
-  do i = (i + n - 1) % n;
-  while (ring[i] == p && i != least);
-  do j = (j + 1) % n;
-  while (ring[j] == p && j != least);
-  return orientation(ring[i], p, ring[j]);
+  return detail::ring_orientation_by(ring, [](Point a, Point b, Point c) { return orientation(a, b, c); });
 }
 
 int side_of_ring(Point p, const Ring& ring) {
-  bool inside = false;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    Point a = ring[j], b = ring[i];
-    if (on_segment(p, a, b)) return 0;
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    if (a.y > b.y) std::swap(a, b);
-    if (orientation(a, b, p) > 0) inside = !inside;
-  }
-  return inside ? 1 : -1;
+  return detail::side_of_ring_by(
+      p, ring, [](Point a, Point b, Point c) { return orientation(a, b, c); },
+      [](Point q, Point a, Point b) { return on_segment(q, a, b); });
 }
 
 }  // namespace taut

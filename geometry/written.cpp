@@ -7,6 +7,7 @@
 #include <string>
 
 #include <taut/geometry/detail/exact.h>
+#include <taut/geometry/detail/ring_tests.h>
 #include <taut/geometry/detail/written_integers.h>
 
 namespace taut::written {
@@ -148,30 +149,10 @@ bool segments_meet(const Segment& s, const Segment& t) {
          written::on_segment(s.a, t.a, t.b) || written::on_segment(s.b, t.a, t.b);
 }
 
-int ring_orientation(const Ring& ring) {
-  if (ring.size() < 3) return 0;
-  const auto least = std::min_element(ring.begin(), ring.end()) - ring.begin();
-  const auto n = static_cast<std::ptrdiff_t>(ring.size());
-  const Point p = ring[least];
-  // Neighbours that differ from p and are not collinear with it: a simple ring has them.
-  std::ptrdiff_t i = least, j = least;
-  do i = (i + n - 1) % n;
-  while (ring[i] == p && i != least);
-  do j = (j + 1) % n;
-  while (ring[j] == p && j != least);
-  return written::orientation(ring[i], p, ring[j]);
-}
+int ring_orientation(const Ring& ring) { return taut::detail::ring_orientation_by(ring, written::orientation); }
 
 int side_of_ring(Point p, const Ring& ring) {
-  bool inside = false;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    Point a = ring[j], b = ring[i];
-    if (written::on_segment(p, a, b)) return 0;
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    if (a.y > b.y) std::swap(a, b);
-    if (written::orientation(a, b, p) > 0) inside = !inside;
-  }
-  return inside ? 1 : -1;
+  return taut::detail::side_of_ring_by(p, ring, written::orientation, written::on_segment);
 }
 
 }  // namespace taut::written

@@ -38,8 +38,7 @@ double number(std::int64_t digits, int places);
 bool is_plain(double v);
 
 /// The double nearest to what a + b (a - b, a / 2 + b / 2, n times a) mean together, and itself written where the
-/// result
-/// has at most 15 digits: sum(0.7, 0.1) is 0.8.
+/// result has at most 15 digits: sum(0.7, 0.1) is 0.8.
 double sum(double a, double b);
 inline double difference(double a, double b) { return sum(a, -b); }
 double middle(double a, double b);
@@ -56,20 +55,26 @@ inline Interval enclosure(double v) {
 int compare_sum(double a, double b, double c);
 
 namespace detail {
-int exact_orientation(Point a, Point b, Point c);
-}
 
-/// The sign of the signed area of the triangle a, b, c: +1 when c lies to the left of a -> b, 0 on the line, -1 to the
-/// right. Exact for what the coordinates mean, of magnitude <= World::kLargest.
-inline int orientation(Point a, Point b, Point c) {
+int exact_orientation(Point a, Point b, Point c);
+
+/// The sign of orientation() where doubles are sure of it, else 0.
+inline int quick_orientation(Point a, Point b, Point c) {
   const double acx = a.x - c.x, bcy = b.y - c.y, acy = a.y - c.y, bcx = b.x - c.x;
   const double det = acx * bcy - acy * bcx;
   // A coordinate is off by at most 2^-53 of itself, a difference by that of both; 9e-16 > 8 * 2^-53 covers all terms.
   const double reach = std::abs(acx) + std::abs(bcy) + std::abs(acy) + std::abs(bcx);
   const double bound = 9e-16 * reach * (reach + std::abs(c.x) + std::abs(c.y)) + 1e-290;
-  if (det > bound) return 1;
-  if (-det > bound) return -1;
-  return detail::exact_orientation(a, b, c);
+  return det > bound ? 1 : -det > bound ? -1 : 0;
+}
+
+}  // namespace detail
+
+/// The sign of the signed area of the triangle a, b, c: +1 when c lies to the left of a -> b, 0 on the line, -1 to the
+/// right. Exact for what the coordinates mean, of magnitude <= World::kLargest.
+inline int orientation(Point a, Point b, Point c) {
+  const int quick = detail::quick_orientation(a, b, c);
+  return quick != 0 ? quick : detail::exact_orientation(a, b, c);
 }
 
 /// Does q lie on the closed segment a b? Exact.

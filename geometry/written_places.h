@@ -9,8 +9,7 @@ namespace taut {
 
 /// Of a free space of a point robot: was a query's end moved off what it lies on? Sloped walls and sides bend where
 /// crossings are rounded; only points that the FreeSpace knew when it was built are sure to stay on them. Who asks
-/// about
-/// others builds one for them: FreeSpace(world, footprint, ends).
+/// about others builds one for them: FreeSpace(world, footprint, ends).
 class WrittenPlaces {
  public:
   explicit WrittenPlaces(const FreeSpace& space);

@@ -31,9 +31,8 @@ struct Noded {
 ///
 /// A crossing is constructed exactly, then rounded to `unit`: to the nearest between walls, else to the side of lower
 /// winding numbers. Rounding can make edges meet anew; the splitting is repeated until nothing meets. An edge that
-/// bends
-/// at a rounded crossing still passes through those of the `fixed` points that lie on it. Closed chains stay closed, so
-/// winding numbers stay defined. Walls on one axis-parallel line are merged first into maximal runs.
+/// bends at a rounded crossing still passes through those of the `fixed` points that lie on it. Closed chains stay
+/// closed, so winding numbers stay defined. Walls on one axis-parallel line are merged first into maximal runs.
 /// O((n + k) log n), n edges with k contacts. Throws TooFine when 32 rounds are not enough.
 Noded node(std::vector<Edge> edges, const Unit& unit, std::span<const Point> fixed = {});
 

@@ -17,8 +17,8 @@ struct Mesh {
 
 /// Triangulates the convex hull of the edges' ends; edges become constrained sides. Precondition: they meet only at
 /// end points. CGAL's constrained Delaunay triangulation of what the points mean; on lattices with predicates in int64
-/// and int128, which decide
-/// the many cocircular quadruples of a grid without multi-precision. Deterministic. O(n log n) expected.
+/// and int128, which decide the many cocircular quadruples of a grid without multi-precision. Deterministic. O(n log n)
+/// expected.
 Mesh triangulate(std::span<const Edge> edges);
 
 /// Tells free from solid: outside the hull the winding number is 1, it changes by an edge's turn across it, and a
