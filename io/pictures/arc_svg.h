@@ -9,8 +9,7 @@
 namespace taut {
 
 /// svg() of the way with its true arcs; the disc stands at both ends and where it is pinched, or there are the walls
-/// and
-/// gates that leave no way. `space` is a point's free space. No times. Same input, same bytes.
+/// and gates that leave no way. `space` is a point's free space. No times. Same input, same bytes.
 std::string arc_svg(const ArcAnswer& answer, const FreeSpace& space, const std::string& title);
 
 }  // namespace taut

@@ -28,9 +28,8 @@ Json clearance_json(const ClearanceAnswer& answer, const FreeSpace& walled);
 Json clearance_way_json(const ClearanceTrade& way, const FreeSpace& walled);
 
 /// One JSON object; keys are stable: start, goal; `radius` where one was asked about; largest null or {radius (null
-/// when
-/// unbounded), limit "gate" | "start" | "goal" | "none", reason in words}; barrier {walls, gates}: against that radius,
-/// or
+/// when unbounded), limit "gate" | "start" | "goal" | "none", reason in words}; barrier {walls, gates}: against that
+/// radius, or
 /// against any larger disc; gates: how many the world has.
 Json passage_json(const Passage& passage, const Gates& gates);
 

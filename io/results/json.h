@@ -52,8 +52,7 @@ class Json {
   static Json object() { return Json(Members{}); }
 
   /// A value that is written already: for millions of numbers, of which a tree would take gigabytes. Precondition: it
-  /// is
-  /// JSON; line ends in it stay.
+  /// is JSON; line ends in it stay.
   static Json verbatim(std::string json) { return Json(Verbatim{std::move(json)}); }
 
   bool is_null() const { return std::holds_alternative<std::monostate>(value_); }

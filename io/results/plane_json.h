@@ -16,8 +16,7 @@ Json goal_json(const Goal& goal);
 Json robot_json(const Footprint& robot);
 
 /// {"samples", "vertices", "edges", "edges_tested", "components", "start_part", "goal_part"}; the parts are the
-/// vertices
-/// that hang together with an end.
+/// vertices that hang together with an end.
 Json prm_json(const PrmConnectivity& prm);
 
 /// {"walls": [[[x, y], [x, y]], ...], "gates": [{"posts", "width", "width_text"}, ...]}

@@ -10,8 +10,7 @@
 namespace taut {
 
 /// roadmap_json's object (kind, vertices, edges [[u, v], ...] with u <= v, here in the diagram's order and possibly
-/// twice
-/// the same pair), and:
+/// twice the same pair), and:
 ///  max_error    VoronoiRoadmap::max_error, null when no bound is known
 ///  clearances   of each vertex
 ///  arcs         of each edge {kind: "line" | "parabola", control: [x, y] of the quadratic Bezier curve, length,

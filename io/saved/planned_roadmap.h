@@ -17,8 +17,8 @@ struct LoadedRoadmap {
 };
 
 /// Reads a file written from saved_text and says of which kind it is. Nothing in it is taken on trust (Keeping): what
-/// is
-/// returned keeps the promises of its kind. `name` is the file's, for messages. Throws InputError that names the line.
+/// is returned keeps the promises of its kind. `name` is the file's, for messages. Throws InputError that names the
+/// line.
 LoadedRoadmap load_roadmap(std::string_view bytes, const std::string& name, const FreeSpace& space);
 
 }  // namespace taut

@@ -3,11 +3,11 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <taut/geometry/errors.h>
 #include <taut/geometry/occupancy_world.h>
+#include <taut/geometry/written.h>
 #include <taut/io/worlds/detail/text_input.h>
 
 namespace taut {
@@ -100,18 +100,6 @@ Known known_of(std::uint8_t grey, std::uint8_t alpha, const RosMapInfo& info) {
   return occupancy < info.free ? Known::free : Known::unknown;
 }
 
-// a + n * step as the double nearest to that decimal: whole numbers of a power of ten as long as they fit.
-double decimal_sum(double a, double step, double n) {
-  double scale = 1;
-  for (int places = 0; places <= 12; ++places, scale *= 10) {
-    const double whole_a = std::round(a * scale), whole_step = std::round(step * scale);
-    if (whole_a / scale != a || whole_step / scale != step) continue;
-    const double sum = whole_a + n * whole_step;
-    if (std::abs(sum) < 0x1p53 && std::abs(n * whole_step) < 0x1p53) return sum / scale;
-  }
-  return a + n * step;
-}
-
 }  // namespace
 
 RosMapInfo read_ros_map_info(std::string_view text, const std::string& source) {
@@ -136,8 +124,8 @@ OccupancyGrid occupancy(const Raster& raster, const RosMapInfo& info, bool unkno
 
 World ros_world(const OccupancyGrid& grid, const RosMapInfo& info, std::string source) {
   const auto corner = [&](std::uint32_t column, std::uint32_t row) {
-    return Point{decimal_sum(info.origin.x, info.resolution, column),
-                 decimal_sum(info.origin.y, info.resolution, static_cast<double>(grid.height - row))};
+    return Point{written::sum(info.origin.x, written::times(column, info.resolution)),
+                 written::sum(info.origin.y, written::times(grid.height - row, info.resolution))};
   };
   return World(parts_of(grid, corner, std::move(source)));
 }
