@@ -43,8 +43,7 @@ class Run {
   ~Run();
 
   /// Throws InputError where no file of that name can be made. `-` is standard output: then no line is printed; a
-  /// second
-  /// one is a UsageError.
+  /// second one is a UsageError.
   void promise(const std::string& file);
   /// The input's name for the envelope, `-` being <stdin>.
   void source(const std::string& file);

@@ -16,8 +16,7 @@ using Node = ClearanceNet::Node;
 struct GoalTaken {};
 
 /// A node's place in the queue: the length of the way to it, or the rank of the narrowest gate on it. Which of two
-/// equal
-/// ones comes first is settled, so that the way found does not depend on the heap.
+/// equal ones comes first is settled, so that the way found does not depend on the heap.
 template <class Value>
 struct Place {
   Value value;
