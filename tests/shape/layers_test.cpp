@@ -130,4 +130,23 @@ TEST(Sizes, AreThoseOfAPageThatCanBeRead) {
   EXPECT_THAT(tall, IsEmpty()) << "300 lines at most";
 }
 
+// Tables and code cannot be broken; all else can.
+TEST(Sizes, OfMarkdownFitAPage) {
+  std::vector<std::string> wide;
+  for (const auto& entry : fs::recursive_directory_iterator(TAUT_SOURCE_DIR)) {
+    const std::string name = fs::relative(entry.path(), TAUT_SOURCE_DIR).generic_string();
+    if (entry.path().extension() != ".md" || name.starts_with("build/")) continue;
+    std::ifstream in(entry.path());
+    int number = 0;
+    bool code = false;
+    for (std::string line; std::getline(in, line);) {
+      ++number;
+      if (line.starts_with("```")) code = !code;
+      if (!code && !line.starts_with("|") && columns_of(line) > 120)
+        wide.push_back(name + ":" + std::to_string(number));
+    }
+  }
+  EXPECT_THAT(wide, IsEmpty()) << "120 columns at most, tables and code apart";
+}
+
 }  // namespace
