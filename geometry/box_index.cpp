@@ -1,4 +1,4 @@
-#include <taut/geometry/detail/box_index.h>
+#include <taut/geometry/box_index.h>
 
 #define BOOST_ALLOW_DEPRECATED_HEADERS
 #include <boost/geometry/geometries/box.hpp>

@@ -4,8 +4,8 @@
 #include <numbers>
 #include <string>
 
-#include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/text.h>
 #include <taut/geometry/world.h>
 #include <taut/geometry/written.h>
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <chrono>
 
-#include <taut/geometry/detail/exact.h>
 #include <taut/geometry/detail/free_space_impl.h>
 #include <taut/geometry/detail/noding.h>
 #include <taut/geometry/detail/obstacles.h>
 #include <taut/geometry/detail/outline_rings.h>
-#include <taut/geometry/detail/ray_walk.h>
 #include <taut/geometry/detail/triangulate.h>
+#include <taut/geometry/exact/exact_point.h>
+#include <taut/geometry/ray_walk.h>
 #include <taut/geometry/written.h>
 
 namespace taut {

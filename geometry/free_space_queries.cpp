@@ -2,11 +2,11 @@
 #include <limits>
 #include <unordered_set>
 
-#include <taut/geometry/detail/exact.h>
-#include <taut/geometry/detail/expansion.h>
-#include <taut/geometry/detail/expects.h>
 #include <taut/geometry/detail/free_space_impl.h>
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/exact/exact_point.h>
+#include <taut/geometry/expects.h>
+#include <taut/geometry/segment_distance.h>
+#include <taut/geometry/triangular_expansion.h>
 #include <taut/geometry/written.h>
 
 namespace taut {

@@ -1,6 +1,6 @@
 
-#include <taut/geometry/detail/expects.h>
 #include <taut/geometry/detail/free_space_impl.h>
+#include <taut/geometry/expects.h>
 #include <taut/geometry/predicates.h>
 #include <taut/geometry/written.h>
 

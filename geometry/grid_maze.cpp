@@ -1,6 +1,6 @@
 #include <taut/geometry/grid_maze.h>
 
-#include <taut/geometry/detail/expects.h>
+#include <taut/geometry/expects.h>
 
 namespace taut {
 

@@ -2,8 +2,8 @@
 
 #include <mpfr.h>
 
-#include <taut/geometry/detail/root.h>
 #include <taut/geometry/detail/root_sum.h>
+#include <taut/geometry/exact/twofold.h>
 
 namespace taut {
 

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include <taut/geometry/detail/draws.h>
-#include <taut/geometry/detail/text.h>
+#include <taut/geometry/draws.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/text.h>
 
 namespace taut {
 

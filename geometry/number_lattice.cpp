@@ -4,8 +4,8 @@
 #include <cmath>
 #include <vector>
 
-#include <taut/geometry/detail/exact.h>
-#include <taut/geometry/detail/text.h>
+#include <taut/geometry/exact/exact_point.h>
+#include <taut/geometry/text.h>
 #include <taut/geometry/written.h>
 
 namespace taut {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include <taut/geometry/detail/box_index.h>
+#include <taut/geometry/box_index.h>
 #include <taut/geometry/written.h>
 
 namespace taut::detail {

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include <taut/geometry/detail/box_index.h>
-#include <taut/geometry/detail/text.h>
+#include <taut/geometry/box_index.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/text.h>
 #include <taut/geometry/written.h>
 
 namespace taut::detail {

@@ -8,7 +8,7 @@
 #include <taut/geometry/detail/outline.h>
 #include <taut/geometry/detail/polygon_gate.h>
 #include <taut/geometry/detail/room_cut.h>
-#include <taut/geometry/detail/text.h>
+#include <taut/geometry/text.h>
 #include <taut/geometry/written.h>
 
 namespace taut {

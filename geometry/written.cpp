@@ -6,9 +6,9 @@
 #include <limits>
 #include <string>
 
-#include <taut/geometry/detail/exact.h>
 #include <taut/geometry/detail/ring_tests.h>
 #include <taut/geometry/detail/written_integers.h>
+#include <taut/geometry/exact/exact_point.h>
 
 namespace taut::written {
 

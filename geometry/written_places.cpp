@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <taut/geometry/detail/box_index.h>
+#include <taut/geometry/box_index.h>
 #include <taut/geometry/written.h>
 
 namespace taut {

@@ -4,8 +4,8 @@
 #include <atomic>
 #include <initializer_list>
 
-#include <taut/geometry/detail/exact.h>
 #include <taut/geometry/detail/written_integers.h>
+#include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/predicates.h>
 #include <taut/geometry/written.h>
 

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include <taut/geometry/detail/segment_distance.h>
-#include <taut/roadmaps/detail/gate_impl.h>
+#include <taut/geometry/segment_distance.h>
 #include <taut/roadmaps/detail/gate_search.h>
+#include <taut/roadmaps/exact/exact_gates.h>
 
 namespace taut {
 

@@ -1,6 +1,6 @@
 #include <taut/roadmaps/prm.h>
 
-#include <taut/roadmaps/detail/prm_growth.h>
+#include <taut/roadmaps/prm_growth.h>
 
 namespace taut {
 

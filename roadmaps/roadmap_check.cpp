@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <taut/geometry/detail/text.h>
+#include <taut/geometry/text.h>
 
 namespace taut {
 

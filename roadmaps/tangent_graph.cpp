@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
-#include <taut/geometry/detail/expects.h>
+#include <taut/geometry/expects.h>
 #include <taut/geometry/written.h>
-#include <taut/roadmaps/detail/tangent_graph_impl.h>
+#include <taut/roadmaps/exact/tangent_parts.h>
 
 namespace taut {
 

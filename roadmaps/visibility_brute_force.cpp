@@ -4,7 +4,7 @@
 #include <map>
 #include <utility>
 
-#include <taut/geometry/detail/contact.h>
+#include <taut/geometry/contact.h>
 #include <taut/geometry/written.h>
 
 namespace taut {

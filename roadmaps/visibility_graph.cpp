@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include <taut/geometry/detail/expansion.h>
-#include <taut/geometry/detail/expects.h>
-#include <taut/geometry/detail/ray_walk.h>
+#include <taut/geometry/expects.h>
+#include <taut/geometry/ray_walk.h>
+#include <taut/geometry/triangular_expansion.h>
 
 namespace taut {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/segment_distance.h>
 #include <taut/roadmaps/detail/voronoi_parts.h>
 
 namespace taut {

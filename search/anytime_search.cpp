@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include <taut/geometry/detail/expects.h>
-#include <taut/geometry/detail/root.h>
+#include <taut/geometry/exact/twofold.h>
+#include <taut/geometry/expects.h>
 #include <taut/search/detail/goal_distance.h>
 #include <taut/search/detail/labels.h>
 #include <taut/search/detail/query_graph.h>

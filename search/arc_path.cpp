@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <taut/roadmaps/detail/tangent_circle.h>
+#include <taut/roadmaps/exact/tangent_circle.h>
 
 namespace taut {
 

@@ -5,7 +5,7 @@
 #include <map>
 #include <queue>
 
-#include <taut/roadmaps/detail/tangent_graph_impl.h>
+#include <taut/roadmaps/exact/tangent_parts.h>
 
 namespace taut {
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
-#include <taut/geometry/detail/segment_distance.h>
 #include <taut/geometry/predicates.h>
+#include <taut/geometry/segment_distance.h>
 #include <taut/geometry/walled_world.h>
 #include <taut/geometry/written.h>
 

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/segment_distance.h>
 #include <taut/roadmaps/detail/voronoi_geometry.h>
 #include <taut/search/detail/clearance_net.h>
 

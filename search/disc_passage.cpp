@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <taut/geometry/detail/segment_distance.h>
-#include <taut/roadmaps/detail/gate_impl.h>
+#include <taut/geometry/segment_distance.h>
+#include <taut/roadmaps/exact/exact_gates.h>
 #include <taut/search/detail/gate_parity.h>
 
 namespace taut {

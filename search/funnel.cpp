@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include <taut/geometry/detail/expects.h>
+#include <taut/geometry/expects.h>
 #include <taut/geometry/written.h>
 #include <taut/search/detail/taut_string.h>
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include <taut/roadmaps/detail/prm_growth.h>
+#include <taut/roadmaps/prm_growth.h>
 #include <taut/search/detail/prm_lazy.h>
 #include <taut/search/detail/room_entries.h>
 #include <taut/search/no_path.h>

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include <taut/geometry/detail/expects.h>
-#include <taut/geometry/detail/root.h>
+#include <taut/geometry/exact/twofold.h>
+#include <taut/geometry/expects.h>
 #include <taut/search/dstar_lite.h>
 
 namespace taut {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include <taut/geometry/detail/contact.h>
-#include <taut/geometry/detail/text.h>
+#include <taut/geometry/contact.h>
+#include <taut/geometry/text.h>
 #include <taut/geometry/written.h>
 #include <taut/search/detail/leg_contacts.h>
 

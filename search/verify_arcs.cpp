@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/exact/exact_point.h>
 
 namespace taut {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/written.h>
 
 namespace taut::detail {

@@ -6,9 +6,9 @@
 #include <tuple>
 #include <utility>
 
-#include <taut/geometry/detail/box_index.h>
-#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/box_index.h>
 #include <taut/geometry/detail/quick_crossing.h>
+#include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/written.h>
 
 namespace taut::detail {

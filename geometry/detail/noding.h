@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/point.h>
 #include <taut/geometry/triangulation.h>
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <optional>
 
-#include <taut/geometry/detail/box_index.h>
+#include <taut/geometry/box_index.h>
 #include <taut/geometry/detail/cut_axis.h>
-#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/written.h>
 
 namespace taut::detail {

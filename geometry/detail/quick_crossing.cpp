@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <taut/geometry/detail/root.h>
 #include <taut/geometry/detail/written_integers.h>
+#include <taut/geometry/exact/twofold.h>
 #include <taut/geometry/written.h>
 
 namespace taut::detail {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/point.h>
 
 namespace taut::detail {

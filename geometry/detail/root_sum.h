@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include <taut/geometry/detail/root.h>
+#include <taut/geometry/exact/twofold.h>
 #include <taut/geometry/point.h>
 
 namespace taut::detail {

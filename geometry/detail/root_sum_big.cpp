@@ -4,7 +4,7 @@
 #include <gmpxx.h>
 #include <mpfr.h>
 
-#include <taut/geometry/detail/expects.h>
+#include <taut/geometry/expects.h>
 
 namespace taut::detail {
 

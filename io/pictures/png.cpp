@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include <taut/geometry/detail/expects.h>
+#include <taut/geometry/expects.h>
 
 namespace taut {
 

@@ -1,4 +1,4 @@
-#include <taut/geometry/detail/text.h>
+#include <taut/geometry/text.h>
 #include <taut/io/worlds/detail/cell_walls.h>
 #include <taut/io/worlds/detail/formats.h>
 #include <taut/io/worlds/detail/text_input.h>

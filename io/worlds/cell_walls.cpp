@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/text.h>
 
 namespace taut::detail {
 

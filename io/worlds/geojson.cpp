@@ -1,7 +1,7 @@
 #include <cmath>
 #include <utility>
 
-#include <taut/geometry/detail/text.h>
+#include <taut/geometry/text.h>
 #include <taut/io/worlds/detail/formats.h>
 #include <taut/io/worlds/detail/json_tree.h>
 #include <taut/io/worlds/detail/shapes.h>

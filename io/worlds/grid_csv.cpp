@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include <taut/geometry/detail/expects.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/expects.h>
 #include <taut/io/worlds/detail/text_input.h>
 #include <taut/io/worlds/movingai.h>
 

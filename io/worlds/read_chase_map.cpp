@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
-#include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/text.h>
 #include <taut/io/worlds/detail/cost_store.h>
 #include <taut/io/worlds/detail/decimal.h>
 

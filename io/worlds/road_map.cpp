@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/text.h>
 #include <taut/io/worlds/detail/text_input.h>
 
 namespace taut {

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include <taut/geometry/detail/text.h>
+#include <taut/geometry/text.h>
 #include <taut/io/worlds/detail/formats.h>
 #include <taut/io/worlds/detail/text_input.h>
 

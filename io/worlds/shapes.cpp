@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <taut/geometry/detail/text.h>
+#include <taut/geometry/text.h>
 #include <taut/io/worlds/detail/doors.h>
 
 namespace taut::detail {

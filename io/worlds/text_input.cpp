@@ -5,7 +5,7 @@
 #include <cstring>
 #include <system_error>
 
-#include <taut/geometry/detail/text.h>
+#include <taut/geometry/text.h>
 #include <taut/geometry/world.h>
 
 namespace taut::detail {

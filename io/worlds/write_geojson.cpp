@@ -2,8 +2,8 @@
 #include <utility>
 #include <vector>
 
-#include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/text.h>
 #include <taut/io/worlds/write_world.h>
 
 namespace taut {

@@ -1,7 +1,7 @@
 #include <string_view>
 #include <utility>
 
-#include <taut/geometry/detail/text.h>
+#include <taut/geometry/text.h>
 #include <taut/io/worlds/detail/implied.h>
 #include <taut/io/worlds/detail/text_input.h>
 #include <taut/io/worlds/write_world.h>

@@ -1,5 +1,5 @@
-#include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/text.h>
 #include <taut/io/worlds/detail/implied.h>
 #include <taut/io/worlds/write_world.h>
 

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include <taut/roadmaps/detail/gate_shape.h>
-#include <taut/roadmaps/detail/gate_walls.h>
+#include <taut/roadmaps/exact/gate_shape.h>
+#include <taut/roadmaps/wall_index.h>
 
 namespace taut::detail {
 

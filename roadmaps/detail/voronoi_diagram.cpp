@@ -16,7 +16,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/segment_distance.h>
 
 namespace taut::detail {
 

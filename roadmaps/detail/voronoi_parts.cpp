@@ -5,7 +5,7 @@
 #include <numeric>
 #include <tuple>
 
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/segment_distance.h>
 #include <taut/roadmaps/detail/voronoi_diagram.h>
 
 namespace taut::detail {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/text.h>
 #include <taut/robots/car/detail/car_space_impl.h>
 #include <taut/robots/car/detail/drive_search.h>
 #include <taut/robots/car/detail/geodesic.h>

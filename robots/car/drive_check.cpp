@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include <taut/geometry/detail/text.h>
-#include <taut/roadmaps/detail/gate_walls.h>
+#include <taut/geometry/text.h>
+#include <taut/roadmaps/wall_index.h>
 
 namespace taut::car {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/text.h>
 #include <taut/robots/car/detail/leg_geometry.h>
 
 namespace taut::car {

@@ -2,7 +2,7 @@
 #include <utility>
 #include <vector>
 
-#include <taut/geometry/detail/draws.h>
+#include <taut/geometry/draws.h>
 #include <taut/geometry/maze_generator.h>
 #include <taut/robots/micromouse/steps.h>
 

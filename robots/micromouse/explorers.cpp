@@ -4,7 +4,7 @@
 #include <array>
 #include <queue>
 
-#include <taut/geometry/detail/draws.h>
+#include <taut/geometry/draws.h>
 #include <taut/robots/micromouse/detail/flood_step.h>
 #include <taut/robots/micromouse/detail/scout.h>
 #include <taut/robots/micromouse/mapping_robot.h>

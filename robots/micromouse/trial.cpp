@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include <taut/geometry/detail/expects.h>
+#include <taut/geometry/expects.h>
 #include <taut/robots/micromouse/steps.h>
 
 namespace taut::micromouse {

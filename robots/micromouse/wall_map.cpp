@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <taut/geometry/detail/expects.h>
+#include <taut/geometry/expects.h>
 
 namespace taut::micromouse {
 

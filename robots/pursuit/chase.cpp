@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include <taut/geometry/detail/text.h>
+#include <taut/geometry/text.h>
 #include <taut/robots/pursuit/detail/walk.h>
 #include <taut/robots/pursuit/entry_planner.h>
 #include <taut/robots/pursuit/exact_planner.h>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include <taut/geometry/detail/draws.h>
+#include <taut/geometry/draws.h>
 #include <taut/geometry/errors.h>
 #include <taut/robots/pursuit/detail/building.h>
 #include <taut/robots/pursuit/detail/hops.h>

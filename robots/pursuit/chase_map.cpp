@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/text.h>
 
 namespace taut::pursuit {
 

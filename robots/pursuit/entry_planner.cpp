@@ -8,7 +8,7 @@
 #include <tuple>
 #include <unordered_map>
 
-#include <taut/geometry/detail/expects.h>
+#include <taut/geometry/expects.h>
 #include <taut/robots/pursuit/detail/hops.h>
 #include <taut/robots/pursuit/detail/radix_heap.h>
 #include <taut/robots/pursuit/exact_planner.h>

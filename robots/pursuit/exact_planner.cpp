@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include <taut/geometry/detail/expects.h>
+#include <taut/geometry/expects.h>
 #include <taut/robots/pursuit/detail/block_way.h>
 #include <taut/robots/pursuit/detail/range_search.h>
 #include <taut/robots/pursuit/detail/side_by_side.h>

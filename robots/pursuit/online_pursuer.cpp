@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
-#include <taut/geometry/detail/expects.h>
+#include <taut/geometry/expects.h>
 #include <taut/robots/pursuit/detail/hops.h>
 #include <taut/robots/pursuit/exact_planner.h>
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <taut/geometry/detail/text.h>
+#include <taut/geometry/text.h>
 #include <taut/robots/pursuit/detail/hops.h>
 
 namespace taut::pursuit {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/text.h>
 
 namespace taut::roadblocks {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <numeric>
 
-#include <taut/geometry/detail/draws.h>
+#include <taut/geometry/draws.h>
 #include <taut/geometry/errors.h>
 
 namespace taut::roadblocks {

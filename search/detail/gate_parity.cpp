@@ -4,7 +4,7 @@
 #include <utility>
 
 #include <taut/geometry/written.h>
-#include <taut/roadmaps/detail/gate_impl.h>
+#include <taut/roadmaps/exact/exact_gates.h>
 
 namespace taut::detail {
 

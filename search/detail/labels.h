@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <taut/geometry/detail/root.h>
+#include <taut/geometry/exact/twofold.h>
 #include <taut/geometry/length.h>
 #include <taut/roadmaps/roadmap.h>
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include <taut/geometry/detail/contact.h>
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/contact.h>
+#include <taut/geometry/segment_distance.h>
 
 namespace taut::detail {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <taut/roadmaps/detail/prm_growth.h>
+#include <taut/roadmaps/prm_growth.h>
 #include <taut/search/graph_search.h>
 
 namespace taut::detail {

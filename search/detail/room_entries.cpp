@@ -5,7 +5,7 @@
 #include <limits>
 #include <map>
 
-#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/written.h>
 #include <taut/search/query_ends.h>
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include <taut/geometry/detail/draws.h>
+#include <taut/geometry/draws.h>
 #include <taut/geometry/errors.h>
 
 namespace taut {

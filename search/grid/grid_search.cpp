@@ -4,8 +4,8 @@
 #include <array>
 #include <cstdlib>
 
-#include <taut/geometry/detail/expects.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/expects.h>
 #include <taut/search/grid/detail/grid_board.h>
 #include <taut/search/grid/detail/grid_estimator.h>
 #include <taut/search/grid/detail/grid_place.h>

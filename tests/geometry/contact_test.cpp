@@ -1,4 +1,4 @@
-#include <taut/geometry/detail/contact.h>
+#include <taut/geometry/contact.h>
 
 #include <cmath>
 

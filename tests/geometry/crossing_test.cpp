@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <taut/geometry/detail/exact.h>
 #include <taut/geometry/detail/quick_crossing.h>
+#include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/written.h>
 
 namespace taut {

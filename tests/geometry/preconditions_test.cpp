@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <taut/geometry/detail/expects.h>
+#include <taut/geometry/expects.h>
 #include <taut/geometry/free_space.h>
 #include <taut/geometry/grid_maze.h>
 #include <taut/roadmaps/roadmap.h>

@@ -1,4 +1,4 @@
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/segment_distance.h>
 
 #include <algorithm>
 #include <cmath>

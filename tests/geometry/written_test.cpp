@@ -8,7 +8,7 @@
 #include <gmpxx.h>
 #include <gtest/gtest.h>
 
-#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/predicates.h>
 
 namespace taut {

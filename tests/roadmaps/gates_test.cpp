@@ -7,7 +7,7 @@
 #include <set>
 #include <tuple>
 
-#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/exact/exact_point.h>
 
 #include "support/random_world.h"
 #include "support/small_world.h"

@@ -1,4 +1,4 @@
-#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/exact/exact_point.h>
 #include <taut/roadmaps/prm.h>
 
 #include <gmpxx.h>

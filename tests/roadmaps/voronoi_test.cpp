@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <taut/geometry/detail/segment_distance.h>
 #include <taut/geometry/maze_generator.h>
+#include <taut/geometry/segment_distance.h>
 
 #include "support/random_world.h"
 #include "support/small_world.h"

@@ -7,7 +7,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/segment_distance.h>
 #include <taut/search/shortest_path.h>
 
 #include "support/constraint_walk.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include <taut/geometry/detail/contact.h>
+#include <taut/geometry/contact.h>
 
 namespace taut::test {
 

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <vector>
 
-#include <taut/geometry/detail/draws.h>
+#include <taut/geometry/draws.h>
 #include <taut/geometry/occupancy_grid.h>
 #include <taut/search/grid/grid_moves.h>
 

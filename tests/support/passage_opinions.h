@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/segment_distance.h>
 #include <taut/search/disc_passage.h>
 
 namespace taut::test {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include <taut/geometry/detail/text.h>
+#include <taut/geometry/text.h>
 
 namespace taut::detail {
 

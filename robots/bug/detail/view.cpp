@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include <taut/geometry/detail/expansion.h>
+#include <taut/geometry/triangular_expansion.h>
 
 namespace taut::bug::detail {
 

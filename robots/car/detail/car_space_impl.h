@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include <taut/geometry/detail/box_index.h>
-#include <taut/roadmaps/detail/gate_walls.h>
+#include <taut/geometry/box_index.h>
+#include <taut/roadmaps/wall_index.h>
 #include <taut/robots/car/car_space.h>
 #include <taut/robots/car/detail/prepared_leg.h>
 

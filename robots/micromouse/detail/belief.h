@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <taut/geometry/detail/draws.h>
+#include <taut/geometry/draws.h>
 #include <taut/robots/micromouse/wall_map.h>
 
 namespace taut::micromouse::detail {

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <utility>
 
-#include <taut/geometry/detail/expects.h>
+#include <taut/geometry/expects.h>
 #include <taut/robots/pursuit/detail/hops.h>
 #include <taut/robots/pursuit/exact_planner.h>
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include <taut/geometry/detail/draws.h>
+#include <taut/geometry/draws.h>
 
 namespace taut::pursuit::detail {
 

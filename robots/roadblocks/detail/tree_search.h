@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <taut/geometry/detail/draws.h>
+#include <taut/geometry/draws.h>
 #include <taut/robots/roadblocks/detail/disc_distance.h>
 #include <taut/robots/roadblocks/lattice_planner.h>
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <taut/geometry/detail/draws.h>
+#include <taut/geometry/draws.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/maze_generator.h>
 #include <taut/robots/bug/bug.h>

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include <taut/geometry/detail/draws.h>
+#include <taut/geometry/draws.h>
 #include <taut/geometry/predicates.h>
 #include <taut/robots/bug/bug.h>
 #include <taut/robots/bug/detail/rational.h>

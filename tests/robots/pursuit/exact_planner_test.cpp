@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include <taut/geometry/detail/draws.h>
+#include <taut/geometry/draws.h>
 #include <taut/io/worlds/read_chase_map.h>
 #include <taut/io/worlds/read_world.h>
 #include <taut/robots/pursuit/chase_generator.h>

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include <taut/geometry/detail/draws.h>
+#include <taut/geometry/draws.h>
 #include <taut/robots/roadblocks/detail/steering.h>
 
 namespace taut::roadblocks::detail {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include <taut/geometry/detail/draws.h>
+#include <taut/geometry/draws.h>
 #include <taut/robots/roadblocks/value_planner.h>
 
 #include "support/car_drawing.h"

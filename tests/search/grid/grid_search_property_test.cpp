@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-#include <taut/geometry/detail/draws.h>
+#include <taut/geometry/draws.h>
 #include <taut/search/grid/grid_search.h>
 #include "support/grid_brute_force.h"
 

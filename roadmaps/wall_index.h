@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <taut/geometry/detail/box_index.h>
+#include <taut/geometry/box_index.h>
 #include <taut/geometry/free_space.h>
 
 namespace taut::detail {

@@ -1,4 +1,4 @@
-#include <taut/roadmaps/detail/gate_shape.h>
+#include <taut/roadmaps/exact/gate_shape.h>
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include <gmpxx.h>
 
-#include <taut/roadmaps/detail/tangent_line.h>
+#include <taut/roadmaps/exact/tangent_line.h>
 
 namespace taut::detail {
 

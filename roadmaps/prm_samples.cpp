@@ -1,9 +1,9 @@
-#include <taut/roadmaps/detail/prm_samples.h>
+#include <taut/roadmaps/prm_samples.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include <taut/geometry/detail/expects.h>
+#include <taut/geometry/expects.h>
 
 namespace taut::detail {
 

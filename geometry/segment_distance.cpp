@@ -1,4 +1,4 @@
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/segment_distance.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <gmpxx.h>
 #include <mpfr.h>
 
-#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/written.h>
 
 namespace taut::detail {

@@ -1,4 +1,4 @@
-#include <taut/roadmaps/detail/tangent_line.h>
+#include <taut/roadmaps/exact/tangent_line.h>
 
 #include <taut/geometry/written.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include <taut/roadmaps/detail/tangent_walls.h>
+#include <taut/roadmaps/exact/tangent_walls.h>
 #include <taut/roadmaps/tangent_graph.h>
 
 namespace taut {

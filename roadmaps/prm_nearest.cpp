@@ -1,4 +1,4 @@
-#include <taut/roadmaps/detail/prm_nearest.h>
+#include <taut/roadmaps/prm_nearest.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <vector>
 
-#include <taut/roadmaps/detail/prm_clear.h>
-#include <taut/roadmaps/detail/prm_nearest.h>
-#include <taut/roadmaps/detail/prm_samples.h>
 #include <taut/roadmaps/prm.h>
+#include <taut/roadmaps/prm_clear.h>
+#include <taut/roadmaps/prm_nearest.h>
+#include <taut/roadmaps/prm_samples.h>
 
 namespace taut::detail {
 

@@ -1,4 +1,4 @@
-#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/exact/exact_point.h>
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/written.h>
 
 namespace taut::detail {

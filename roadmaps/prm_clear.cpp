@@ -1,13 +1,13 @@
-#include <taut/roadmaps/detail/prm_clear.h>
+#include <taut/roadmaps/prm_clear.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include <taut/geometry/detail/expects.h>
-#include <taut/geometry/detail/ray_walk.h>
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/expects.h>
+#include <taut/geometry/ray_walk.h>
+#include <taut/geometry/segment_distance.h>
 
 namespace taut::detail {
 

@@ -1,4 +1,4 @@
-#include <taut/roadmaps/detail/tangent_circle.h>
+#include <taut/roadmaps/exact/tangent_circle.h>
 
 #include <taut/geometry/written.h>
 

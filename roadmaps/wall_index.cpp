@@ -1,4 +1,4 @@
-#include <taut/roadmaps/detail/gate_walls.h>
+#include <taut/roadmaps/wall_index.h>
 
 #include <algorithm>
 #include <numeric>

@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include <taut/geometry/detail/draws.h>
-#include <taut/roadmaps/detail/prm_clear.h>
+#include <taut/geometry/draws.h>
 #include <taut/roadmaps/prm.h>
+#include <taut/roadmaps/prm_clear.h>
 
 namespace taut::detail {
 

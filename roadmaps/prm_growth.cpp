@@ -1,11 +1,11 @@
-#include <taut/roadmaps/detail/prm_growth.h>
+#include <taut/roadmaps/prm_growth.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
-#include <taut/geometry/detail/expects.h>
+#include <taut/geometry/expects.h>
 
 namespace taut::detail {
 

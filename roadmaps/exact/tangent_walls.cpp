@@ -1,9 +1,9 @@
-#include <taut/roadmaps/detail/tangent_walls.h>
+#include <taut/roadmaps/exact/tangent_walls.h>
 
 #include <algorithm>
 
-#include <taut/geometry/detail/expansion.h>
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/segment_distance.h>
+#include <taut/geometry/triangular_expansion.h>
 #include <taut/geometry/written.h>
 
 namespace taut::detail {

@@ -1,7 +1,7 @@
 // Is a point, or a leg, far enough from every obstacle? Private.
 #pragma once
 
-#include <taut/geometry/detail/box_index.h>
+#include <taut/geometry/box_index.h>
 #include <taut/geometry/free_space.h>
 
 namespace taut::detail {

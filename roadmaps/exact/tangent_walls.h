@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include <taut/geometry/detail/box_index.h>
-#include <taut/roadmaps/detail/gate_walls.h>
-#include <taut/roadmaps/detail/tangent_circle.h>
+#include <taut/geometry/box_index.h>
+#include <taut/roadmaps/exact/tangent_circle.h>
+#include <taut/roadmaps/wall_index.h>
 
 namespace taut::detail {
 

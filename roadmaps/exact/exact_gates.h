@@ -5,9 +5,9 @@
 
 #include <vector>
 
-#include <taut/roadmaps/detail/gate_shape.h>
-#include <taut/roadmaps/detail/gate_walls.h>
+#include <taut/roadmaps/exact/gate_shape.h>
 #include <taut/roadmaps/gates.h>
+#include <taut/roadmaps/wall_index.h>
 
 namespace taut {
 

@@ -1,4 +1,4 @@
-#include <taut/geometry/detail/ray_walk.h>
+#include <taut/geometry/ray_walk.h>
 
 #include <taut/geometry/written.h>
 

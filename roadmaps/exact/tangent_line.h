@@ -3,7 +3,7 @@
 #include <memory>
 
 #include <taut/geometry/point.h>
-#include <taut/roadmaps/detail/surd.h>
+#include <taut/roadmaps/exact/surd.h>
 
 namespace taut::detail {
 
