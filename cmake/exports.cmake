@@ -2,18 +2,12 @@
 # hidden symbols, and so are those whose header lies in detail/; of the rest exports.map keeps what is named taut::. A static taut is
 # compiled alike, so both are made of the same objects.
 
-# What the program draws and writes its results with; whatever gets a public header leaves this list.
-set(taut_shown_details result_values svg_frame svg_path)
-
 # taut_hide_private_symbols(LIBRARY)
 function(taut_hide_private_symbols library)
   get_target_property(sources ${library} SOURCES)
   foreach(source IN LISTS sources)
     cmake_path(GET source PARENT_PATH folder)
     cmake_path(GET source STEM name)
-    if(name IN_LIST taut_shown_details)
-      continue()
-    endif()
     if(source MATCHES "/detail/" OR (EXISTS ${folder}/detail/${name}.h AND NOT EXISTS ${folder}/${name}.h))
       set_property(SOURCE ${source} APPEND PROPERTY COMPILE_OPTIONS -fvisibility=hidden)
     endif()

@@ -8,7 +8,7 @@
 
 #include <utility>
 
-namespace taut::detail {
+namespace taut {
 
 namespace {
 
@@ -53,4 +53,4 @@ void BoxIndex::query(const Box& box, void* to, void (*call)(void*, std::uint32_t
     if (meet(boxes_[i], box)) call(to, i);
 }
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -8,7 +8,7 @@
 
 #include <taut/geometry/point.h>
 
-namespace taut::detail {
+namespace taut {
 
 /// An immutable R-tree (Boost.Geometry, packed) over closed boxes; a plain list when they are few.
 /// Built in O(n log n); a query takes O(log n + hits) on usual inputs.
@@ -38,4 +38,4 @@ inline Box box_around(Point p, Point q) {
   return {{p.x < q.x ? p.x : q.x, p.y < q.y ? p.y : q.y}, {p.x < q.x ? q.x : p.x, p.y < q.y ? q.y : p.y}};
 }
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -5,7 +5,7 @@
 
 #include <taut/geometry/written.h>
 
-namespace taut::detail {
+namespace taut {
 
 namespace {
 
@@ -165,8 +165,8 @@ Star take_star(Point at, std::span<const Touch>& rest, std::span<const Constrain
   return Star(at, constraints, pieces);
 }
 
-Passage blocked_at(const Star& star) {
-  Passage result{true, star.centre(), {}, {}};
+LegPassage blocked_at(const Star& star) {
+  LegPassage result{true, star.centre(), {}, {}};
   for (const Star::Ray& r : star.rays()) result.pieces.push_back(r.piece);
   std::sort(result.pieces.begin(), result.pieces.end());
   result.pieces.erase(std::unique(result.pieces.begin(), result.pieces.end()), result.pieces.end());
@@ -175,8 +175,8 @@ Passage blocked_at(const Star& star) {
 
 }  // namespace
 
-Passage pass(const Segment& leg, const Sectors& from, std::span<const Constraint> constraints,
-             std::span<const std::uint32_t> touching) {
+LegPassage pass(const Segment& leg, const Sectors& from, std::span<const Constraint> constraints,
+                std::span<const std::uint32_t> touching) {
   if (leg.a == leg.b) return {false, {}, {}, from};
   const std::vector<Touch> touches = touches_along(leg, constraints, touching);
   std::span<const Touch> rest = touches;
@@ -193,4 +193,4 @@ Passage pass(const Segment& leg, const Sectors& from, std::span<const Constraint
   return {false, {}, {}, std::move(sectors)};
 }
 
-}  // namespace taut::detail
+}  // namespace taut

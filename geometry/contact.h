@@ -1,5 +1,5 @@
-// Where a straight leg touches constraints, and on which side it passes. Private: the ground of verify() and of the
-// brute-force visibility graph, written without the triangulation so that both can judge what is built on it.
+// Where a straight leg touches constraints, and on which side it passes. The ground of verify() and of the brute-force
+// visibility graph, written without the triangulation so that both can judge what is built on it.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -7,7 +7,7 @@
 
 #include <taut/geometry/free_space.h>
 
-namespace taut::detail {
+namespace taut {
 
 /// Numbers of sectors of one Star, ascending: the places at a point where a path may be.
 using Sectors = std::vector<std::uint32_t>;
@@ -82,7 +82,7 @@ enum class Contact {
 Contact contact(const Segment& leg, const Constraint& constraint);
 
 /// What became of a path on one leg.
-struct Passage {
+struct LegPassage {
   bool blocked = false;
   Point at;                           ///< when blocked: the point it cannot pass
   std::vector<std::uint32_t> pieces;  ///< when blocked: the constraints at that point
@@ -96,7 +96,7 @@ Star star_at(Point centre, std::span<const Constraint> constraints, std::span<co
 /// between them on one side of the constraint it runs along. Exact. O(k log k) for k contacts. Precondition: `touching`
 /// names all constraints whose contact with the leg is Contact::touch, and none is Contact::cross; `from` are sectors
 /// of the star at leg.a.
-Passage pass(const Segment& leg, const Sectors& from, std::span<const Constraint> constraints,
-             std::span<const std::uint32_t> touching);
+LegPassage pass(const Segment& leg, const Sectors& from, std::span<const Constraint> constraints,
+                std::span<const std::uint32_t> touching);
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <random>
 
-namespace taut::detail {
+namespace taut {
 
 /// std::mt19937_64 is fixed by the standard, its distributions are not: these are.
 class Draws {
@@ -29,4 +29,4 @@ class Draws {
   std::mt19937_64 engine_;
 };
 
-}  // namespace taut::detail
+}  // namespace taut

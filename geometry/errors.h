@@ -23,4 +23,10 @@ class InputError : public std::runtime_error {
   }
 };
 
+/// The input is sound, but too fine for double coordinates: what is built from it can't be rounded. One readable line.
+class TooFine : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 }  // namespace taut

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace taut::detail {
+namespace taut {
 
 /// The caller broke a documented precondition.
 class PreconditionError : public std::logic_error {
@@ -12,7 +12,7 @@ class PreconditionError : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
-}  // namespace taut::detail
+}  // namespace taut
 
 #ifdef TAUT_CHECKS
 #define TAUT_EXPECTS(condition) \

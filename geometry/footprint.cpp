@@ -15,7 +15,7 @@ namespace {
 
 double checked_radius(double r) {
   if (!(r >= World::kSmallest && r <= World::kLargest))
-    throw InputError({}, 0, "a robot's radius must be from 1e-75 to 1e75, not " + detail::text(r));
+    throw InputError({}, 0, "a robot's radius must be from 1e-75 to 1e75, not " + text(r));
   return r;
 }
 

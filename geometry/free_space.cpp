@@ -37,11 +37,11 @@ detail::Noded noded_edges(const World& world, const Footprint& footprint, std::s
   if (footprint.kind() == Footprint::Kind::point)
     for (std::uint32_t i = 0; i < world.walls().size(); ++i)
       if (const Wall& wall = world.walls()[i]; wall.thickness == 0) edges.push_back({wall.a, wall.b, 0, i});
-  detail::Noded noded = detail::node(std::move(edges), detail::Unit(world.box()), ends);
+  detail::Noded noded = detail::node(std::move(edges), DecimalUnit(world.box()), ends);
   noded.crossings += outline.crossings;
   noded.displacement = std::max({noded.displacement, outline.displacement, obstacles.excess});
   return noded;
-} catch (const detail::TooFine& error) {
+} catch (const TooFine& error) {
   throw InputError(world.source(), 0, error.what());
 }
 
@@ -167,10 +167,10 @@ bool FreeSpace::sees(Point p, Point q, std::optional<Point> towards) const {
   const Location from = locate(p);
   if (from.kind == Location::Kind::outside || locate(q).kind == Location::Kind::outside) return false;
   if (p == q) return !towards || looks_towards(impl_->tri, from, *towards);
-  detail::RayWalk walk(impl_->tri, p, q, true);
+  RayWalk walk(impl_->tri, p, q, true);
   auto end = walk.start(from, towards);
-  while (end == detail::RayWalk::End::vertex) end = walk.next();
-  return end == detail::RayWalk::End::reached;
+  while (end == RayWalk::End::vertex) end = walk.next();
+  return end == RayWalk::End::reached;
 }
 
 }  // namespace taut

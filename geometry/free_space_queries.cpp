@@ -35,7 +35,7 @@ class NearestConstraint {
     for (const std::uint32_t piece : std::vector(considered_))
       for (const Point end : {space_.constraints()[piece].a, space_.constraints()[piece].b})
         if (is_equal({end, end}, side(nearest))) consider_around(end);
-    return {detail::segment_distance(here(), side(best_)), best_};
+    return {segment_distance(here(), side(best_)), best_};
   }
 
  private:
@@ -49,16 +49,16 @@ class NearestConstraint {
   void leave(std::uint32_t t, int i) {
     if (const std::uint32_t piece = piece_of_[3 * t + i]; piece != kNone) return consider(piece);
     const Point a = tri_.points[tri_.triangles[t][Tri::ccw(i)]], b = tri_.points[tri_.triangles[t][Tri::cw(i)]];
-    if (detail::segment_distance_interval(here(), {a, b}).lo <= least_.hi) reach(tri_.neighbours[t][i]);
+    if (segment_distance_interval(here(), {a, b}).lo <= least_.hi) reach(tri_.neighbours[t][i]);
   }
 
   bool is_equal(const Segment& s, const Segment& t) const {
-    return detail::compare_segment_distances(here(), s, here(), t) == 0;
+    return compare_segment_distances(here(), s, here(), t) == 0;
   }
 
   void consider(std::uint32_t piece) {
     considered_.push_back(piece);
-    const Interval distance = detail::segment_distance_interval(here(), side(piece));
+    const Interval distance = segment_distance_interval(here(), side(piece));
     if (best_ == kNone || is_better(piece, distance)) {
       best_ = piece;
       least_ = distance;
@@ -68,7 +68,7 @@ class NearestConstraint {
   bool is_better(std::uint32_t piece, const Interval& distance) const {
     if (piece == best_ || distance.lo > least_.hi) return false;
     if (distance.hi < least_.lo) return true;
-    const int order = detail::compare_segment_distances(here(), side(piece), here(), side(best_));
+    const int order = compare_segment_distances(here(), side(piece), here(), side(best_));
     return order != 0 ? order < 0 : piece < best_;
   }
 
@@ -144,15 +144,15 @@ class Outline {
   Point end_of(const auto& ray, Point a, Point b) {
     for (const Point p : {a, b})
       if (written::orientation(origin_, ray.through, p) == 0) return p;
-    const detail::ExactPoint exact = detail::line_crossing({origin_, ray.through}, {a, b});
-    const Point p = detail::nearest_point(exact);
-    result_.rounding = std::max(result_.rounding, detail::displacement(exact, p));
+    const ExactPoint exact = line_crossing({origin_, ray.through}, {a, b});
+    const Point p = nearest_point(exact);
+    result_.rounding = std::max(result_.rounding, displacement(exact, p));
     return p;
   }
 
   const Tri& tri_;
   Point origin_;
-  detail::Expansion<detail::DoubleCoordinates, Outline> expansion_;
+  Expansion<DoubleCoordinates, Outline> expansion_;
   VisibilityPolygon result_;
 };
 

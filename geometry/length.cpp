@@ -29,13 +29,13 @@ std::strong_ordering ordering(int sign) { return sign <=> 0; }
 }  // namespace
 
 Interval distance_interval(Point p, Point q) {
-  const detail::Square square =
-      detail::square_of(detail::absolute_difference(p.x, q.x), detail::absolute_difference(p.y, q.y));
-  if (!detail::is_regular(square)) return {extreme_distance(p, q, MPFR_RNDD), extreme_distance(p, q, MPFR_RNDU)};
-  if (square.exact && square.sum > 0) return detail::enclose_root(square.sum);
-  const detail::Root root = detail::root_of(square);
-  const double unsure = root.exact ? 0 : root.high * detail::kRootError;
-  return {detail::step_down(root.high, root.low < unsure), detail::step_up(root.high, root.low > -unsure)};
+  const twofold::Square square =
+      twofold::square_of(twofold::absolute_difference(p.x, q.x), twofold::absolute_difference(p.y, q.y));
+  if (!twofold::is_regular(square)) return {extreme_distance(p, q, MPFR_RNDD), extreme_distance(p, q, MPFR_RNDU)};
+  if (square.exact && square.sum > 0) return twofold::enclose_root(square.sum);
+  const twofold::Root root = twofold::root_of(square);
+  const double unsure = root.exact ? 0 : root.high * twofold::kRootError;
+  return {twofold::step_down(root.high, root.low < unsure), twofold::step_up(root.high, root.low > -unsure)};
 }
 
 Length::Length(std::span<const Point> chain) {
@@ -46,14 +46,14 @@ Length::Length(std::span<const Point> chain) {
 void Length::add(Point p, Point q) {
   const Interval leg = distance_interval(p, q);
   legs_.push_back({p, q});
-  interval_ = {detail::add_down(interval_.lo, leg.lo), detail::add_up(interval_.hi, leg.hi)};
+  interval_ = {twofold::add_down(interval_.lo, leg.lo), twofold::add_up(interval_.hi, leg.hi)};
 }
 
 Length& Length::operator+=(const Length& other) {
   const Interval more = other.interval_;
   // By index: other may be *this.
   for (std::size_t i = 0, n = other.legs_.size(); i < n; ++i) legs_.push_back(other.legs_[i]);
-  interval_ = {detail::add_down(interval_.lo, more.lo), detail::add_up(interval_.hi, more.hi)};
+  interval_ = {twofold::add_down(interval_.lo, more.lo), twofold::add_up(interval_.hi, more.hi)};
   return *this;
 }
 

@@ -8,17 +8,10 @@
 #include <string>
 #include <vector>
 
+#include <taut/geometry/interval.h>
 #include <taut/geometry/point.h>
 
 namespace taut {
-
-/// A closed interval of doubles that contains an exact value.
-struct Interval {
-  double lo = 0;
-  double hi = 0;
-
-  friend bool operator==(const Interval&, const Interval&) = default;
-};
 
 /// The Euclidean distance of p and q, enclosed; at most 2 ulp wide.
 Interval distance_interval(Point p, Point q);

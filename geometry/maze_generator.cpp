@@ -142,7 +142,7 @@ class BiasedMaze {
   int rows_;
   int cols_;
   std::uint32_t cells_;
-  detail::Draws draws_;
+  Draws draws_;
   Regions regions_;
   GridMaze maze_;
   std::vector<int> block_row_;
@@ -164,7 +164,7 @@ GridMaze generate_backtracker(int width, int height, std::uint64_t seed) {
   const auto id = [&](Cell c) { return static_cast<std::size_t>(c.y) * w + static_cast<std::size_t>(c.x); };
   std::vector<bool> visited(w * static_cast<std::size_t>(height));
   std::vector<Side> came;  // the way from the start to `here`
-  detail::Draws draws(seed);
+  Draws draws(seed);
   Cell here{0, 0};
   visited[0] = true;
   for (;;) {
@@ -203,11 +203,11 @@ void for_each_interior_wall(const GridMaze& maze, Visit visit) {
 
 void open_walls(GridMaze& maze, double share, std::uint64_t seed) {
   if (!(share >= 0 && share <= 1))
-    throw InputError("", 0, "share of walls to open is " + detail::text(share) + ", not between 0 and 1");
+    throw InputError("", 0, "share of walls to open is " + text(share) + ", not between 0 and 1");
   std::uint32_t left = 0;
   for_each_interior_wall(maze, [&](Cell, Side) { ++left; });
   auto wanted = static_cast<std::uint32_t>(std::llround(share * left));
-  detail::Draws draws(seed);
+  Draws draws(seed);
   // Selection sampling (Knuth, TAOCP 2, 3.4.2, algorithm S).
   for_each_interior_wall(maze, [&](Cell cell, Side side) {
     if (draws.below(left--) >= wanted) return;

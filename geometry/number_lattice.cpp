@@ -73,9 +73,8 @@ std::optional<NumberLattice> number_lattice(const World& world) {
 
 std::string text(const NumberLattice& lattice) {
   if (lattice.exponent == 0) return "integers";
-  const std::string unit = detail::text(lattice.unit());
-  if (lattice.base == 2)
-    return "binary fractions, " + (lattice.exponent < 53 ? "1/" + detail::text(1 / lattice.unit()) : unit);
+  const std::string unit = text(lattice.unit());
+  if (lattice.base == 2) return "binary fractions, " + (lattice.exponent < 53 ? "1/" + text(1 / lattice.unit()) : unit);
   constexpr const char* kMetric[] = {"", "1 dm", "1 cm", "1 mm"};
   if (lattice.exponent > 3) return "decimals, " + unit;
   return std::string("decimals, ") + kMetric[lattice.exponent] + " if the unit is a metre (" + unit + ")";

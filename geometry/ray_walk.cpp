@@ -2,7 +2,7 @@
 
 #include <taut/geometry/written.h>
 
-namespace taut::detail {
+namespace taut {
 
 using Tri = Triangulation;
 
@@ -139,4 +139,4 @@ RayWalk::End RayWalk::next() {
   return found.vertex == kNone ? End::blocked : End::vertex;
 }
 
-}  // namespace taut::detail
+}  // namespace taut

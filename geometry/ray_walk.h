@@ -7,7 +7,7 @@
 
 #include <taut/geometry/free_space.h>
 
-namespace taut::detail {
+namespace taut {
 
 /// The walk of a path straight along the ray from p through q: from vertex to vertex of the triangulation, as long as a
 /// robot of vanishing radius gets along: through unconstrained sides, along constrained ones, past a vertex within one
@@ -55,4 +55,4 @@ class RayWalk {
   Stand stand_;
 };
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -10,7 +10,7 @@
 #include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/written.h>
 
-namespace taut::detail {
+namespace taut {
 
 namespace {
 
@@ -134,4 +134,4 @@ int compare_segment_distances(const Segment& s1, const Segment& t1, const Segmen
 
 double segment_distance(const Segment& s, const Segment& t) { return nearest_root(exact_squared(s, t)); }
 
-}  // namespace taut::detail
+}  // namespace taut

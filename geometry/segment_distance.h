@@ -1,12 +1,12 @@
-// Distances between segments: enclosed quickly, compared exactly. Private.
+// Distances between segments: enclosed quickly, compared exactly.
 #pragma once
 
 #include <optional>
 
-#include <taut/geometry/length.h>
+#include <taut/geometry/interval.h>
 #include <taut/geometry/point.h>
 
-namespace taut::detail {
+namespace taut {
 
 /// Encloses the distance of two closed segments; either may be a single point. A few ulp wide unless the foot is near
 /// an end; [0, 0] exactly when they share a point; a single number when it is the difference of two coordinates and a
@@ -22,4 +22,4 @@ int compare_segment_distances(const Segment& s1, const Segment& t1, const Segmen
 /// The distance of two closed segments, to the nearest double; 0 exactly when they share a point.
 double segment_distance(const Segment& s, const Segment& t);
 
-}  // namespace taut::detail
+}  // namespace taut

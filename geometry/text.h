@@ -7,7 +7,7 @@
 #include <taut/geometry/grid_maze.h>
 #include <taut/geometry/point.h>
 
-namespace taut::detail {
+namespace taut {
 
 inline void append(std::string& out, double value) {
   char digits[32];
@@ -29,4 +29,4 @@ inline std::string text(const Segment& s) { return text(s.a) + "-" + text(s.b); 
 /// `(3,6)`
 inline std::string text(Cell c) { return "(" + std::to_string(c.x) + "," + std::to_string(c.y) + ")"; }
 
-}  // namespace taut::detail
+}  // namespace taut

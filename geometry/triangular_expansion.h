@@ -8,7 +8,7 @@
 #include <taut/geometry/triangulation.h>
 #include <taut/geometry/written.h>
 
-namespace taut::detail {
+namespace taut {
 
 /// The vertices of a triangulation as integers; places are compared in int64, exactly.
 class LatticeCoordinates {
@@ -122,4 +122,4 @@ class Expansion {
   std::vector<View> stack_;
 };
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -15,8 +15,6 @@ namespace taut {
 
 namespace {
 
-using detail::text;
-
 // Throws InputErrors about one line of one source.
 class Gate {
  public:

@@ -112,14 +112,14 @@ bool is_plain(double v) {
   if (!d) return true;
   if (d->places >= 0 && d->places <= kExactPowers)
     return std::fma(v, kPowersOfTen[d->places], -static_cast<double>(d->digits)) == 0;
-  return taut::detail::meaning(v) == mpq_class(v);
+  return taut::meaning(v) == mpq_class(v);
 }
 
 double sum(double a, double b) {
   const double rough = a + b;
   if (is_integer(a) && is_integer(b) && is_integer(rough)) return rough;
   if (const auto p = over_one_power(a, b)) return nearest(p->a + p->b, p->places);
-  return taut::detail::nearest_double(taut::detail::meaning(a) + taut::detail::meaning(b));
+  return taut::nearest_double(taut::meaning(a) + taut::meaning(b));
 }
 
 double middle(double a, double b) {
@@ -128,7 +128,7 @@ double middle(double a, double b) {
     if (twice % 2 == 0) return nearest(twice / 2, p->places);
     if (const auto tenth = raised(twice, 1)) return nearest(*tenth / 2, p->places + 1);
   }
-  return taut::detail::nearest_double((taut::detail::meaning(a) + taut::detail::meaning(b)) / 2);
+  return taut::nearest_double((taut::meaning(a) + taut::meaning(b)) / 2);
 }
 
 double times(std::int64_t n, double a) {
@@ -141,7 +141,7 @@ double times(std::int64_t n, double a) {
 int compare_sum(double a, double b, double c) {
   const double rough = a + b - c, bound = 4.5e-16 * (std::abs(a) + std::abs(b) + std::abs(c)) + 1e-290;
   if (std::abs(rough) > bound) return rough > 0 ? 1 : -1;
-  return sgn(mpq_class(taut::detail::meaning(a) + taut::detail::meaning(b) - taut::detail::meaning(c)));
+  return sgn(mpq_class(taut::meaning(a) + taut::meaning(b) - taut::meaning(c)));
 }
 
 bool segments_meet(const Segment& s, const Segment& t) {

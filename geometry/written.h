@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include <taut/geometry/length.h>
+#include <taut/geometry/interval.h>
 #include <taut/geometry/point.h>
 
 namespace taut::written {
@@ -73,8 +73,10 @@ inline int quick_orientation(Point a, Point b, Point c) {
 /// The sign of the signed area of the triangle a, b, c: +1 when c lies to the left of a -> b, 0 on the line, -1 to the
 /// right. Exact for what the coordinates mean, of magnitude <= World::kLargest.
 inline int orientation(Point a, Point b, Point c) {
-  const int quick = detail::quick_orientation(a, b, c);
-  return quick != 0 ? quick : detail::exact_orientation(a, b, c);
+  if (const int quick = detail::quick_orientation(a, b, c); quick != 0) return quick;
+  // Three points in line along an axis never need big numbers.
+  if ((a.x == c.x || b.y == c.y) && (a.y == c.y || b.x == c.x)) return 0;
+  return detail::exact_orientation(a, b, c);
 }
 
 /// Does q lie on the closed segment a b? Exact.

@@ -32,7 +32,7 @@ std::vector<Segment> sloped_sides(const World& world) {
 std::vector<Box> boxes_around(const std::vector<Segment>& sides) {
   std::vector<Box> boxes;
   boxes.reserve(sides.size());
-  for (const Segment& s : sides) boxes.push_back(detail::box_around(s.a, s.b));
+  for (const Segment& s : sides) boxes.push_back(box_around(s.a, s.b));
   return boxes;
 }
 
@@ -47,7 +47,7 @@ struct WrittenPlaces::Impl {
 
   FreeSpace space;
   std::vector<Segment> sides;
-  detail::BoxIndex index;
+  BoxIndex index;
 };
 
 WrittenPlaces::WrittenPlaces(const FreeSpace& space) : impl_(std::make_shared<const Impl>(space)) {}

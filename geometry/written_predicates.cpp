@@ -56,7 +56,7 @@ namespace {
 
 __extension__ typedef __int128 Wide;
 
-using taut::detail::meaning;
+using taut::meaning;
 
 Wide wide(double v) { return static_cast<std::int64_t>(v); }
 int sign(Wide v) { return (v > 0) - (v < 0); }

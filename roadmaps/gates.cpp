@@ -18,7 +18,7 @@ namespace {
 
 std::strong_ordering compare(const mpq_class& a, const mpq_class& b) { return cmp(a, b) <=> 0; }
 
-std::vector<detail::FoundGate> find_gates(const detail::GateWalls& walls) {
+std::vector<detail::FoundGate> find_gates(const WallIndex& walls) {
   std::vector<detail::FoundGate> found;
   detail::GateSearch search(walls);
   for (std::uint32_t v = 0; v < walls.triangulation().points.size(); ++v) search.append_gates(v, found);
@@ -26,22 +26,22 @@ std::vector<detail::FoundGate> find_gates(const detail::GateWalls& walls) {
 }
 
 mpq_class squared(const detail::FoundGate& found) {
-  const mpq_class square = detail::squared_width(found.shape);
+  const mpq_class square = squared_width(found.shape);
   return found.to_opening ? mpq_class(4 * square) : square;
 }
 
-Gate gate_of(const detail::FoundGate& found, const detail::GateWalls& walls) {
+Gate gate_of(const detail::FoundGate& found, const WallIndex& walls) {
   const auto lowest = [&](std::uint32_t v) { return walls.at(v).front(); };
   const bool foot_is_end = found.facing == kNone;
   const Segment end{found.shape.end, found.shape.end};
   return {.end = found.shape.end,
-          .foot = detail::nearest_foot(found.shape),
+          .foot = nearest_foot(found.shape),
           .constraint = lowest(found.vertex),
           .facing = foot_is_end ? lowest(found.foot_vertex) : found.facing,
           .foot_is_end = foot_is_end,
           .foot_is_exact = found.shape.exact(),
           .to_opening = found.to_opening,
-          .width = detail::segment_distance(end, found.shape.facing) * (found.to_opening ? 2 : 1)};
+          .width = segment_distance(end, found.shape.facing) * (found.to_opening ? 2 : 1)};
 }
 
 /// The order of the gates: widths exactly, then by place.
@@ -62,7 +62,7 @@ std::vector<std::uint32_t> order_of(const std::vector<mpq_class>& squares, const
 
 /// The distance of two points, when it is a fraction with a small denominator.
 std::optional<std::string> printed_distance(Point p, Point q, int times) {
-  const detail::ExactPoint from(p), to(q);
+  const ExactPoint from(p), to(q);
   const mpq_class dx = from.x - to.x, dy = from.y - to.y, square = dx * dx + dy * dy;
   if (!mpz_perfect_square_p(square.get_num_mpz_t()) || !mpz_perfect_square_p(square.get_den_mpz_t()))
     return std::nullopt;
@@ -74,46 +74,47 @@ std::optional<std::string> printed_distance(Point p, Point q, int times) {
 }  // namespace
 
 Gates::Gates(FreeSpace space) {
-  auto impl = std::make_shared<Impl>(Impl{detail::GateWalls(space), {}, {}, {}, {}});
-  const std::vector<detail::FoundGate> found = find_gates(impl->walls);
+  auto exact = std::make_shared<ExactGates>(ExactGates{WallIndex(space), {}, {}, {}, {}});
+  const std::vector<detail::FoundGate> found = find_gates(exact->walls);
   std::vector<Gate> gates;
   std::vector<mpq_class> squares;
   for (const detail::FoundGate& one : found) {
-    gates.push_back(gate_of(one, impl->walls));
+    gates.push_back(gate_of(one, exact->walls));
     squares.push_back(squared(one));
   }
   for (const std::uint32_t i : order_of(squares, gates)) {
-    const std::uint32_t foot = found[i].facing == kNone ? found[i].foot_vertex : impl->walls.ends()[found[i].facing][0];
-    impl->gates.push_back(gates[i]);
-    impl->shapes.push_back(found[i].shape);
-    impl->squared.push_back(std::move(squares[i]));
-    impl->nodes.push_back({found[i].vertex, foot});
+    const std::uint32_t foot =
+        found[i].facing == kNone ? found[i].foot_vertex : exact->walls.ends()[found[i].facing][0];
+    exact->gates.push_back(gates[i]);
+    exact->shapes.push_back(found[i].shape);
+    exact->squared.push_back(std::move(squares[i]));
+    exact->nodes.push_back({found[i].vertex, foot});
   }
-  impl_ = std::move(impl);
+  exact_ = std::move(exact);
 }
 
-const FreeSpace& Gates::space() const { return impl_->walls.space(); }
-const std::vector<Gate>& Gates::gates() const { return impl_->gates; }
-bool Gates::is_opening(std::uint32_t constraint) const { return impl_->walls.is_opening(constraint); }
+const FreeSpace& Gates::space() const { return exact_->walls.space(); }
+const std::vector<Gate>& Gates::gates() const { return exact_->gates; }
+bool Gates::is_opening(std::uint32_t constraint) const { return exact_->walls.is_opening(constraint); }
 
 std::strong_ordering Gates::compare_width(std::uint32_t i, double diameter) const {
-  const mpq_class d = detail::meaning(diameter);
-  return compare(impl_->squared[i], d * d);
+  const mpq_class d = meaning(diameter);
+  return compare(exact_->squared[i], d * d);
 }
 
 std::strong_ordering Gates::compare_widths(std::uint32_t i, std::uint32_t j) const {
-  return compare(impl_->squared[i], impl_->squared[j]);
+  return compare(exact_->squared[i], exact_->squared[j]);
 }
 
 std::string Gates::width_text(std::uint32_t i) const {
-  const Gate& gate = impl_->gates[i];
+  const Gate& gate = exact_->gates[i];
   std::optional<std::string> width;
   if (gate.foot_is_exact) width = printed_distance(gate.end, gate.foot, gate.to_opening ? 2 : 1);
   return width.value_or(fmt::format("{}", gate.width));
 }
 
 std::string Gates::name(std::uint32_t i) const {
-  const Gate& gate = impl_->gates[i];
+  const Gate& gate = exact_->gates[i];
   const auto [p, q] = std::minmax(gate.end, gate.foot);
   return fmt::format("{} between ({}, {}) and ({}, {})", width_text(i), p.x, p.y, q.x, q.y);
 }

@@ -11,6 +11,8 @@
 
 namespace taut {
 
+struct ExactGates;
+
 /// The shortest connection of two pieces of wall that have nothing between them. One of its ends is always an end of a
 /// piece.
 struct Gate {
@@ -67,12 +69,11 @@ class Gates {
   /// 1000, of the coordinates read as the decimals they are printed as; else the nearest double.
   std::string name(std::uint32_t i) const;
 
-  struct Impl;
-  /// Private to the library.
-  const Impl& impl() const { return *impl_; }
+  /// Widths and shapes as exact numbers (roadmaps/exact/exact_gates.h).
+  const ExactGates& exact() const { return *exact_; }
 
  private:
-  std::shared_ptr<const Impl> impl_;
+  std::shared_ptr<const ExactGates> exact_;
 };
 
 }  // namespace taut

@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include <taut/geometry/detail/side.h>
+#include <taut/geometry/written.h>
 #include <taut/roadmaps/detail/navmesh_blocks.h>
 #include <taut/roadmaps/detail/navmesh_triangles.h>
 
@@ -100,7 +100,7 @@ class Merging {
   bool stays_convex(std::uint32_t s) const {
     const std::uint32_t before = sides_[sides_[s].previous].origin,
                         after = sides_[sides_[sides_[sides_[s].across].next].next].origin;
-    return before != after && detail::side_of(tri_.points[before], origin(s), tri_.points[after]) >= 0;
+    return before != after && written::orientation(tri_.points[before], origin(s), tri_.points[after]) >= 0;
   }
 
   void take_out(std::uint32_t s) {

@@ -5,7 +5,7 @@
 namespace taut {
 
 Roadmap prm(const FreeSpace& space, const PrmOptions& options, PrmCounts* counts) {
-  detail::PrmGrowth growth(space, options);
+  PrmGrowth growth(space, options);
   growth.add(options.samples.value_or(growth.default_count()));
   if (counts != nullptr) *counts = growth.counts();
   return growth.roadmap();
@@ -13,9 +13,9 @@ Roadmap prm(const FreeSpace& space, const PrmOptions& options, PrmCounts* counts
 
 std::vector<Roadmap::Vertex> nearest_visible(const FreeSpace& space, const Roadmap& roadmap, Point p, std::size_t count,
                                              double clearance) {
-  detail::PrmNearest index;
+  PrmNearest index;
   index.add(roadmap.points());
-  return detail::nearest_visible(detail::PrmClear(space, clearance), index, roadmap.points(), p, count);
+  return nearest_visible(PrmClear(space, clearance), index, roadmap.points(), p, count);
 }
 
 }  // namespace taut

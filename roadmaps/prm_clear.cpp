@@ -9,7 +9,7 @@
 #include <taut/geometry/ray_walk.h>
 #include <taut/geometry/segment_distance.h>
 
-namespace taut::detail {
+namespace taut {
 
 namespace {
 
@@ -71,4 +71,4 @@ bool PrmClear::keeps_distance(const Segment& s) const {
   return keeps;
 }
 
-}  // namespace taut::detail
+}  // namespace taut

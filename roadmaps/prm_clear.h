@@ -1,10 +1,10 @@
-// Is a point, or a leg, far enough from every obstacle? Private.
+// Is a point, or a leg, far enough from every obstacle?
 #pragma once
 
 #include <taut/geometry/box_index.h>
 #include <taut/geometry/free_space.h>
 
-namespace taut::detail {
+namespace taut {
 
 /// The exact tests behind PrmOptions, guarantee 1: distances are compared with the clearance as exact numbers.
 class PrmClear {
@@ -34,4 +34,4 @@ class PrmClear {
   BoxIndex index_;
 };
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -7,7 +7,7 @@
 
 #include <taut/geometry/expects.h>
 
-namespace taut::detail {
+namespace taut {
 
 using Vertex = Roadmap::Vertex;
 
@@ -153,4 +153,4 @@ std::vector<Vertex> nearest_visible(const PrmClear& clear, const PrmNearest& ind
   });
 }
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -1,4 +1,4 @@
-// A PRM that can still grow. Private.
+// A PRM that can still grow.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 #include <taut/roadmaps/prm_nearest.h>
 #include <taut/roadmaps/prm_samples.h>
 
-namespace taut::detail {
+namespace taut {
 
 /// Which vertices hang together, while edges come in (union by size, path halving).
 class PrmParts {
@@ -82,4 +82,4 @@ class PrmGrowth {
 std::vector<Roadmap::Vertex> nearest_visible(const PrmClear& clear, const PrmNearest& index,
                                              const std::vector<Point>& points, Point p, std::size_t count);
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace taut::detail {
+namespace taut {
 
 namespace {
 
@@ -113,4 +113,4 @@ std::vector<std::uint32_t> PrmNearest::within(Point p, double radius) const {
   return numbers(ranks, ranks.size());
 }
 
-}  // namespace taut::detail
+}  // namespace taut

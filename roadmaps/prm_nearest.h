@@ -1,4 +1,4 @@
-// The nearest of a growing set of points. Private.
+// The nearest of a growing set of points.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 #include <taut/geometry/point.h>
 
-namespace taut::detail {
+namespace taut {
 
 /// A grid of buckets over numbered points, about two points a bucket, laid anew with each add(): for points that come
 /// in batches, each a part of what there is. Nearer means: with the smaller squared distance, rounded; then with the
@@ -62,4 +62,4 @@ std::vector<std::uint32_t> nearest_accepted(const PrmNearest& points, Point p, s
   return result;
 }
 
-}  // namespace taut::detail
+}  // namespace taut

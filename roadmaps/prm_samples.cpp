@@ -5,7 +5,7 @@
 
 #include <taut/geometry/expects.h>
 
-namespace taut::detail {
+namespace taut {
 
 namespace {
 
@@ -177,4 +177,4 @@ Point PrmSamples::corner() {
   return near(corners_[chosen]);
 }
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -1,4 +1,4 @@
-// Where the next vertex of a PRM might be. Private.
+// Where the next vertex of a PRM might be.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include <taut/roadmaps/prm.h>
 #include <taut/roadmaps/prm_clear.h>
 
-namespace taut::detail {
+namespace taut {
 
 /// The points of a lattice in a box, row by row; then those of the lattice with half the spacing that are not among
 /// them, and so on.
@@ -63,4 +63,4 @@ class PrmSamples {
   std::optional<PrmLatticeWalk> walk_;
 };
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -11,7 +11,7 @@ namespace {
 using Vertex = Roadmap::Vertex;
 
 std::string named(const Roadmap& roadmap, Vertex v) {
-  return "vertex " + std::to_string(v) + ", " + detail::text(roadmap.point(v)) + ",";
+  return "vertex " + std::to_string(v) + ", " + text(roadmap.point(v)) + ",";
 }
 
 std::string edge_text(const Roadmap& roadmap, Vertex v, Vertex w) {

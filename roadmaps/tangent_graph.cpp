@@ -9,8 +9,6 @@
 
 namespace taut {
 
-namespace detail {
-
 namespace {
 
 using Tri = Triangulation;
@@ -28,7 +26,7 @@ std::optional<std::array<Point, 2>> hull_of(Point c, const std::vector<Point>& e
 }
 
 /// Is some free triangle at the vertex outside the angle that its walls span?
-bool is_free_beyond(const GateWalls& walls, std::uint32_t v, const std::array<Point, 2>& hull) {
+bool is_free_beyond(const WallIndex& walls, std::uint32_t v, const std::array<Point, 2>& hull) {
   const Tri& tri = walls.triangulation();
   const Point c = tri.points[v];
   const auto around = walls.around(v);
@@ -78,21 +76,15 @@ void sort_around(std::vector<std::uint32_t>& points, const std::vector<TangentPo
   });
 }
 
-}  // namespace detail
-
-using detail::TangentPoint;
-using detail::TangentRing;
-using detail::TangentSite;
-
-TangentGraph::Impl::Impl(const FreeSpace& space, double radius) : r(radius), walls(space, radius) {
+TangentParts::TangentParts(const FreeSpace& space, double radius) : r(radius), walls(space, radius) {
   find_sites();
   find_legs();
   build_rings();
   sort_legs();
 }
 
-void TangentGraph::Impl::find_sites() {
-  const detail::GateWalls& gate_walls = walls.walls();
+void TangentParts::find_sites() {
+  const WallIndex& gate_walls = walls.walls();
   const Triangulation& tri = gate_walls.triangulation();
   site_at.assign(tri.points.size(), kNone);
   const auto add = [&](TangentSite site) {
@@ -105,8 +97,8 @@ void TangentGraph::Impl::find_sites() {
       if (!gate_walls.is_opening(c))
         site.walls.push_back(tri.points[gate_walls.ends()[c][gate_walls.ends()[c][0] == v]]);
     if (site.round) {
-      const auto hull = detail::hull_of(site.at, site.walls);
-      if (hull && detail::is_free_beyond(gate_walls, v, *hull)) add(std::move(site));
+      const auto hull = hull_of(site.at, site.walls);
+      if (hull && is_free_beyond(gate_walls, v, *hull)) add(std::move(site));
       continue;
     }
     for (const Triangulation::Sector& sector : tri.sectors_at(v))
@@ -117,12 +109,12 @@ void TangentGraph::Impl::find_sites() {
   }
 }
 
-void TangentGraph::Impl::find_legs() {
+void TangentParts::find_legs() {
   for (std::uint32_t i = 0; i < sites.size(); ++i) {
     for (const std::uint32_t v : walls.seen_from_vertex(sites[i].vertex)) {
       const std::uint32_t j = site_at[v];
       if (j == kNone || j <= i || sites[j].vertex == sites[i].vertex) continue;
-      for (detail::TangentPair& pair : detail::free_tangents(walls, r, sites[i], sites[j])) {
+      for (TangentPair& pair : free_tangents(walls, r, sites[i], sites[j])) {
         const auto from = static_cast<std::uint32_t>(points.size());
         const int s = pair.from.here.side, t = -pair.to.here.side;
         points.push_back(std::move(pair.from));
@@ -135,56 +127,56 @@ void TangentGraph::Impl::find_legs() {
   }
 }
 
-void TangentGraph::Impl::build_rings() {
+void TangentParts::build_rings() {
   rings.resize(sites.size());
   for (std::uint32_t p = 0; p < points.size(); ++p) rings[site_of[p]].points.push_back(p);
   std::vector<std::uint32_t> same(points.size());
   std::iota(same.begin(), same.end(), 0u);
   for (std::uint32_t i = 0; i < sites.size(); ++i) {
     std::vector<std::uint32_t>& ring = rings[i].points;
-    if (sites[i].round) detail::sort_around(ring, points, sites[i]);
+    if (sites[i].round) sort_around(ring, points, sites[i]);
     std::size_t kept = 0;
     for (const std::uint32_t p : ring) {
-      if (kept > 0 && (!sites[i].round || detail::same_point(points[ring[kept - 1]], points[p])))
+      if (kept > 0 && (!sites[i].round || same_point(points[ring[kept - 1]], points[p])))
         same[p] = ring[kept - 1];
       else
         ring[kept++] = p;
     }
     ring.resize(kept);
     if (!sites[i].round || kept < 2) continue;
-    const detail::CircleObstacles obstacles = walls.around(sites[i].at);
+    const CircleObstacles obstacles = walls.around(sites[i].at);
     for (std::size_t k = 0; k + 1 < kept; ++k) {
       rings[i].free.push_back(walls.arc_is_free(points[ring[k]], points[ring[k + 1]], obstacles));
       arcs += rings[i].free.back();
     }
   }
-  for (detail::TangentLeg& leg : legs) {
+  for (TangentLeg& leg : legs) {
     leg.from = same[leg.from];
     leg.to = same[leg.to];
   }
 }
 
-void TangentGraph::Impl::sort_legs() {
+void TangentParts::sort_legs() {
   std::stable_sort(legs.begin(), legs.end(), [](const auto& a, const auto& b) { return a.from < b.from; });
   first_leg.assign(points.size() + 1, 0);
-  for (const detail::TangentLeg& leg : legs) ++first_leg[leg.from + 1];
+  for (const TangentLeg& leg : legs) ++first_leg[leg.from + 1];
   std::partial_sum(first_leg.begin(), first_leg.end(), first_leg.begin());
 }
 
 TangentGraph::TangentGraph(const FreeSpace& space, double r) {
   TAUT_EXPECTS(space.footprint().kind() == Footprint::Kind::point);
   TAUT_EXPECTS(r > 0 && r <= World::kLargest);
-  impl_ = std::make_shared<const Impl>(space, r);
+  parts_ = std::make_shared<const TangentParts>(space, r);
 }
 
-const FreeSpace& TangentGraph::space() const { return impl_->walls.space(); }
-double TangentGraph::radius() const { return impl_->r; }
-std::size_t TangentGraph::corner_count() const { return impl_->sites.size(); }
-std::size_t TangentGraph::leg_count() const { return impl_->legs.size() / 2; }
-std::size_t TangentGraph::arc_count() const { return impl_->arcs; }
+const FreeSpace& TangentGraph::space() const { return parts_->walls.space(); }
+double TangentGraph::radius() const { return parts_->r; }
+std::size_t TangentGraph::corner_count() const { return parts_->sites.size(); }
+std::size_t TangentGraph::leg_count() const { return parts_->legs.size() / 2; }
+std::size_t TangentGraph::arc_count() const { return parts_->arcs; }
 std::size_t TangentGraph::point_count() const {
   std::size_t count = 0;
-  for (const TangentRing& ring : impl_->rings) count += ring.points.size();
+  for (const TangentRing& ring : parts_->rings) count += ring.points.size();
   return count;
 }
 

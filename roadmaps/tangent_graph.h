@@ -8,6 +8,8 @@
 
 namespace taut {
 
+struct TangentParts;
+
 /// The visibility graph of a disc: what a shortest path of its centre consists of, given that it keeps a distance >= r
 /// from every wall.
 ///
@@ -44,12 +46,11 @@ class TangentGraph {
   std::size_t leg_count() const;     ///< free tangents, each counted once
   std::size_t arc_count() const;     ///< free arcs between neighbouring tangent points
 
-  struct Impl;
-  /// Private to the library.
-  const Impl& impl() const { return *impl_; }
+  /// Circles, tangent points and legs, for searches (roadmaps/exact/tangent_parts.h).
+  const TangentParts& parts() const { return *parts_; }
 
  private:
-  std::shared_ptr<const Impl> impl_;
+  std::shared_ptr<const TangentParts> parts_;
 };
 
 }  // namespace taut

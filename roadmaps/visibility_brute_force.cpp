@@ -11,8 +11,6 @@ namespace taut {
 
 namespace {
 
-using detail::Contact;
-using detail::Star;
 using Vertex = Roadmap::Vertex;
 
 /// The vertices that share a point, each with the sector of the point's star that it stands for.
@@ -77,12 +75,12 @@ class BruteForce {
     const Segment leg{u.star.centre(), v.star.centre()};
     std::vector<std::uint32_t> touching;
     for (std::uint32_t i = 0; i < constraints_.size(); ++i) {
-      const Contact kind = detail::contact(leg, constraints_[i]);
+      const Contact kind = contact(leg, constraints_[i]);
       if (kind == Contact::cross) return;
       if (kind == Contact::touch) touching.push_back(i);
     }
     for (const auto& [start, s] : u.places) {
-      const auto passage = detail::pass(leg, {start}, constraints_, touching);
+      const auto passage = pass(leg, {start}, constraints_, touching);
       for (const auto& [end, t] : v.places)
         if (std::binary_search(passage.sectors.begin(), passage.sectors.end(), end)) edges_.emplace_back(s, t);
     }

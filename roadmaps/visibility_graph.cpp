@@ -56,7 +56,7 @@ class View {
   }
 
  private:
-  using Ray = typename detail::Expansion<Coordinates, View>::Ray;
+  using Ray = typename Expansion<Coordinates, View>::Ray;
 
   void begin(Place place, Point point, std::vector<Vertex>& row) {
     origin_ = place;
@@ -96,9 +96,9 @@ class View {
 
   /// The vertices behind one that is seen, on the same ray.
   void behind(std::uint32_t sector) {
-    detail::RayWalk walk(tri_, point_, tri_.points[tri_.sectors[sector].vertex], false);
+    RayWalk walk(tri_, point_, tri_.points[tri_.sectors[sector].vertex], false);
     walk.stand_at({tri_.sectors[sector].vertex, {sector, kNone}});
-    while (walk.next() == detail::RayWalk::End::vertex)
+    while (walk.next() == RayWalk::End::vertex)
       for (const std::uint32_t s : walk.stand().sectors)
         if (s != kNone) add(s);
   }
@@ -165,7 +165,7 @@ class View {
   bool reduced_;
   const std::vector<Vertex>& vertex_of_sector_;
   const std::vector<bool>& bends_;
-  detail::Expansion<Coordinates, View> expansion_;
+  Expansion<Coordinates, View> expansion_;
   Place origin_{};
   Point point_;
   const Tri::Sector* origin_sector_ = nullptr;
@@ -203,8 +203,8 @@ VisibilityGraph::VisibilityGraph(FreeSpace space, VisibilityKind kind)
     : space_(std::move(space)), kind_(kind), bends_(bending_vertices(space_.triangulation())) {
   number_sectors();
   const Tri& tri = space_.triangulation();
-  roadmap_ = tri.lattice.empty() ? build<detail::DoubleCoordinates>(tri, kind, sectors_, vertex_of_sector_, bends_)
-                                 : build<detail::LatticeCoordinates>(tri, kind, sectors_, vertex_of_sector_, bends_);
+  roadmap_ = tri.lattice.empty() ? build<DoubleCoordinates>(tri, kind, sectors_, vertex_of_sector_, bends_)
+                                 : build<LatticeCoordinates>(tri, kind, sectors_, vertex_of_sector_, bends_);
 }
 
 VisibilityGraph::VisibilityGraph(FreeSpace space, VisibilityKind kind, Roadmap roadmap)
@@ -229,7 +229,7 @@ void VisibilityGraph::number_sectors() {
 
 std::vector<Vertex> VisibilityGraph::visible_from(Point p, std::optional<Point> towards) const {
   const Tri& tri = space_.triangulation();
-  View<detail::DoubleCoordinates> view(tri, kind_, vertex_of_sector_, bends_);
+  View<DoubleCoordinates> view(tri, kind_, vertex_of_sector_, bends_);
   std::vector<Vertex> row;
   const Location at = space_.locate(p);
   TAUT_EXPECTS(at.kind != Location::Kind::outside);

@@ -31,18 +31,18 @@ double VoronoiRoadmap::max_error() const {
   return result;
 }
 
-VoronoiCurve VoronoiRoadmap::curve(const VoronoiEdge& edge) const {
+Bezier VoronoiRoadmap::curve(const VoronoiEdge& edge) const {
   return {vertices()[edge.from].at, edge.control, vertices()[edge.to].at};
 }
 
-std::vector<Point> sampled(const std::vector<VoronoiCurve>& chain, double tolerance) {
+std::vector<Point> sampled(const std::vector<Bezier>& chain, double tolerance) {
   std::vector<Point> points;
-  for (const VoronoiCurve& c : chain) {
+  for (const Bezier& c : chain) {
     if (points.empty() || points.back() != c.from) points.push_back(c.from);
     // Between equally spaced parameters a quadratic Bezier curve leaves its chord by |second difference| / (4 n^2).
     const double bend = std::hypot(c.from.x - 2 * c.control.x + c.to.x, c.from.y - 2 * c.control.y + c.to.y);
     const double pieces = std::clamp(std::ceil(std::sqrt(bend / (4 * tolerance))), 1.0, 65536.0);
-    for (double i = 1; i < pieces; ++i) points.push_back(detail::Bezier{c.from, c.control, c.to}.at(i / pieces));
+    for (double i = 1; i < pieces; ++i) points.push_back(c.at(i / pieces));
     if (points.back() != c.to) points.push_back(c.to);
   }
   return points;
@@ -50,7 +50,7 @@ std::vector<Point> sampled(const std::vector<VoronoiCurve>& chain, double tolera
 
 std::array<Point, 2> VoronoiRoadmap::posts(const VoronoiEdge& edge) const {
   const Point at = impl_->curve(edge).at(edge.foot);
-  return {detail::foot_on(segment(edge.sites[0]), at), detail::foot_on(segment(edge.sites[1]), at)};
+  return {foot_on(segment(edge.sites[0]), at), foot_on(segment(edge.sites[1]), at)};
 }
 
 std::uint32_t VoronoiRoadmap::first_rank(double c) const {
@@ -68,7 +68,7 @@ std::uint32_t VoronoiRoadmap::first_rank_as_far(const Segment& s, const Segment&
   const auto& ranks = impl_->by_rank;
   const auto narrower = [&](std::uint32_t e) {
     const auto& sites = edges()[e].sites;
-    return detail::compare_segment_distances(segment(sites[0]), segment(sites[1]), s2, t2) < 0;
+    return compare_segment_distances(segment(sites[0]), segment(sites[1]), s2, t2) < 0;
   };
   return static_cast<std::uint32_t>(std::partition_point(ranks.begin(), ranks.end(), narrower) - ranks.begin());
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <taut/geometry/free_space.h>
+#include <taut/roadmaps/bezier.h>
 
 namespace taut {
 
@@ -51,16 +52,9 @@ struct VoronoiEdge {
   std::uint32_t rank = kNone;
 };
 
-/// A quadratic Bezier curve; a straight one has its control point in the middle. An arc of a parabola is one, exactly.
-struct VoronoiCurve {
-  Point from;
-  Point control;
-  Point to;
-};
-
 /// The points of a chain of curves, no farther than `tolerance` > 0 from it (or 65536 to a curve); its joints are among
 /// them.
-std::vector<Point> sampled(const std::vector<VoronoiCurve>& chain, double tolerance);
+std::vector<Point> sampled(const std::vector<Bezier>& chain, double tolerance);
 
 /// A point of an edge, and how a robot gets onto it.
 struct VoronoiJunction {
@@ -103,7 +97,7 @@ class VoronoiRoadmap {
   /// The site as a segment; an end is a segment from itself to itself.
   Segment segment(std::uint32_t site) const;
 
-  VoronoiCurve curve(const VoronoiEdge& edge) const;
+  Bezier curve(const VoronoiEdge& edge) const;
   /// The nearest points of both sites, as seen from the gate: what stands on its two sides. Precondition: it has a
   /// gate.
   std::array<Point, 2> posts(const VoronoiEdge& edge) const;

@@ -9,8 +9,6 @@ namespace taut {
 
 namespace {
 
-using detail::Bezier;
-
 constexpr double kStraightOff = 1e-9;  // of a piece's length, between the feet of an edge's ends
 
 /// Of the edges around a site's cell, which cover all directions from an end, or all feet on one side of a piece, the

@@ -5,7 +5,7 @@
 
 #include <taut/geometry/written.h>
 
-namespace taut::detail {
+namespace taut {
 
 namespace {
 
@@ -26,26 +26,26 @@ std::vector<Segment> openings_of(const World& world) {
 
 }  // namespace
 
-GateWalls::GateWalls(const FreeSpace& space)
+WallIndex::WallIndex(const FreeSpace& space)
     : space_(space), wall_boxes_((find_ends(), find_openings(), boxes_of_walls())) {
   flood();
   find_triangles();
 }
 
-Segment GateWalls::segment(std::uint32_t constraint) const {
+Segment WallIndex::segment(std::uint32_t constraint) const {
   const Constraint& c = space_.constraints()[constraint];
   return {c.a, c.b};
 }
 
-std::span<const std::uint32_t> GateWalls::at(std::uint32_t v) const {
+std::span<const std::uint32_t> WallIndex::at(std::uint32_t v) const {
   return std::span(incident_).subspan(first_[v], first_[v + 1] - first_[v]);
 }
 
-std::span<const std::uint32_t> GateWalls::around(std::uint32_t v) const {
+std::span<const std::uint32_t> WallIndex::around(std::uint32_t v) const {
   return std::span(triangles_).subspan(first_triangle_[v], first_triangle_[v + 1] - first_triangle_[v]);
 }
 
-std::uint32_t GateWalls::along(std::uint32_t t, int i) const {
+std::uint32_t WallIndex::along(std::uint32_t t, int i) const {
   const Triangulation& tri = triangulation();
   if (!tri.is_constrained(t, i)) return kNone;
   const std::uint32_t u = tri.triangles[t][Triangulation::ccw(i)], v = tri.triangles[t][Triangulation::cw(i)];
@@ -54,7 +54,7 @@ std::uint32_t GateWalls::along(std::uint32_t t, int i) const {
   return kNone;
 }
 
-void GateWalls::find_ends() {
+void WallIndex::find_ends() {
   const std::vector<Point>& points = triangulation().points;
   std::vector<std::uint32_t> order(points.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -74,7 +74,7 @@ void GateWalls::find_ends() {
     for (const std::uint32_t v : ends_[c]) incident_[next[v]++] = c;
 }
 
-void GateWalls::find_openings() {
+void WallIndex::find_openings() {
   const std::vector<Segment> openings = openings_of(space_.world());
   std::vector<Box> boxes;
   for (const Segment& s : openings) boxes.push_back(box_around(s.a, s.b));
@@ -94,7 +94,7 @@ void GateWalls::find_openings() {
   }
 }
 
-std::vector<Box> GateWalls::boxes_of_walls() {
+std::vector<Box> WallIndex::boxes_of_walls() {
   std::vector<Box> boxes;
   for (std::uint32_t c = 0; c < ends_.size(); ++c) {
     if (opening_[c]) continue;
@@ -104,7 +104,7 @@ std::vector<Box> GateWalls::boxes_of_walls() {
   return boxes;
 }
 
-void GateWalls::flood() {
+void WallIndex::flood() {
   const Triangulation& tri = triangulation();
   open_ = tri.free;
   std::vector<std::uint32_t> stack;
@@ -123,7 +123,7 @@ void GateWalls::flood() {
   }
 }
 
-void GateWalls::find_triangles() {
+void WallIndex::find_triangles() {
   const Triangulation& tri = triangulation();
   first_triangle_.assign(tri.points.size() + 1, 0);
   const auto each_corner = [&](auto visit) {
@@ -138,4 +138,4 @@ void GateWalls::find_triangles() {
   each_corner([&](std::uint32_t t, std::uint32_t v) { triangles_[next[v]++] = t; });
 }
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -1,4 +1,4 @@
-// What gates are made of: the constraints by vertex, which are walls, and where one may look. Private.
+// What gates are made of: the constraints by vertex, which are walls, and where one may look.
 #pragma once
 
 #include <array>
@@ -9,12 +9,12 @@
 #include <taut/geometry/box_index.h>
 #include <taut/geometry/free_space.h>
 
-namespace taut::detail {
+namespace taut {
 
 /// The constraints of a point robot's free space, seen as walls and openings.
-class GateWalls {
+class WallIndex {
  public:
-  explicit GateWalls(const FreeSpace& space);
+  explicit WallIndex(const FreeSpace& space);
 
   const FreeSpace& space() const { return space_; }
   const Triangulation& triangulation() const { return space_.triangulation(); }
@@ -60,4 +60,4 @@ class GateWalls {
   BoxIndex wall_boxes_;
 };
 
-}  // namespace taut::detail
+}  // namespace taut

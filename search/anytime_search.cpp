@@ -89,14 +89,14 @@ struct AnytimeSearch::Impl {
     return vertices[e.vertex].place == Place::open && vertices[e.vertex].label == e.label;
   }
   bool is_found() const { return best != Labels::kNone; }
-  double lower_bound(Vertex v) const { return detail::add_down(labels[vertices[v].label].lo, vertices[v].rest); }
+  double lower_bound(Vertex v) const { return twofold::add_down(labels[vertices[v].label].lo, vertices[v].rest); }
   bool is_hopeless(Vertex v) const { return is_found() && lower_bound(v) >= upper; }
 
   void push(Vertex v) {
     VertexState& state = vertices[v];
     state.place = Place::open;
     const double weighted = multiply_down(pull, state.rest);
-    open.push_back({detail::add_down(labels[state.label].lo, weighted), state.rest, v, state.label});
+    open.push_back({twofold::add_down(labels[state.label].lo, weighted), state.rest, v, state.label});
     std::push_heap(open.begin(), open.end());
   }
 
@@ -168,7 +168,7 @@ struct AnytimeSearch::Impl {
       VertexState& state = vertices[v];
       state.place = Place::open;
       open.push_back(
-          {detail::add_down(labels[state.label].lo, multiply_down(pull, state.rest)), state.rest, v, state.label});
+          {twofold::add_down(labels[state.label].lo, multiply_down(pull, state.rest)), state.rest, v, state.label});
     }
     std::make_heap(open.begin(), open.end());
   }

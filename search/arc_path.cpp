@@ -9,10 +9,6 @@ namespace taut {
 
 namespace {
 
-using detail::Range;
-using detail::TangentEnd;
-using detail::TangentPoint;
-
 /// The tangent point on the first end's circle.
 Point touched(const TangentPoint& at, double r) {
   const Point c = at.here.centre;
@@ -20,14 +16,14 @@ Point touched(const TangentPoint& at, double r) {
   return {c.x + r * at.x.middle(), c.y + r * at.y.middle()};
 }
 
-Interval interval(const Range& range) { return {std::max(0.0, range.lo), range.hi}; }
+Interval not_negative(const Interval& range) { return {std::max(0.0, range.lo), range.hi}; }
 
 ArcPiece arc(const ArcBend& bend, const TangentPoint& in, const TangentPoint& out, double r) {
   ArcPiece piece{touched(in, r), touched(out, r), bend.turn, bend.corner, 0, 0, {}};
-  const Range angle = detail::angle_between(in, out);
+  const Interval angle = angle_between(in, out);
   piece.from_angle = std::atan2(in.y.middle(), in.x.middle());
   piece.sweep = angle.middle();
-  piece.length = interval(Range(r) * angle);
+  piece.length = not_negative(Interval(r) * angle);
   return piece;
 }
 
@@ -46,17 +42,17 @@ std::vector<ArcPiece> pieces(const ArcPath& path) {
     const TangentPoint leaves(from, to, r);
     const TangentPoint arrives({to.centre, -to.side}, {from.centre, -from.side}, r);
     if (from.side != 0) result.push_back(arc(path.bends[i - 1], *arrived, leaves, r));
-    const detail::TangentFrame<Range> frame(from, to, r);
-    result.push_back({touched(leaves, r), touched(arrives, r), 0, {}, 0, 0, interval(detail::root(frame.R))});
+    const TangentFrame<Interval> frame(from, to, r);
+    result.push_back({touched(leaves, r), touched(arrives, r), 0, {}, 0, 0, not_negative(root(frame.R))});
     arrived = arrives;
   }
   return result;
 }
 
 Interval length_of(const std::vector<ArcPiece>& pieces) {
-  Range sum(0);
-  for (const ArcPiece& piece : pieces) sum = sum + Range(piece.length.lo, piece.length.hi);
-  return interval(sum);
+  Interval sum(0);
+  for (const ArcPiece& piece : pieces) sum = sum + Interval(piece.length.lo, piece.length.hi);
+  return not_negative(sum);
 }
 
 std::vector<Point> sampled(const ArcPath& path, double tolerance) {

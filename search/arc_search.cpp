@@ -11,21 +11,17 @@ namespace taut {
 
 namespace {
 
-using detail::Range;
-using detail::TangentPoint;
-using detail::TangentSite;
-
 /// The way from a query's end to a tangent point. `side` is the one it has the circle's centre on, seen in the
 /// direction of the path.
 struct EndLeg {
   std::uint32_t point;
   int side;
-  Range length;
+  Interval length;
 };
 
 class ArcQuery {
  public:
-  ArcQuery(const TangentGraph::Impl& graph, Point s, Point g)
+  ArcQuery(const TangentParts& graph, Point s, Point g)
       : graph_(graph), s_(s), g_(g), points_(graph.points), site_of_(graph.site_of) {}
 
   ArcSearchResult search() {
@@ -52,7 +48,7 @@ class ArcQuery {
   static constexpr std::uint32_t kStart = kNone;
 
   struct Label {
-    Range length;
+    Interval length;
     std::uint32_t before = kStart;
     std::uint32_t version = 0;
     bool found = false;
@@ -79,7 +75,7 @@ class ArcQuery {
     for (const std::uint32_t v : graph_.walls.seen_from(end.at)) {
       const std::uint32_t j = graph_.site_at[v];
       if (j == kNone || graph_.sites[j].at == end.at) continue;
-      for (detail::TangentPair& pair : detail::free_tangents(graph_.walls, graph_.r, end, graph_.sites[j])) {
+      for (TangentPair& pair : free_tangents(graph_.walls, graph_.r, end, graph_.sites[j])) {
         const int side = to ? pair.to.here.side : -pair.to.here.side;
         result.push_back({static_cast<std::uint32_t>(points_.size()), side, pair.length});
         points_.push_back(std::move(pair.to));
@@ -94,7 +90,7 @@ class ArcQuery {
     const TangentSite from = site_for(s_), to = site_for(g_);
     from_start_ = legs_of(from, false);
     to_goal_ = legs_of(to, true);
-    const detail::TangentLine line({s_, 0}, {g_, 0}, graph_.r);
+    const TangentLine line({s_, 0}, {g_, 0}, graph_.r);
     if (graph_.walls.is_free(line, from.sector, to.sector)) direct_ = line.length();
     std::map<std::uint32_t, std::vector<std::uint32_t>> added;
     for (auto p = static_cast<std::uint32_t>(graph_.points.size()); p < points_.size(); ++p)
@@ -106,20 +102,20 @@ class ArcQuery {
     for (const EndLeg& leg : to_goal_) goal_legs_[node(leg.point, leg.side)] = leg.length;
   }
 
-  detail::TangentRing ring_with(std::uint32_t site, const std::vector<std::uint32_t>& more) {
-    detail::TangentRing ring{graph_.rings[site].points, {}};
+  TangentRing ring_with(std::uint32_t site, const std::vector<std::uint32_t>& more) {
+    TangentRing ring{graph_.rings[site].points, {}};
     ring.points.insert(ring.points.end(), more.begin(), more.end());
     const bool round = graph_.sites[site].round;
-    if (round) detail::sort_around(ring.points, points_, graph_.sites[site]);
+    if (round) sort_around(ring.points, points_, graph_.sites[site]);
     std::size_t kept = 0;
     for (const std::uint32_t p : ring.points) {
-      const bool repeated = kept > 0 && (!round || detail::same_point(points_[ring.points[kept - 1]], points_[p]));
+      const bool repeated = kept > 0 && (!round || same_point(points_[ring.points[kept - 1]], points_[p]));
       if (!repeated) ring.points[kept++] = p;
       if (p >= graph_.points.size()) same_[p - graph_.points.size()] = ring.points[kept - 1];
     }
     ring.points.resize(kept);
     if (!round || kept < 2) return ring;
-    const detail::CircleObstacles obstacles = graph_.walls.around(graph_.sites[site].at);
+    const CircleObstacles obstacles = graph_.walls.around(graph_.sites[site].at);
     for (std::size_t k = 0; k + 1 < kept; ++k)
       ring.free.push_back(graph_.walls.arc_is_free(points_[ring.points[k]], points_[ring.points[k + 1]], obstacles));
     return ring;
@@ -127,7 +123,7 @@ class ArcQuery {
 
   static std::uint32_t node(std::uint32_t point, int side) { return 2 * point + (side > 0); }
 
-  const detail::TangentRing& ring(std::uint32_t site) const {
+  const TangentRing& ring(std::uint32_t site) const {
     const auto own = rings_.find(site);
     return own == rings_.end() ? graph_.rings[site] : own->second;
   }
@@ -141,7 +137,7 @@ class ArcQuery {
     return std::max(0.0, far - 1e-13 * (far + std::abs(g_.x) + std::abs(g_.y)));
   }
 
-  void reach(std::uint32_t n, const Range& length, std::uint32_t before) {
+  void reach(std::uint32_t n, const Interval& length, std::uint32_t before) {
     Label& label = labels_[n];
     if (label.found && length.hi >= label.length.lo) return;
     label = {length, before, label.version + 1, true};
@@ -155,26 +151,26 @@ class ArcQuery {
 
   void expand(std::uint32_t n) {
     const std::uint32_t p = n / 2, site = site_of_[p];
-    const Range so_far = labels_[n].length;
+    const Interval so_far = labels_[n].length;
     const bool round = graph_.sites[site].round;
     const int side = round ? (n % 2 == 1 ? 1 : -1) : 0;
     if (const auto goal = goal_legs_.find(n); goal != goal_legs_.end()) reach(end_, so_far + goal->second, n);
     if (p < graph_.points.size())
       for (std::uint32_t i = graph_.first_leg[p]; i < graph_.first_leg[p + 1]; ++i) {
-        const detail::TangentLeg& leg = graph_.legs[i];
+        const TangentLeg& leg = graph_.legs[i];
         if (leg.from_side == side) reach(node(leg.to, leg.to_side), so_far + leg.length, n);
       }
     if (round) follow_arc(p, site, side, so_far);
   }
 
-  void follow_arc(std::uint32_t p, std::uint32_t site, int side, const Range& so_far) {
-    const detail::TangentRing& all = ring(site);
+  void follow_arc(std::uint32_t p, std::uint32_t site, int side, const Interval& so_far) {
+    const TangentRing& all = ring(site);
     const auto at = static_cast<std::size_t>(std::find(all.points.begin(), all.points.end(), p) - all.points.begin());
     if (side < 0 && at == 0) return;
     const std::size_t arc = side > 0 ? at : at - 1;
     if (arc >= all.free.size() || !all.free[arc]) return;
     const std::uint32_t next = all.points[side > 0 ? at + 1 : at - 1];
-    reach(node(next, side), so_far + Range(graph_.r) * detail::angle_between(points_[p], points_[next]), node(p, side));
+    reach(node(next, side), so_far + Interval(graph_.r) * angle_between(points_[p], points_[next]), node(p, side));
   }
 
   ArcPath path() const {
@@ -194,15 +190,15 @@ class ArcQuery {
     return path;
   }
 
-  const TangentGraph::Impl& graph_;
+  const TangentParts& graph_;
   Point s_, g_;
   std::vector<TangentPoint> points_;
   std::vector<std::uint32_t> site_of_;
   std::vector<std::uint32_t> same_;  // of each added point
-  std::map<std::uint32_t, detail::TangentRing> rings_;
+  std::map<std::uint32_t, TangentRing> rings_;
   std::vector<EndLeg> from_start_, to_goal_;
-  std::map<std::uint32_t, Range> goal_legs_;
-  std::optional<Range> direct_;
+  std::map<std::uint32_t, Interval> goal_legs_;
+  std::optional<Interval> direct_;
   std::vector<Label> labels_;
   std::priority_queue<Open> open_;
   std::uint32_t end_ = 0;
@@ -211,7 +207,7 @@ class ArcQuery {
 }  // namespace
 
 ArcSearchResult arc_search(const TangentGraph& graph, Point s, Point g) {
-  const detail::TangentWalls& walls = graph.impl().walls;
+  const TangentWalls& walls = graph.parts().walls;
   const auto blocked = [&](Point p, ArcStatus status) -> std::optional<ArcSearchResult> {
     if (walls.space().locate(p).kind == Location::Kind::outside) return ArcSearchResult{status, {}, kNone, 0};
     const std::uint32_t wall = walls.too_near(p);
@@ -221,7 +217,7 @@ ArcSearchResult arc_search(const TangentGraph& graph, Point s, Point g) {
   if (auto at_start = blocked(s, ArcStatus::start_blocked)) return *at_start;
   if (auto at_goal = blocked(g, ArcStatus::goal_blocked)) return *at_goal;
   if (s == g) return {ArcStatus::found, {graph.radius(), s, g, {}, {}}, kNone, 0};
-  return ArcQuery(graph.impl(), s, g).search();
+  return ArcQuery(graph.parts(), s, g).search();
 }
 
 }  // namespace taut

@@ -119,14 +119,14 @@ Segment wall_of(const FreeSpace& space, std::uint32_t constraint, const Point* e
 
 double distance_to(const FreeSpace& space, std::uint32_t constraint, Point p) {
   const Constraint& c = space.constraints()[constraint];
-  return detail::segment_distance({p, p}, {c.a, c.b});
+  return segment_distance({p, p}, {c.a, c.b});
 }
 
 Segment wall_near(const FreeSpace& space, std::uint32_t constraint, Point p) {
   const Constraint& c = space.constraints()[constraint];
   const double least = distance_to(space, constraint, p);
   for (const Point* end : {&c.a, &c.b})
-    if (detail::segment_distance({p, p}, {*end, *end}) == least) return wall_of(space, constraint, end);
+    if (segment_distance({p, p}, {*end, *end}) == least) return wall_of(space, constraint, end);
   return wall_of(space, constraint);
 }
 

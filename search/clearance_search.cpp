@@ -7,7 +7,7 @@
 #include <utility>
 
 #include <taut/geometry/segment_distance.h>
-#include <taut/roadmaps/detail/voronoi_geometry.h>
+#include <taut/roadmaps/bezier.h>
 #include <taut/search/detail/clearance_net.h>
 
 namespace taut {
@@ -17,9 +17,8 @@ namespace {
 using detail::Arc;
 using detail::ArcTree;
 
-detail::Bezier bezier(const VoronoiCurve& c) { return {c.from, c.control, c.to}; }
-VoronoiCurve reversed(const VoronoiCurve& c) { return {c.to, c.control, c.from}; }
-VoronoiCurve straight(Point p, Point q) { return {p, {p.x + (q.x - p.x) / 2, p.y + (q.y - p.y) / 2}, q}; }
+Bezier reversed(const Bezier& c) { return {c.to, c.control, c.from}; }
+Bezier straight(Point p, Point q) { return {p, {p.x + (q.x - p.x) / 2, p.y + (q.y - p.y) / 2}, q}; }
 
 /// Where an end of the query cuts an edge.
 struct Cut {
@@ -90,8 +89,8 @@ struct ClearanceSearch::Impl {
     std::uint32_t node = e.from;
     const auto add = [&](double until, std::uint32_t to) {
       const bool gate = e.gate == VoronoiEdge::Gate::parallel || (t <= e.foot && e.foot <= until);
-      const detail::Bezier part = bezier(map.curve(e)).part(t, until);
-      net.arcs.push_back({node, to, index, gate ? e.rank : kNone, part.length(), {part.from, part.control, part.to}});
+      const Bezier part = map.curve(e).part(t, until);
+      net.arcs.push_back({node, to, index, gate ? e.rank : kNone, part.length(), part});
       std::tie(t, node) = std::tuple(until, to);
     };
     for (const Cut& c : edge_cuts) add(c.parameter, c.node);
@@ -122,22 +121,22 @@ struct ClearanceSearch::Impl {
   }
 
   Pinch pinch(std::uint32_t arc) const {
-    const int last = detail::compare_segment_distances({ends[1].at, ends[1].at}, ends[1].wall, {ends[0].at, ends[0].at},
-                                                       ends[0].wall) < 0;
+    const int last =
+        compare_segment_distances({ends[1].at, ends[1].at}, ends[1].wall, {ends[0].at, ends[0].at}, ends[0].wall) < 0;
     const End& end = ends[last];
     if (arc != kNone && compare(map.edges()[net.arcs[arc].edge], end) <= 0)
       return gate(map.edges()[net.arcs[arc].edge]);
     return {last ? Pinch::Where::goal : Pinch::Where::start,
             end.clearance.distance,
             {end.clearance.constraint, kNone},
-            {detail::foot_on(end.wall, end.at), end.at}};
+            {foot_on(end.wall, end.at), end.at}};
   }
 
   /// The sign of the gate's clearance minus the end's. The sites are twice as far from each other as from the gate.
   int compare(const VoronoiEdge& e, const End& end) const {
     const Point p = doubled(end.at);
-    return detail::compare_segment_distances(map.segment(e.sites[0]), map.segment(e.sites[1]), {p, p},
-                                             {doubled(end.wall.a), doubled(end.wall.b)});
+    return compare_segment_distances(map.segment(e.sites[0]), map.segment(e.sites[1]), {p, p},
+                                     {doubled(end.wall.a), doubled(end.wall.b)});
   }
 
   Pinch gate(const VoronoiEdge& e) const {
@@ -147,7 +146,7 @@ struct ClearanceSearch::Impl {
 
   bool ends_keep(double c) const {
     return std::all_of(ends.begin(), ends.end(), [&](const End& e) {
-      return detail::compare_segment_distances({e.at, e.at}, e.wall, {{0, 0}, {0, 0}}, {{c, 0}, {c, 0}}) >= 0;
+      return compare_segment_distances({e.at, e.at}, e.wall, {{0, 0}, {0, 0}}, {{c, 0}, {c, 0}}) >= 0;
     });
   }
 

@@ -26,7 +26,7 @@ struct Pinch {
 /// A path along the diagram: from the start straight away from its nearest wall, along edges, and likewise to the goal.
 struct ClearancePath {
   /// chained; none when start and goal are one point. sampled() makes points of them
-  std::vector<VoronoiCurve> curves;
+  std::vector<Bezier> curves;
   double length = 0;         ///< to about 1e-13 of itself
   Pinch pinch;               ///< of several equally narrow places the first
   std::size_t expanded = 0;  ///< places the search took from its queue for good

@@ -13,10 +13,10 @@ namespace {
 
 /// |p - c|^2, exactly.
 mpq_class squared_distance(Point p, const Segment& c) {
-  if (const auto shape = detail::gate_to_inside(p, c)) return detail::squared_width(*shape);
-  const bool to_a = detail::dot_sign(c.a, c.b, p) <= 0;
+  if (const auto shape = gate_to_inside(p, c)) return squared_width(*shape);
+  const bool to_a = dot_sign(c.a, c.b, p) <= 0;
   const Point end = to_a ? c.a : c.b;
-  return detail::squared_width({p, {end, end}});
+  return squared_width({p, {end, end}});
 }
 
 /// The nearest wall to a point; the lowest index among equals.
@@ -26,13 +26,13 @@ struct NearestWall {
 };
 
 NearestWall nearest_wall(const Gates& gates, Point p) {
-  const detail::GateWalls& walls = gates.impl().walls;
+  const WallIndex& walls = gates.exact().walls;
   NearestWall result;
   Interval least{HUGE_VAL, HUGE_VAL};
   std::vector<std::pair<Interval, std::uint32_t>> near;
   for (std::uint32_t c = 0; c < walls.ends().size(); ++c) {
     if (walls.is_opening(c)) continue;
-    const Interval distance = detail::segment_distance_interval({p, p}, walls.segment(c));
+    const Interval distance = segment_distance_interval({p, p}, walls.segment(c));
     if (distance.lo > least.hi) continue;
     if (distance.hi < least.hi) least = distance;
     near.push_back({distance, c});
@@ -48,7 +48,7 @@ NearestWall nearest_wall(const Gates& gates, Point p) {
 bool is_outside(const Gates& gates, Point p) { return gates.space().locate(p).kind == Location::Kind::outside; }
 
 bool is_too_near(const NearestWall& wall, double r) {
-  return wall.constraint != kNone && wall.squared < detail::meaning(r) * detail::meaning(r);
+  return wall.constraint != kNone && wall.squared < meaning(r) * meaning(r);
 }
 
 /// Nothing when the disc can be at p; else the wall that is too near, or no wall when p is outside.
@@ -61,14 +61,14 @@ std::optional<std::vector<BarrierPiece>> blocked_at(const Gates& gates, Point p,
 
 /// How many gates are narrower than the square root of `squared`.
 std::uint32_t count_narrower(const Gates& gates, const mpq_class& squared) {
-  const auto& widths = gates.impl().squared;
+  const auto& widths = gates.exact().squared;
   return static_cast<std::uint32_t>(std::lower_bound(widths.begin(), widths.end(), squared) - widths.begin());
 }
 
 /// The largest double r with r^2 <= squared.
 double root_below(const mpq_class& squared) {
   const auto fits = [&](double r) {
-    const mpq_class exact = detail::meaning(r);
+    const mpq_class exact = meaning(r);
     return exact * exact <= squared;
   };
   double r = std::sqrt(squared.get_d());
@@ -122,7 +122,7 @@ Ends limit_of_ends(const Gates& gates, Point s, Point g) {
 DiscPassage disc_passage(const Gates& gates, Point s, Point g, double r) {
   if (auto wall = blocked_at(gates, s, r)) return {PassageStatus::start_blocked, std::move(*wall)};
   if (auto wall = blocked_at(gates, g, r)) return {PassageStatus::goal_blocked, std::move(*wall)};
-  const mpq_class diameter = 2 * detail::meaning(r);
+  const mpq_class diameter = 2 * meaning(r);
   auto chain = detail::separating_chain(gates, s, g, count_narrower(gates, diameter * diameter));
   if (!chain) return {};
   return {PassageStatus::separated, std::move(chain->pieces)};
@@ -142,7 +142,7 @@ std::optional<WidestPassage> widest_passage(const Gates& gates, Point s, Point g
   auto chain = detail::separating_chain(gates, s, g, count);
   if (!chain || chain->last_gate == kNone) return widest;
   const std::uint32_t gate = chain->last_gate;
-  return WidestPassage{WidestPassage::Limit::gate, root_below(gates.impl().squared[gate] / 4), gate, kNone,
+  return WidestPassage{WidestPassage::Limit::gate, root_below(gates.exact().squared[gate] / 4), gate, kNone,
                        std::move(chain->pieces)};
 }
 

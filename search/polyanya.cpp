@@ -88,7 +88,7 @@ struct PolyanyaSearch::Impl {
   explicit Impl(Polyanya what)
       : polyanya(std::move(what)),
         space(polyanya.space()),
-        engine(polyanya.mesh(), polyanya.landmarks()),
+        engine(polyanya.mesh(), polyanya.landmarks_.get()),
         polygons_at(space, polyanya.mesh()) {}
 
   SearchStatus start_search(Point from, bool nearest, const SearchLimits& limits) {

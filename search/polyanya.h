@@ -35,9 +35,11 @@ class Polyanya {
   /// wind: searches for a single goal then look at a fraction of the nodes. Lengths stay the same, exactly. Takes count
   /// + 1 searches over the whole mesh; 4 * count bytes a bend.
   Polyanya with_landmarks(std::size_t count = 8) const;
-  const detail::Landmarks* landmarks() const { return landmarks_.get(); }
+  bool has_landmarks() const { return landmarks_ != nullptr; }
 
  private:
+  friend class PolyanyaSearch;
+
   FreeSpace space_;
   std::shared_ptr<const Navmesh> mesh_;
   std::shared_ptr<const detail::Landmarks> landmarks_;

@@ -35,13 +35,13 @@ bool is_in_room(const FreeSpace& space, Point p, const Goal& goal) {
   });
 }
 
-bool is_clear_leg(const detail::PrmClear& clear, Point p, Point q) {
+bool is_clear_leg(const PrmClear& clear, Point p, Point q) {
   const bool keeps_clearance = clear.point(p) && clear.point(q);
   return keeps_clearance ? clear.leg(p, q) : clear.space().sees(p, q);
 }
 
 /// Both ends, joined to what `joined` says a point is joined to.
-GraphQuery query_of(const detail::PrmClear& clear, Point from, const std::vector<Point>& goals, const auto& joined) {
+GraphQuery query_of(const PrmClear& clear, Point from, const std::vector<Point>& goals, const auto& joined) {
   GraphQuery query{{from, joined(from)}, {}, {}};
   for (const Point goal : goals) {
     if (is_clear_leg(clear, from, goal)) query.direct.push_back(query.goals.size());
@@ -135,7 +135,7 @@ class PrmRun {
   Point from_;
   std::vector<Point> goals_;
   Clock::time_point begin_ = Clock::now();
-  detail::PrmGrowth growth_;
+  PrmGrowth growth_;
   GraphQuery query_;
   std::size_t drawn_ = 0;
   PrmResult result_;
@@ -162,11 +162,11 @@ PrmResult prm_path(const FreeSpace& space, Point from, const Goal& to, const Prm
 
 GraphQuery prm_query(const FreeSpace& space, const Roadmap& roadmap, Point from, const Goal& to, double clearance) {
   require_ends(space, from, to);
-  detail::PrmNearest index;
+  PrmNearest index;
   index.add(roadmap.points());
-  const detail::PrmClear clear(space, clearance);
+  const PrmClear clear(space, clearance);
   return query_of(clear, from, goal_points(space, to),
-                  [&](Point p) { return detail::nearest_visible(clear, index, roadmap.points(), p, kNeighbours); });
+                  [&](Point p) { return nearest_visible(clear, index, roadmap.points(), p, kNeighbours); });
 }
 
 }  // namespace taut

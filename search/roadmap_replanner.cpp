@@ -85,10 +85,10 @@ class LegSums {
     const Interval one = distance_interval(leg.leg.a, leg.leg.b), more = sums_[rest.id].length;
     const auto factor = static_cast<double>(leg.factor);
     const auto times = [factor](double x, double away) { return factor == 1 ? x : std::nextafter(x * factor, away); };
-    return {
-        leg,
-        rest.id,
-        {detail::add_down(more.lo, std::max(0.0, times(one.lo, 0))), detail::add_up(more.hi, times(one.hi, HUGE_VAL))}};
+    return {leg,
+            rest.id,
+            {twofold::add_down(more.lo, std::max(0.0, times(one.lo, 0))),
+             twofold::add_up(more.hi, times(one.hi, HUGE_VAL))}};
   }
 
   std::strong_ordering compare(Cost a, Cost b) const {

@@ -17,10 +17,6 @@ namespace taut {
 namespace {
 
 using detail::LegContacts;
-using detail::Passage;
-using detail::Sectors;
-
-using detail::text;
 
 std::string named(const Constraint& c) {
   return (c.is_wall() ? "the wall " : "the outline ") + text(c.a) + " to " + text(c.b);
@@ -86,7 +82,7 @@ class Verification {
   bool follow_leg(std::size_t leg, Sectors& sectors);
   bool enters_room(const Sectors& sectors);
   bool length_stands();
-  std::string obstruction(const Passage& passage) const;
+  std::string obstruction(const LegPassage& passage) const;
 
   const Path& path_;
   const FreeSpace& space_;
@@ -138,7 +134,7 @@ void Verification::measure_clearance() {
 
 bool Verification::starts_free(Sectors& sectors) {
   const Point start = path_.points.front();
-  sectors = detail::star_at(start, constraints_, contacts_.touching[0]).free_sectors();
+  sectors = star_at(start, constraints_, contacts_.touching[0]).free_sectors();
   if (sectors.empty()) return refuse(0, "the path starts at " + text(start) + ", where obstacles leave no room");
   // Everything after it is reached without crossing a constraint, so only the start is located.
   if (!inside_any(start, space_.polygons()))
@@ -157,7 +153,7 @@ bool Verification::follow() {
 bool Verification::follow_leg(std::size_t leg, Sectors& sectors) {
   if (const auto crossed = contacts_.crossed[leg]; crossed != kNone)
     return refuse(leg, opening(leg) + "crosses " + named(constraints_[crossed]));
-  Passage passage = detail::pass(legs_[leg], sectors, constraints_, contacts_.touching[leg]);
+  LegPassage passage = pass(legs_[leg], sectors, constraints_, contacts_.touching[leg]);
   if (passage.blocked) return refuse(leg, opening(leg) + obstruction(passage));
   sectors = std::move(passage.sectors);
   return true;
@@ -166,9 +162,9 @@ bool Verification::follow_leg(std::size_t leg, Sectors& sectors) {
 bool Verification::enters_room(const Sectors& sectors) {
   const Point end = path_.points.back();
   if (goal_.point == end) return true;
-  const detail::Star star = detail::star_at(end, constraints_, contacts_.touching.back());
+  const Star star = star_at(end, constraints_, contacts_.touching.back());
   for (const Box& box : goal_.room)
-    if (box.contains(end) && (lies_inside(box, end) || star.leave(sectors, middle_of(box)) != detail::kNoSide))
+    if (box.contains(end) && (lies_inside(box, end) || star.leave(sectors, middle_of(box)) != kNoSide))
       return true;
   return refuse(last_leg(),
                 "the path ends at " + text(end) + ", on the rim of the goal room, but cannot enter it from there");
@@ -181,7 +177,7 @@ bool Verification::length_stands() {
                                 text(exact.value()));
 }
 
-std::string Verification::obstruction(const Passage& passage) const {
+std::string Verification::obstruction(const LegPassage& passage) const {
   const auto& pieces = passage.pieces;
   if (pieces.empty()) return "has no room at " + text(passage.at);
   if (pieces.size() == 1) return "passes through " + named(constraints_[pieces[0]]) + " at " + text(passage.at);

@@ -13,16 +13,14 @@ namespace taut {
 
 namespace {
 
-using detail::meaning;
-
 /// a + b sqrt(c) with a c that all numbers of one question share.
-struct Number {
+struct QuadraticNumber {
   mpq_class a, b;
   const mpq_class* c;
 
-  Number operator+(const Number& o) const { return {a + o.a, b + o.b, c}; }
-  Number operator-(const Number& o) const { return {a - o.a, b - o.b, c}; }
-  Number operator*(const Number& o) const { return {a * o.a + b * o.b * *c, a * o.b + b * o.a, c}; }
+  QuadraticNumber operator+(const QuadraticNumber& o) const { return {a + o.a, b + o.b, c}; }
+  QuadraticNumber operator-(const QuadraticNumber& o) const { return {a - o.a, b - o.b, c}; }
+  QuadraticNumber operator*(const QuadraticNumber& o) const { return {a * o.a + b * o.b * *c, a * o.b + b * o.a, c}; }
   int sign() const {
     if (sgn(*c) == 0 || sgn(b) == 0) return sgn(a);
     if (sgn(a) == 0 || sgn(a) == sgn(b)) return sgn(b);
@@ -32,12 +30,12 @@ struct Number {
 };
 
 struct Place {
-  Number x, y;
+  QuadraticNumber x, y;
   Place operator-(const Place& o) const { return {x - o.x, y - o.y}; }
 };
 
-Number dot(const Place& u, const Place& v) { return u.x * v.x + u.y * v.y; }
-Number cross(const Place& u, const Place& v) { return u.x * v.y - u.y * v.x; }
+QuadraticNumber dot(const Place& u, const Place& v) { return u.x * v.x + u.y * v.y; }
+QuadraticNumber cross(const Place& u, const Place& v) { return u.x * v.y - u.y * v.x; }
 
 struct End {
   Point at;
@@ -53,9 +51,10 @@ class ExactLeg {
     const mpq_class k = meaning(r) * (q.turn - p.turn);
     root_ = d2 - k * k;
     if (sgn(d2) == 0 || sgn(root_) < 0) return;
-    const Place normal{Number{k * dx / d2, -dy / d2, &root_}, Number{k * dy / d2, dx / d2, &root_}};
+    const Place normal{QuadraticNumber{k * dx / d2, -dy / d2, &root_}, QuadraticNumber{k * dy / d2, dx / d2, &root_}};
     const auto touch = [&](const End& end) {
-      const Number s = number(meaning(r) * end.turn), ex = number(meaning(end.at.x)), ey = number(meaning(end.at.y));
+      const QuadraticNumber s = number(meaning(r) * end.turn), ex = number(meaning(end.at.x)),
+                            ey = number(meaning(end.at.y));
       return Place{ex - s * normal.x, ey - s * normal.y};
     };
     from_ = touch(p);
@@ -70,7 +69,7 @@ class ExactLeg {
   const Place& to() const { return *to_; }
   const mpq_class& root() const { return root_; }
   Place place(Point p) const { return {number(meaning(p.x)), number(meaning(p.y))}; }
-  Number number(const mpq_class& v) const { return {v, 0, &root_}; }
+  QuadraticNumber number(const mpq_class& v) const { return {v, 0, &root_}; }
 
   bool keeps_away(const Segment& wall) const {
     const Place a = place(wall.a), b = place(wall.b);
@@ -93,10 +92,10 @@ class ExactLeg {
   /// |p - segment a b| >= r.
   bool far(const Place& p, const Place& a, const Place& b) const {
     const Place u = b - a, v = p - a, w = p - b;
-    const Number r2 = number(r2_);
+    const QuadraticNumber r2 = number(r2_);
     if (dot(u, v).sign() <= 0) return (dot(v, v) - r2).sign() >= 0;
     if (dot(u, w).sign() >= 0) return (dot(w, w) - r2).sign() >= 0;
-    const Number area = cross(u, v);
+    const QuadraticNumber area = cross(u, v);
     return (area * area - r2 * dot(u, u)).sign() >= 0;
   }
   /// The point is on the end's circle, the leg perpendicular to its radius, the centre on the right side.

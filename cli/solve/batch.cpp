@@ -133,7 +133,7 @@ class Batch {
   }
 
   bool is_worth_landmarks(const Polyanya& polyanya) const {
-    return polyanya.landmarks() == nullptr && nodes_ > kNodesABend * polyanya.mesh().bends.size() &&
+    return !polyanya.has_landmarks() && nodes_ > kNodesABend * polyanya.mesh().bends.size() &&
            lengths_ > kWinding * straight_;
   }
 

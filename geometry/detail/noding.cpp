@@ -76,7 +76,7 @@ std::vector<Edge> unite_equal(std::vector<Edge> pieces) {
 /// One round of splitting.
 class Splitting {
  public:
-  Splitting(const std::vector<Edge>& pieces, const Unit& unit, std::span<const Point> fixed, Noded& log)
+  Splitting(const std::vector<Edge>& pieces, const DecimalUnit& unit, std::span<const Point> fixed, Noded& log)
       : pieces_(pieces), unit_(unit), fixed_(fixed), cuts_(), log_(log) {}
 
   /// Was a crossing no pair of doubles? Then the pieces have moved and may meet anew.
@@ -174,7 +174,7 @@ class Splitting {
     const ExactPoint exact = line_crossing(segment(s), segment(t));
     if (const auto p = exactly(exact)) return *p;
     const Point p = round(exact, s, t);
-    return rounded_to(p, detail::displacement(exact, p));
+    return rounded_to(p, displacement(exact, p));
   }
 
   Point rounded_to(Point p, double displacement) {
@@ -191,7 +191,7 @@ class Splitting {
   }
 
   const std::vector<Edge>& pieces_;
-  const Unit& unit_;
+  const DecimalUnit& unit_;
   std::span<const Point> fixed_;
   std::vector<Cut> cuts_;
   Noded& log_;
@@ -200,7 +200,7 @@ class Splitting {
 
 }  // namespace
 
-Noded node(std::vector<Edge> edges, const Unit& unit, std::span<const Point> fixed) {
+Noded node(std::vector<Edge> edges, const DecimalUnit& unit, std::span<const Point> fixed) {
   Noded result;
   std::erase_if(edges, [](const Edge& c) { return c.a == c.b; });
   for (Edge& c : edges) c = ordered(c);

@@ -34,6 +34,6 @@ struct Noded {
 /// bends at a rounded crossing still passes through those of the `fixed` points that lie on it. Closed chains stay
 /// closed, so winding numbers stay defined. Walls on one axis-parallel line are merged first into maximal runs.
 /// O((n + k) log n), n edges with k contacts. Throws TooFine when 32 rounds are not enough.
-Noded node(std::vector<Edge> edges, const Unit& unit, std::span<const Point> fixed = {});
+Noded node(std::vector<Edge> edges, const DecimalUnit& unit, std::span<const Point> fixed = {});
 
 }  // namespace taut::detail

@@ -201,7 +201,7 @@ class Union {
   const std::vector<ConvexPiece>& pieces_;
   Box within_;
   std::span<const Point> fixed_;
-  Unit unit_;
+  DecimalUnit unit_;
   BoxIndex index_;
   std::vector<Span> covered_;
   std::vector<Stretch> stretches_;

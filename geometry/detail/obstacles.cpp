@@ -191,7 +191,7 @@ class Builder {
 
   const World& world_;
   std::span<const Point> fixed_;
-  Unit unit_{world_.box()};
+  DecimalUnit unit_{world_.box()};
   Ring reflected_;
   bool footprint_is_box_ = false;
   Obstacles result_;

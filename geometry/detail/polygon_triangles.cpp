@@ -77,7 +77,7 @@ class Regions {
   std::vector<bool> covered_;
 };
 
-PolygonTriangles triangles_of(std::span<const Polygon* const> polygons, const Box* frame, const Unit& unit,
+PolygonTriangles triangles_of(std::span<const Polygon* const> polygons, const Box* frame, const DecimalUnit& unit,
                               std::span<const Point> fixed) {
   std::vector<Edge> edges;
   for (const Polygon* polygon : polygons) {
@@ -94,12 +94,12 @@ PolygonTriangles triangles_of(std::span<const Polygon* const> polygons, const Bo
 
 }  // namespace
 
-PolygonTriangles inside_triangles(std::span<const Polygon* const> polygons, const Unit& unit,
+PolygonTriangles inside_triangles(std::span<const Polygon* const> polygons, const DecimalUnit& unit,
                                   std::span<const Point> fixed) {
   return triangles_of(polygons, nullptr, unit, fixed);
 }
 
-PolygonTriangles outside_triangles(std::span<const Polygon* const> polygons, const Box& frame, const Unit& unit,
+PolygonTriangles outside_triangles(std::span<const Polygon* const> polygons, const Box& frame, const DecimalUnit& unit,
                                    std::span<const Point> fixed) {
   return triangles_of(polygons, &frame, unit, fixed);
 }

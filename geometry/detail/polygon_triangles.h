@@ -17,12 +17,12 @@ struct PolygonTriangles {
 
 /// Triangles that tile the union of `polygons` (rings oriented as World does), which may touch and overlap.
 /// Crossings are rounded as by node().
-PolygonTriangles inside_triangles(std::span<const Polygon* const> polygons, const Unit& unit,
+PolygonTriangles inside_triangles(std::span<const Polygon* const> polygons, const DecimalUnit& unit,
                                   std::span<const Point> fixed);
 
 /// Triangles that tile the rest of the box `frame`, which contains the polygons in its interior. Crossings of
 /// overlapping polygons are rounded into the polygons: what is outside stays so.
-PolygonTriangles outside_triangles(std::span<const Polygon* const> polygons, const Box& frame, const Unit& unit,
+PolygonTriangles outside_triangles(std::span<const Polygon* const> polygons, const Box& frame, const DecimalUnit& unit,
                                    std::span<const Point> fixed);
 
 }  // namespace taut::detail

@@ -17,6 +17,6 @@ struct RoundedCrossing {
 /// Where s and t, which cross properly, meet; in double-double arithmetic with a proven error bound. Nothing when the
 /// bound does not separate the exact coordinates from a multiple or from the middle between two (then line_crossing
 /// decides). About fifty times faster than rationals.
-std::optional<RoundedCrossing> quick_crossing(const Segment& s, const Segment& t, const Unit& unit);
+std::optional<RoundedCrossing> quick_crossing(const Segment& s, const Segment& t, const DecimalUnit& unit);
 
 }  // namespace taut::detail

@@ -11,20 +11,20 @@ namespace {
 __extension__ typedef __int128 Wide;
 
 auto key(const RootTerm& t) {
-  const Square& s = t.square;
+  const twofold::Square& s = t.square;
   return std::tuple(s.sum, s.exact, s.dx.high, s.dx.low, s.dy.high, s.dy.low);
 }
 
-bool same_square(const Square& s, const Square& t) {
+bool same_square(const twofold::Square& s, const twofold::Square& t) {
   if (s.sum != t.sum || s.exact != t.exact) return false;
   return s.exact || (s.dx == t.dx && s.dy == t.dy);
 }
 
-Square canonical_square(Pair dx, Pair dy) {
-  Square s = square_of(dx, dy);
-  s.exact = s.exact && is_regular(s);
+twofold::Square canonical_square(twofold::Pair dx, twofold::Pair dy) {
+  twofold::Square s = twofold::square_of(dx, dy);
+  s.exact = s.exact && twofold::is_regular(s);
   if (s.exact)
-    s.dx = s.dy = Pair{};
+    s.dx = s.dy = twofold::Pair{};
   else if (std::tie(s.dx.high, s.dx.low) < std::tie(s.dy.high, s.dy.low))
     std::swap(s.dx, s.dy);
   return s;
@@ -33,10 +33,10 @@ Square canonical_square(Pair dx, Pair dy) {
 /// A sum of pairs that remembers whether it ever lost a bit.
 class PairSum {
  public:
-  void add(const Root& root, std::int64_t count) {
+  void add(const twofold::Root& root, std::int64_t count) {
     const double times = static_cast<double>(count);
-    const Pair high = two_product(root.high, times), low = two_product(root.low, times);
-    const Pair sum = two_sum(high_, high.high);
+    const twofold::Pair high = twofold::two_product(root.high, times), low = twofold::two_product(root.low, times);
+    const twofold::Pair sum = twofold::two_sum(high_, high.high);
     high_ = sum.high;
     magnitude_ += std::abs(high.high);
     ++terms_;
@@ -62,7 +62,7 @@ class PairSum {
 
  private:
   void add_low(double v) {
-    const Pair sum = two_sum(low_, v);
+    const twofold::Pair sum = twofold::two_sum(low_, v);
     low_ = sum.high;
     exact_ = exact_ && sum.low == 0;
   }
@@ -77,8 +77,8 @@ class PairSum {
 std::optional<PairSum> pair_sum(std::span<const RootTerm> terms) {
   PairSum sum;
   for (const RootTerm& t : terms) {
-    if (!is_regular(t.square)) return std::nullopt;
-    sum.add(t.square.exact ? root_of(t.square.sum, 0, true) : root_of(t.square), t.count);
+    if (!twofold::is_regular(t.square)) return std::nullopt;
+    sum.add(t.square.exact ? twofold::root_of(t.square.sum, 0, true) : twofold::root_of(t.square), t.count);
   }
   return sum;
 }
@@ -137,7 +137,8 @@ RootSum::RootSum(std::span<const Segment> plus, std::span<const Segment> minus) 
 
 void RootSum::add(const Segment& leg, int sign) {
   if (leg.a == leg.b) return;
-  const Pair dx = absolute_difference(leg.a.x, leg.b.x), dy = absolute_difference(leg.a.y, leg.b.y);
+  const twofold::Pair dx = twofold::absolute_difference(leg.a.x, leg.b.x),
+                      dy = twofold::absolute_difference(leg.a.y, leg.b.y);
   // Chains on a lattice run on in one direction.
   if (size_ == 0 || dx != last_dx_ || dy != last_dy_) last_ = find_or_append(canonical_square(dx, dy));
   last_dx_ = dx;
@@ -145,7 +146,7 @@ void RootSum::add(const Segment& leg, int sign) {
   data()[last_].count += sign;
 }
 
-std::size_t RootSum::find_or_append(const Square& square) {
+std::size_t RootSum::find_or_append(const twofold::Square& square) {
   const RootTerm* const terms = data();
   for (std::size_t i = 0; i < std::min(size_, kScanned); ++i)
     if (same_square(terms[i].square, square)) return i;

@@ -14,7 +14,7 @@ namespace taut::detail {
 
 /// count * sqrt(square). Where the square is exact as a double, dx and dy are dropped: 3-4-5 and 5-0-5 are one term.
 struct RootTerm {
-  Square square;
+  twofold::Square square;
   std::int64_t count = 0;
 };
 
@@ -45,7 +45,7 @@ class RootSum {
   const RootTerm* data() const { return spilled_.empty() ? &inline_[0] : spilled_.data(); }
   RootTerm* data() { return spilled_.empty() ? &inline_[0] : spilled_.data(); }
   void add(const Segment& leg, int sign);
-  std::size_t find_or_append(const Square& square);
+  std::size_t find_or_append(const twofold::Square& square);
   void append(const RootTerm& term);
   void merge();
 
@@ -54,7 +54,7 @@ class RootSum {
     RootTerm inline_[kInline];  // the first size_, while nothing is spilled; the others are not initialised
   };
   std::vector<RootTerm> spilled_;
-  Pair last_dx_, last_dy_;
+  twofold::Pair last_dx_, last_dy_;
   std::size_t last_ = 0;
 };
 

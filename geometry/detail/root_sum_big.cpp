@@ -30,9 +30,9 @@ struct BigTerm {
 };
 using BigTerms = std::vector<BigTerm>;
 
-mpq_class exact(const Pair& p) { return mpq_class(p.high) + mpq_class(p.low); }
+mpq_class exact(const twofold::Pair& p) { return mpq_class(p.high) + mpq_class(p.low); }
 
-mpq_class exact(const Square& s) {
+mpq_class exact(const twofold::Square& s) {
   if (s.exact) return mpq_class(s.sum);
   const mpq_class dx = exact(s.dx), dy = exact(s.dy);
   return dx * dx + dy * dy;
@@ -80,10 +80,10 @@ bool is_rational(const std::vector<RootClass>& all) {
 }
 
 /// The sum of the terms, enclosed.
-struct Enclosure {
+struct BigInterval {
   Float lo, hi;
 
-  Enclosure(const BigTerms& terms, mpfr_prec_t precision) : lo(precision), hi(precision) {
+  BigInterval(const BigTerms& terms, mpfr_prec_t precision) : lo(precision), hi(precision) {
     mpfr_set_zero(lo, 1);
     mpfr_set_zero(hi, 1);
     Float root(precision);
@@ -112,7 +112,7 @@ auto decide_sum(const BigTerms& terms, Decide decide, Rational rational) {
   for (mpfr_prec_t precision = kFirstPrecision;; precision *= 2) {
     if (precision == kClassPrecision)
       if (const auto all = classes(terms); is_rational(all)) return rational(all.front().factor);
-    if (const auto answer = decide(Enclosure(terms, precision))) return *answer;
+    if (const auto answer = decide(BigInterval(terms, precision))) return *answer;
   }
 }
 
@@ -156,7 +156,7 @@ std::string with_point(const mpz_class& digits, int places) {
 }  // namespace
 
 int sign_by_big_numbers(std::span<const RootTerm> terms) {
-  const auto decide = [](const Enclosure& sum) -> std::optional<int> {
+  const auto decide = [](const BigInterval& sum) -> std::optional<int> {
     if ((mpfr_sgn)(sum.lo) > 0) return 1;
     if ((mpfr_sgn)(sum.hi) < 0) return -1;
     return std::nullopt;
@@ -165,7 +165,7 @@ int sign_by_big_numbers(std::span<const RootTerm> terms) {
 }
 
 double nearest_by_big_numbers(std::span<const RootTerm> terms) {
-  const auto decide = [](const Enclosure& sum) -> std::optional<double> {
+  const auto decide = [](const BigInterval& sum) -> std::optional<double> {
     const double lo = mpfr_get_d(sum.lo, MPFR_RNDN), hi = mpfr_get_d(sum.hi, MPFR_RNDN);
     return lo == hi ? std::optional(lo) : std::nullopt;
   };
@@ -175,7 +175,7 @@ double nearest_by_big_numbers(std::span<const RootTerm> terms) {
 std::string decimals_by_big_numbers(std::span<const RootTerm> terms, int places) {
   TAUT_EXPECTS(places >= 0);
   const mpz_class scale = power_of_ten(places);
-  const auto decide = [&](const Enclosure& sum) -> std::optional<mpz_class> {
+  const auto decide = [&](const BigInterval& sum) -> std::optional<mpz_class> {
     const mpz_class lo = scaled_and_rounded(sum.lo, scale, MPFR_RNDD),
                     hi = scaled_and_rounded(sum.hi, scale, MPFR_RNDU);
     return lo == hi ? std::optional(lo) : std::nullopt;

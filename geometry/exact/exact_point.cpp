@@ -12,7 +12,7 @@
 #include <taut/geometry/detail/written_integers.h>
 #include <taut/geometry/written.h>
 
-namespace taut::detail {
+namespace taut {
 
 namespace {
 
@@ -63,8 +63,8 @@ struct Common {
 
 Common common(const Segment& s, const Segment& t) {
   const double values[] = {s.a.x, s.a.y, s.b.x, s.b.y, t.a.x, t.a.y, t.b.x, t.b.y};
-  if (const int places = common_places(values, 8); places >= 0) {
-    const auto integer = [places](double v) { return mpz_class(integer_over(v, places)); };
+  if (const int places = detail::common_places(values, 8); places >= 0) {
+    const auto integer = [places](double v) { return mpz_class(detail::integer_over(v, places)); };
     return {integer(s.a.x), integer(s.a.y), integer(s.b.x), integer(s.b.y),      integer(t.a.x),
             integer(t.a.y), integer(t.b.x), integer(t.b.y), power_of_ten(places)};
   }
@@ -120,22 +120,22 @@ mpq_class meaning(double v) {
   return mpq_class(v);
 }
 
-Unit::Unit(double largest) {
+DecimalUnit::DecimalUnit(double largest) {
   // floor(log10) may be one too low next to a power of ten: that leaves 14 digits there.
   places_ = largest > 0 ? 14 - static_cast<int>(std::floor(std::log10(largest))) : 14;
 }
 
-Unit::Unit(const Box& box)
-    : Unit(std::max({std::abs(box.min.x), std::abs(box.min.y), std::abs(box.max.x), std::abs(box.max.y)})) {}
+DecimalUnit::DecimalUnit(const Box& box)
+    : DecimalUnit(std::max({std::abs(box.min.x), std::abs(box.min.y), std::abs(box.max.x), std::abs(box.max.y)})) {}
 
-double Unit::nearest(const mpq_class& q) const {
+double DecimalUnit::nearest(const mpq_class& q) const {
   const mpz_class digits =
       rounded(places_ >= 0 ? mpq_class(q * power_of_ten(places_)) : mpq_class(q / power_of_ten(-places_)));
   if (abs(digits) > 1'000'000'000'000'000) return nearest_double(q);
   return written::number(digits.get_si(), places_);
 }
 
-double Unit::step(double from, int steps) const {
+double DecimalUnit::step(double from, int steps) const {
   return steps == 0 ? from : nearest(meaning(from) + over_power(mpz_class(steps), places_));
 }
 
@@ -166,7 +166,7 @@ double displacement(const ExactPoint& exact, Point rounded) {
   return squared == 0 ? 0 : std::nextafter(std::sqrt(std::nextafter(squared, kInfinity)), kInfinity);
 }
 
-Point round_outward(const ExactPoint& exact, std::span<const Segment> edges, const Unit& unit) {
+Point round_outward(const ExactPoint& exact, std::span<const Segment> edges, const DecimalUnit& unit) {
   const auto by_units = [&](double from, int steps) { return unit.step(from, steps); };
   for (const Point p : surroundings(exact, unit.nearest(exact), by_units))
     if (on_free_side(p, edges)) return p;
@@ -186,4 +186,4 @@ Point round_outward(const ExactPoint& exact, std::span<const Segment> edges, con
       fmt::format("two obstacles meet at ({}, {}) at an angle too sharp for double coordinates", centre.x, centre.y));
 }
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -5,17 +5,11 @@
 
 #include <optional>
 #include <span>
-#include <stdexcept>
 
+#include <taut/geometry/errors.h>
 #include <taut/geometry/point.h>
 
-namespace taut::detail {
-
-/// The input is sound, but too fine for double coordinates: what is built from it can't be rounded. One readable line.
-class TooFine : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
+namespace taut {
 
 /// What a number means (written.h), exactly.
 mpq_class meaning(double v);
@@ -35,10 +29,10 @@ struct ExactPoint {
 
 /// Where constructed points are put: on multiples of a power of ten, so fine that coordinates up to `largest` keep 15
 /// significant digits. Such a point means what is printed of it.
-class Unit {
+class DecimalUnit {
  public:
-  explicit Unit(double largest);
-  explicit Unit(const Box& box);
+  explicit DecimalUnit(double largest);
+  explicit DecimalUnit(const Box& box);
 
   /// The multiple nearest to q; the nearest double where q is too large to have 15 digits left.
   double nearest(const mpq_class& q) const;
@@ -71,6 +65,6 @@ double displacement(const ExactPoint& exact, Point rounded);
 /// pairs of doubles; failing that, the first found going out along the middle of the free wedge. Precondition: the
 /// edges leave a free wedge at `exact`. Throws TooFine when no double lies in it within a thousandth of the shortest
 /// edge.
-Point round_outward(const ExactPoint& exact, std::span<const Segment> edges, const Unit& unit);
+Point round_outward(const ExactPoint& exact, std::span<const Segment> edges, const DecimalUnit& unit);
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <cstdint>
 
-#include <taut/geometry/length.h>
+#include <taut/geometry/interval.h>
 
-namespace taut::detail {
+namespace taut::twofold {
 
 /// The unevaluated sum high + low, with high = the double nearest to it.
 struct Pair {
@@ -131,4 +131,4 @@ inline Root root_of(const Square& s) {
   return {d.high, d.low, true};
 }
 
-}  // namespace taut::detail
+}  // namespace taut::twofold

@@ -15,7 +15,7 @@ namespace taut {
 
 /// A path in a colour of its own (shade_colour): 0 the dark end of the scale, 1 the bright one.
 struct SvgShade {
-  std::vector<VoronoiCurve> curves;
+  std::vector<Bezier> curves;
   double shade = 0;
 };
 
@@ -53,7 +53,7 @@ struct SvgPicture {
   std::optional<Point> start{};
   Goal goal{};
   const VoronoiRoadmap* diagram = nullptr;  ///< drawn as the roadmap, arcs as Bezier curves
-  std::vector<VoronoiCurve> curves{};       ///< the path, when it is one of curves
+  std::vector<Bezier> curves{};             ///< the path, when it is one of curves
   std::vector<SvgShade> shades{};           ///< further paths, the first at the bottom
   std::vector<Segment> gates{};             ///< narrow places
   const ArcPath* arcs = nullptr;            ///< drawn as `path`, with true arcs

@@ -13,7 +13,7 @@ using Kind = ClearanceQuery::Kind;
 
 Json curves_of(const ClearancePath& way) {
   Json curves = Json::array();
-  for (const VoronoiCurve& c : way.curves) curves.push_back({c.from, c.control, c.to});
+  for (const Bezier& c : way.curves) curves.push_back({c.from, c.control, c.to});
   return curves;
 }
 

@@ -259,8 +259,7 @@ class Reader {
 
   std::string cost_name(std::size_t i) const {
     const std::size_t columns = static_cast<std::size_t>(parts_.y_size);
-    return "the cost of cell " +
-           taut::detail::text(Cell{static_cast<int>(i / columns) + 1, static_cast<int>(i % columns) + 1});
+    return "the cost of cell " + taut::text(Cell{static_cast<int>(i / columns) + 1, static_cast<int>(i % columns) + 1});
   }
 
   std::string count_text(std::size_t count) const {

@@ -181,16 +181,16 @@ class Reader {
       const auto [top, bottom] = std::ranges::minmax(block.cells, {}, &Cell::y);
       const Point at = declared->at;
       if (at.x < left.x || at.x > right.x || at.y < top.y || at.y > bottom.y)
-        throw InputError(place_.source, declared->line,
-                         std::string("the roadblock ") + block.letter + " is at " + detail::text(left) +
-                             " in the grid, not at " + detail::text(at));
+        throw InputError(
+            place_.source, declared->line,
+            std::string("the roadblock ") + block.letter + " is at " + text(left) + " in the grid, not at " + text(at));
       course().roadblocks.push_back(block);
     }
   }
 
   void require_inside(Point p, const char* what, int line) {
     if (!(p.x >= 1 && p.x <= course().width && p.y >= 1 && p.y <= course().height))
-      throw InputError(place_.source, line, std::string(what) + " " + detail::text(p) + " is not within the grid");
+      throw InputError(place_.source, line, std::string(what) + " " + text(p) + " is not within the grid");
   }
 
   void read_samples() {
@@ -253,12 +253,12 @@ std::string road_map_text(const RoadMap& map, const std::string& remark) {
     for (int x = 1; x <= course.width; ++x)
       if (course.is_wall({x, y})) put({x, y}, '#');
   std::string text = remark.empty() ? "" : "# " + remark + "\n";
-  text += "start " + detail::text(course.start.x) + " " + detail::text(course.start.y) + "\n";
-  text += "goal " + detail::text(course.goal.x) + " " + detail::text(course.goal.y) + "\n";
+  text += "start " + taut::text(course.start.x) + " " + taut::text(course.start.y) + "\n";
+  text += "goal " + taut::text(course.goal.x) + " " + taut::text(course.goal.y) + "\n";
   for (const Roadblock& block : course.roadblocks) {
     const Cell c = block.cells.front();
     text += std::string("roadblock ") + block.letter + " " + std::to_string(c.x) + " " + std::to_string(c.y) + " " +
-            detail::text(block.open_probability) + "\n";
+            taut::text(block.open_probability) + "\n";
     for (const Cell cell : block.cells) put(cell, block.letter);
   }
   text += "grid " + std::to_string(course.width) + " " + std::to_string(course.height) + "\n";

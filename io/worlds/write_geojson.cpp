@@ -33,7 +33,7 @@ class Writer {
   // Walls first .. last - 1 have one thickness.
   void walls(const std::vector<Wall>& walls, std::size_t first, std::size_t last) {
     const double t = walls[first].thickness;
-    begin("wall", t > 0 ? ", \"thickness\": " + detail::text(t) : "", "MultiLineString");
+    begin("wall", t > 0 ? ", \"thickness\": " + text(t) : "", "MultiLineString");
     for (std::size_t i = first; i < last; ++i) {
       out_ += i == first ? "[[" : ", [";
       position(walls[i].a);
@@ -66,9 +66,9 @@ class Writer {
 
   void position(Point p) {
     out_ += '[';
-    detail::append(out_, p.x);
+    append(out_, p.x);
     out_ += ", ";
-    detail::append(out_, p.y);
+    append(out_, p.y);
     out_ += ']';
   }
 

@@ -24,7 +24,7 @@ class Writer {
     point(wall.b);
     if (wall.thickness > 0) {
       out_ += ' ';
-      detail::append(out_, wall.thickness);
+      append(out_, wall.thickness);
     }
     out_ += '\n';
   }
@@ -40,9 +40,9 @@ class Writer {
 
  private:
   void point(Point p) {
-    detail::append(out_, p.x + shift_.x);
+    append(out_, p.x + shift_.x);
     out_ += ' ';
-    detail::append(out_, p.y + shift_.y);
+    append(out_, p.y + shift_.y);
   }
 
   std::string out_;

@@ -8,9 +8,9 @@ namespace taut {
 namespace {
 
 void append(std::string& out, Point p) {
-  detail::append(out, p.x);
+  taut::append(out, p.x);
   out += ' ';
-  detail::append(out, p.y);
+  taut::append(out, p.y);
 }
 
 void append(std::string& out, const Ring& ring) {

@@ -21,7 +21,7 @@ struct FoundGate {
 /// Looks outward from vertices. Scratch memory is kept from one to the next.
 class GateSearch {
  public:
-  explicit GateSearch(const GateWalls& walls) : walls_(walls) {}
+  explicit GateSearch(const WallIndex& walls) : walls_(walls) {}
 
   /// Appends the gates at v: to vertices above v, and to the insides of constraints.
   void append_gates(std::uint32_t v, std::vector<FoundGate>& to);
@@ -48,7 +48,7 @@ class GateSearch {
   bool is_hidden(const View& view) const;
   bool is_empty(const FoundGate& gate) const;
 
-  const GateWalls& walls_;
+  const WallIndex& walls_;
   std::uint32_t v_ = kNone;
   Point p_;
   std::vector<View> views_;

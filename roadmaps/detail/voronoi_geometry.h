@@ -4,6 +4,7 @@
 #include <array>
 
 #include <taut/geometry/point.h>
+#include <taut/roadmaps/bezier.h>
 
 namespace taut::detail {
 
@@ -33,20 +34,6 @@ bool go_straight_on(const Segment& s, const Segment& t);
 /// Is p a point and an end of the segment s?
 bool is_own_end(const Segment& p, const Segment& s);
 bool parallel(const Segment& s, const Segment& t);  ///< Exact.
-
-/// The point of s nearest to p, rounded. s may be a point.
-Point foot_on(const Segment& s, Point p);
-
-/// A quadratic Bezier curve; a straight one has its control point in the middle.
-struct Bezier {
-  Point from;
-  Point control;
-  Point to;
-
-  Point at(double t) const;
-  Bezier part(double t0, double t1) const;
-  double length() const;  ///< relative error about 1e-13
-};
 
 /// The control point of the arc of the parabola with this focus and directrix between two points near it.
 Point parabola_control(Point focus, const Segment& directrix, Point from, Point to);

@@ -1,4 +1,4 @@
-// What Gates keeps.
+// What Gates keeps: exact widths and shapes, and what the gates connect.
 #pragma once
 
 #include <gmpxx.h>
@@ -11,13 +11,15 @@
 
 namespace taut {
 
-struct Gates::Impl {
-  detail::GateWalls walls;
+/// All vectors are in the order of Gates::gates().
+struct ExactGates {
+  WallIndex walls;
   std::vector<Gate> gates;
-  std::vector<detail::GateShape> shapes;
-  std::vector<mpq_class> squared;  // widths, those to openings doubled first
-  std::vector<std::array<std::uint32_t, 2>>
-      nodes;  // the vertices that the gate connects: its end, and its foot or facing's a
+  std::vector<GateShape> shapes;
+  /// Squares of the widths, those to openings doubled first.
+  std::vector<mpq_class> squared;
+  /// The vertices that a gate connects: its end, and its foot or facing's a.
+  std::vector<std::array<std::uint32_t, 2>> nodes;
 };
 
 }  // namespace taut

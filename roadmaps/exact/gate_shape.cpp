@@ -7,7 +7,7 @@
 
 #include <taut/geometry/written.h>
 
-namespace taut::detail {
+namespace taut {
 
 namespace {
 
@@ -162,4 +162,4 @@ bool disc_entered(const GateShape& shape, Point at, const Segment& wall) {
   return sgn(nx * (to.x - from.x) + ny * (to.y - from.y)) * side < 0;
 }
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -1,4 +1,4 @@
-// The exact side of a gate: its width, its foot, what its disc touches. Private.
+// The exact side of a gate: its width, its foot, what its disc touches.
 #pragma once
 
 #include <gmpxx.h>
@@ -8,7 +8,7 @@
 #include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/point.h>
 
-namespace taut::detail {
+namespace taut {
 
 /// From a point to the nearest point of a segment. `facing` is one point when the foot is known exactly.
 struct GateShape {
@@ -47,4 +47,4 @@ bool disc_meets(const GateShape& shape, const Segment& wall);
 /// that is exact. Exact.
 bool disc_entered(const GateShape& shape, Point at, const Segment& wall);
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -1,71 +1,24 @@
-// Signs of numbers with one or two square roots: enclosed first, exact when the enclosure cannot tell. Private.
+// Signs of numbers with one or two square roots: enclosed first, exact when the enclosure cannot tell.
 #pragma once
 
 #include <gmpxx.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-
 #include <taut/geometry/exact/exact_point.h>
+#include <taut/geometry/interval.h>
 #include <taut/geometry/written.h>
 
-namespace taut::detail {
-
-/// An enclosure of a real number. Every operation widens by more than it rounds; what overflows encloses everything.
-struct Range {
-  double lo = 0;
-  double hi = 0;
-
-  Range() = default;
-  Range(double v) : lo(v), hi(v) {}  // NOLINT: a double is a number, like an mpq_class's argument
-  Range(double l, double h) : lo(l), hi(h) {}
-
-  double middle() const { return lo + (hi - lo) / 2; }
-  double width() const { return hi - lo; }
-};
-
-inline Range widened(double lo, double hi) {
-  lo -= std::abs(lo) * 0x1p-52 + 1e-300;
-  hi += std::abs(hi) * 0x1p-52 + 1e-300;
-  constexpr double kInfinite = std::numeric_limits<double>::infinity();
-  return lo >= -1e290 && hi <= 1e290 ? Range(lo, hi) : Range(-kInfinite, kInfinite);
-}
+namespace taut {
 
 /// What a coordinate or a radius means (written.h).
 template <class Number>
 Number meant(double v);
 template <>
-inline Range meant<Range>(double v) {
-  const Interval i = written::enclosure(v);
-  return {i.lo, i.hi};
+inline Interval meant<Interval>(double v) {
+  return written::enclosure(v);
 }
 template <>
 inline mpq_class meant<mpq_class>(double v) {
   return meaning(v);
-}
-
-inline Range operator-(const Range& a) { return {-a.hi, -a.lo}; }
-inline Range operator+(const Range& a, const Range& b) { return widened(a.lo + b.lo, a.hi + b.hi); }
-inline Range operator-(const Range& a, const Range& b) { return widened(a.lo - b.hi, a.hi - b.lo); }
-inline Range operator*(const Range& a, const Range& b) {
-  const double p = a.lo * b.lo, q = a.lo * b.hi, s = a.hi * b.lo, t = a.hi * b.hi;
-  if (p == 0 && q == 0 && s == 0 && t == 0 && (a.lo == 0 || b.lo == 0) && (a.hi == 0 || b.hi == 0)) return 0;
-  return widened(std::min(std::min(p, q), std::min(s, t)), std::max(std::max(p, q), std::max(s, t)));
-}
-/// Precondition: b > 0.
-inline Range operator/(const Range& a, const Range& b) {
-  return widened(std::min(a.lo / b.lo, a.lo / b.hi), std::max(a.hi / b.lo, a.hi / b.hi));
-}
-/// Of what is left of a number that is >= 0.
-inline Range root(const Range& a) { return widened(std::sqrt(std::max(0.0, a.lo)), std::sqrt(std::max(0.0, a.hi))); }
-
-inline std::optional<int> sign(const Range& a) {
-  if (a.lo > 0) return 1;
-  if (a.hi < 0) return -1;
-  if (a.lo == 0 && a.hi == 0) return 0;
-  return std::nullopt;
 }
 
 /// a + b * sqrt(R), R >= 0 being known from elsewhere.
@@ -96,4 +49,4 @@ inline int surd_sign(const Surd<mpq_class>& P, const Surd<mpq_class>& Q, const m
   return order > 0 ? sp : order < 0 ? sq : 0;
 }
 
-}  // namespace taut::detail
+}  // namespace taut

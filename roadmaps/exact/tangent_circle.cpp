@@ -2,7 +2,7 @@
 
 #include <taut/geometry/written.h>
 
-namespace taut::detail {
+namespace taut {
 
 namespace {
 
@@ -40,10 +40,10 @@ mpq_class dot(const mpq_class& ax, const mpq_class& ay, const mpq_class& bx, con
 
 bool is_outer(const TangentPoint& p) { return p.here.side == p.other.side; }
 
-/// The sign of f(Range) or, when that cannot tell, of f(mpq_class).
+/// The sign of f(Interval) or, when that cannot tell, of f(mpq_class).
 template <class F>
 int rational_sign(F f) {
-  if (const auto known = sign(f(Range()))) return *known;
+  if (const auto known = sign(f(Interval()))) return *known;
   return sgn(f(mpq_class()));
 }
 
@@ -51,8 +51,8 @@ int rational_sign(F f) {
 
 TangentPoint::TangentPoint(const TangentEnd& here_, const TangentEnd& there, double radius)
     : here(here_), other(there), r(radius) {
-  const TangentFrame<Range> frame(here, other, r);
-  const Range S = root(frame.R), side = -double(here.side);
+  const TangentFrame<Interval> frame(here, other, r);
+  const Interval S = root(frame.R), side = -double(here.side);
   x = side * (frame.k * frame.dx - S * frame.dy) / frame.D;
   y = side * (frame.k * frame.dy + S * frame.dx) / frame.D;
 }
@@ -83,14 +83,14 @@ int cross_sign(const TangentPoint& a, const mpq_class& x, const mpq_class& y) {
 }
 
 int cross_sign(const TangentPoint& a, const PlainDirection& v) {
-  const auto near = vector_of<Range>(v);
+  const auto near = vector_of<Interval>(v);
   if (const auto known = sign(a.x * near.y - a.y * near.x)) return *known;
   const auto exact = vector_of<mpq_class>(v);
   return cross_sign(a, exact.x, exact.y);
 }
 
-Range angle_between(const TangentPoint& a, const TangentPoint& b) {
-  const Range sine = a.x * b.y - a.y * b.x, cosine = a.x * b.x + a.y * b.y;
+Interval angle_between(const TangentPoint& a, const TangentPoint& b) {
+  const Interval sine = a.x * b.y - a.y * b.x, cosine = a.x * b.x + a.y * b.y;
   const double angle = std::atan2(std::abs(sine.middle()), cosine.middle());
   // Of unit vectors: the angle moves no more than sine and cosine do together.
   const double error = 1.001 * (sine.width() + cosine.width()) + 8 * 0x1p-53 * angle;
@@ -135,4 +135,4 @@ std::optional<PlainDirection> direction_forbidden(Point c, double r, Point w, Po
   return PlainDirection{w, v, written::orientation(w, v, c) > 0 ? 3 : 1};
 }
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -1,11 +1,11 @@
-// Points of one circle in exact order around it, and which walls cut its arcs. Private.
+// Points of one circle in exact order around it, and which walls cut its arcs.
 #pragma once
 
 #include <gmpxx.h>
 
 #include <taut/roadmaps/exact/tangent_line.h>
 
-namespace taut::detail {
+namespace taut {
 
 /// A direction from a centre, (a + b sqrt(R)) in each coordinate, up to a positive factor.
 struct SurdDirection {
@@ -22,7 +22,7 @@ struct TangentPoint {
 
   TangentEnd here, other;
   double r = 0;
-  Range x, y;  ///< of the unit direction
+  Interval x, y;  ///< of the unit direction
 };
 
 /// The sign of a x b, of a b, and with rational directions to the point `to` as seen from the centre. Exact.
@@ -38,11 +38,11 @@ struct PlainDirection {
 int cross_sign(const TangentPoint& a, const PlainDirection& v);
 
 /// The angle from a to b, both on one circle and at most 180 degrees apart.
-Range angle_between(const TangentPoint& a, const TangentPoint& b);
+Interval angle_between(const TangentPoint& a, const TangentPoint& b);
 
 /// A wall that comes nearer than r to some point of a circle of radius r that it does not end in the centre of: the
 /// direction to its nearest point. The points it forbids are an open arc around that direction. Nothing when it is 2r
 /// away or farther. Exact.
 std::optional<PlainDirection> direction_forbidden(Point centre, double r, Point w, Point v);
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -2,7 +2,7 @@
 
 #include <taut/geometry/written.h>
 
-namespace taut::detail {
+namespace taut {
 
 TangentLine::TangentLine(const TangentEnd& from, const TangentEnd& to, double r)
     : from_(from), to_(to), r_(r), frame_(from, to, r) {
@@ -14,7 +14,7 @@ TangentLine::TangentLine(const TangentEnd& from, const TangentEnd& to, double r)
 
 template <class Question>
 int TangentLine::decide(Question question) const {
-  const Surd<Range> near = question(frame_);
+  const Surd<Interval> near = question(frame_);
   if (const auto known = sign(near.a + near.b * S_)) return *known;
   if (!exact_) exact_ = std::make_unique<TangentFrame<mpq_class>>(from_, to_, r_);
   const Surd<mpq_class> value = question(*exact_);
@@ -106,4 +106,4 @@ Box TangentLine::box() const {
           {std::max(a.x, b.x) + reach + more, std::max(a.y, b.y) + reach + more}};
 }
 
-}  // namespace taut::detail
+}  // namespace taut

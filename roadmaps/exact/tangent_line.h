@@ -1,11 +1,11 @@
-// A common tangent of two circles, and exactly what it touches. Private.
+// A common tangent of two circles, and exactly what it touches.
 #pragma once
 #include <memory>
 
 #include <taut/geometry/point.h>
 #include <taut/roadmaps/exact/surd.h>
 
-namespace taut::detail {
+namespace taut {
 
 /// What a path is tangent to: on which side it has the centre (+1 left: it turns left around it), or 0: it goes through
 /// the point.
@@ -141,7 +141,7 @@ class TangentLine {
   /// The sign of (v - w) direction.
   int onward(Point w, Point v) const;
 
-  Range length() const { return S_; }
+  Interval length() const { return S_; }
   Box box() const;  ///< of all that is nearer than r, and a bit more
 
  private:
@@ -152,10 +152,10 @@ class TangentLine {
 
   TangentEnd from_, to_;
   double r_;
-  TangentFrame<Range> frame_;
-  Range S_;
+  TangentFrame<Interval> frame_;
+  Interval S_;
   bool exists_ = false;
   mutable std::unique_ptr<TangentFrame<mpq_class>> exact_;
 };
 
-}  // namespace taut::detail
+}  // namespace taut

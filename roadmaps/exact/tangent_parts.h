@@ -1,4 +1,4 @@
-// What TangentGraph keeps, and how a further place joins it. Private.
+// What TangentGraph keeps, and how a further place joins it.
 #pragma once
 #include <vector>
 
@@ -6,8 +6,6 @@
 #include <taut/roadmaps/tangent_graph.h>
 
 namespace taut {
-
-namespace detail {
 
 /// What a path bends around: a circle, or a corner of openings, or an end of a query (neither bends).
 struct TangentSite {
@@ -23,7 +21,7 @@ struct TangentSite {
 struct TangentLeg {
   std::uint32_t from = 0, to = 0;  ///< points; the path has from's centre on from_side, to's on to_side
   int from_side = 0, to_side = 0;
-  Range length;
+  Interval length;
 };
 
 /// All points of one circle, ascending around it.
@@ -35,7 +33,7 @@ struct TangentRing {
 /// The tangents between two sites that are free, both ends as points of their circles.
 struct TangentPair {
   TangentPoint from, to;
-  Range length;
+  Interval length;
 };
 std::vector<TangentPair> free_tangents(const TangentWalls& walls, double r, const TangentSite& from,
                                        const TangentSite& to);
@@ -45,20 +43,18 @@ void sort_around(std::vector<std::uint32_t>& points, const std::vector<TangentPo
 /// Are two points of one circle the same?
 bool same_point(const TangentPoint& a, const TangentPoint& b);
 
-}  // namespace detail
-
-struct TangentGraph::Impl {
-  Impl(const FreeSpace& space, double radius);
+struct TangentParts {
+  TangentParts(const FreeSpace& space, double radius);
 
   double r;
-  detail::TangentWalls walls;
-  std::vector<detail::TangentSite> sites;
+  TangentWalls walls;
+  std::vector<TangentSite> sites;
   std::vector<std::uint32_t> site_at;  ///< of each vertex of the triangulation; kNone
-  std::vector<detail::TangentPoint> points;
-  std::vector<std::uint32_t> site_of;      ///< of each point
-  std::vector<detail::TangentRing> rings;  ///< of each site; a corner of openings has one point or none
-  std::vector<std::uint32_t> first_leg;    ///< of each point
-  std::vector<detail::TangentLeg> legs;    ///< both ways
+  std::vector<TangentPoint> points;
+  std::vector<std::uint32_t> site_of;    ///< of each point
+  std::vector<TangentRing> rings;        ///< of each site; a corner of openings has one point or none
+  std::vector<std::uint32_t> first_leg;  ///< of each point
+  std::vector<TangentLeg> legs;          ///< both ways
   std::size_t arcs = 0;
 
  private:

@@ -6,13 +6,13 @@
 #include <taut/geometry/triangular_expansion.h>
 #include <taut/geometry/written.h>
 
-namespace taut::detail {
+namespace taut {
 
 namespace {
 
 using Tri = Triangulation;
 
-Triangulation without_openings(const GateWalls& walls) {
+Triangulation without_openings(const WallIndex& walls) {
   Triangulation tri = walls.triangulation();
   for (std::uint32_t t = 0; t < tri.triangles.size(); ++t)
     for (int i = 0; i < 3; ++i)
@@ -254,4 +254,4 @@ std::uint32_t TangentWalls::too_near(Point p) const {
   return nearest;
 }
 
-}  // namespace taut::detail
+}  // namespace taut

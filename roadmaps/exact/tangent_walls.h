@@ -1,4 +1,4 @@
-// What stands in the way of a disc: legs and arcs against walls, openings and joints; and what a place sees. Private.
+// What stands in the way of a disc: legs and arcs against walls, openings and joints; and what a place sees.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 #include <taut/roadmaps/exact/tangent_circle.h>
 #include <taut/roadmaps/wall_index.h>
 
-namespace taut::detail {
+namespace taut {
 
 /// Around a centre: the directions that walls forbid, and where openings meet the circle.
 struct CircleObstacles {
@@ -25,7 +25,7 @@ class TangentWalls {
  public:
   TangentWalls(const FreeSpace& space, double r);
 
-  const GateWalls& walls() const { return walls_; }
+  const WallIndex& walls() const { return walls_; }
   const FreeSpace& space() const { return walls_.space(); }
 
   /// Can the centre follow the leg: no wall nearer than r, no opening crossed, no joint slipped through? An end at a
@@ -53,11 +53,11 @@ class TangentWalls {
   std::vector<std::uint32_t> seen(const std::vector<std::array<std::uint32_t, 2>>& views,
                                   typename Coordinates::Place origin) const;
 
-  GateWalls walls_;
+  WallIndex walls_;
   double r_;
   Triangulation open_;  // openings do not hinder sight
   std::vector<std::uint32_t> openings_;
   BoxIndex opening_boxes_;
 };
 
-}  // namespace taut::detail
+}  // namespace taut

@@ -17,7 +17,6 @@ namespace taut::bug {
 namespace {
 
 using detail::Contours;
-using detail::ExactPoint;
 using detail::Place;
 using detail::Places;
 using detail::product;
@@ -173,7 +172,7 @@ class Run {
     if (station % 2 == 0) {
       if (o == 0) found = places_.vertex(at);
     } else if (o * written::orientation(from_, goal_, head(at)) < 0) {
-      found = places_.side(at, taut::detail::line_crossing({from_, goal_}, {here, head(at)}));
+      found = places_.side(at, taut::line_crossing({from_, goal_}, {here, head(at)}));
     }
     return found && is_between(found->stand.at, after) ? found : std::nullopt;
   }

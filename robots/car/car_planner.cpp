@@ -35,7 +35,7 @@ std::vector<LatticePose> free_starts(const CarSpace& space, const DriveQuery& qu
     if (space.is_free({query.start, heading})) free.push_back({query.start, heading});
   if (!free.empty()) return free;
   throw InputError({}, 0,
-                   "the car cannot stand at the start " + taut::detail::text(query.start) +
+                   "the car cannot stand at the start " + taut::text(query.start) +
                        (query.heading ? " with that heading: a wall is in its way" : ", whatever its heading"));
 }
 
@@ -43,9 +43,8 @@ void require_small(const World& world, double step) {
   const Box box = world.box();
   for (const double v : {box.min.x, box.min.y, box.max.x, box.max.y})
     if (!(std::abs(v) < step * (1 << 25)))
-      throw InputError(
-          world.source(), 0,
-          "is too large for the car's lattice: coordinates must be below " + taut::detail::text(step * (1 << 25)));
+      throw InputError(world.source(), 0,
+                       "is too large for the car's lattice: coordinates must be below " + taut::text(step * (1 << 25)));
 }
 
 /// Why not even the disc gets to any goal; nothing when it might.
@@ -72,13 +71,12 @@ void require_goal_free(const CarSpace& space, const DriveQuery& query) {
     for (const Point goal : query.goals)
       if (space.is_free({goal, *query.goal_heading})) return;
     throw InputError({}, 0,
-                     "the car cannot stand at the goal " + taut::detail::text(query.goals.front()) +
+                     "the car cannot stand at the goal " + taut::text(query.goals.front()) +
                          " with that heading: a wall is in its way");
   }
   for (const Point goal : query.goals)
     if (space.space().locate(goal).kind != Location::Kind::outside) return;
-  throw InputError({}, 0,
-                   "the goal " + taut::detail::text(query.goals.front()) + " lies in a wall or outside the world");
+  throw InputError({}, 0, "the goal " + taut::text(query.goals.front()) + " lies in a wall or outside the world");
 }
 
 }  // namespace
@@ -92,8 +90,7 @@ PlannedDrive planned_drive(const CarSpace& space, const DriveQuery& query) {
   if ((result.barrier = barrier_of(space, query))) {
     if (result.barrier->status == PassageStatus::goal_blocked)
       throw InputError(
-          {}, 0,
-          "the car cannot stand at the goal " + taut::detail::text(query.goals.front()) + ", whatever its heading");
+          {}, 0, "the car cannot stand at the goal " + taut::text(query.goals.front()) + ", whatever its heading");
     result.status = SearchStatus::none;
     return result;
   }

@@ -16,18 +16,18 @@ Box moved(const Box& box, Point by) {
   return {{box.min.x + by.x, box.min.y + by.y}, {box.max.x + by.x, box.max.y + by.y}};
 }
 
-std::vector<std::uint32_t> openings_of(const taut::detail::GateWalls& walls) {
+std::vector<std::uint32_t> openings_of(const taut::WallIndex& walls) {
   std::vector<std::uint32_t> openings;
   for (std::uint32_t c = 0; c < walls.space().constraints().size(); ++c)
     if (walls.is_opening(c)) openings.push_back(c);
   return openings;
 }
 
-std::vector<Box> boxes_of(const taut::detail::GateWalls& walls, const std::vector<std::uint32_t>& constraints) {
+std::vector<Box> boxes_of(const taut::WallIndex& walls, const std::vector<std::uint32_t>& constraints) {
   std::vector<Box> boxes;
   for (const std::uint32_t c : constraints) {
     const Segment s = walls.segment(c);
-    boxes.push_back(taut::detail::box_around(s.a, s.b));
+    boxes.push_back(taut::box_around(s.a, s.b));
   }
   return boxes;
 }

@@ -11,6 +11,7 @@ namespace taut::car {
 namespace detail {
 class PreparedLeg;
 struct NearWall;
+class DriveSearch;
 }  // namespace detail
 
 /// A car among the walls of a world.
@@ -39,11 +40,10 @@ class CarSpace {
   /// Can it drive this leg? Precondition: it can stand at its beginning, and fault_of(leg, shape()) is nothing.
   bool is_clear(const Leg& leg) const;
 
-  struct Impl;
-  /// Private to the library.
-  const Impl& impl() const { return *impl_; }
-
  private:
+  friend class detail::DriveSearch;
+  struct Impl;
+
   std::unique_ptr<const Impl> impl_;
 };
 

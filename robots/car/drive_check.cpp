@@ -203,19 +203,19 @@ bool is_near(const Leg& leg, double reach, const Segment& s) {
 }
 
 std::optional<DriveFault> fault_of(const Leg& leg, std::size_t index, const FreeSpace& space,
-                                   const taut::detail::GateWalls& walls, const CarShape& shape) {
+                                   const taut::WallIndex& walls, const CarShape& shape) {
   if (const auto fault = taut::car::fault_of(leg, shape)) return DriveFault{index, *fault};
   for (const Point p : {leg.from.at, leg.to.at})
     if (space.locate(p).kind == Location::Kind::outside)
-      return DriveFault{index, "leaves free space at " + taut::detail::text(p)};
+      return DriveFault{index, "leaves free space at " + taut::text(p)};
   const double reach = 1.01 * (curve_of(leg).length() + shape.outer_radius());
   for (std::uint32_t c = 0; c < space.constraints().size(); ++c) {
     const Constraint& wall = space.constraints()[c];
     const Segment s{wall.a, wall.b};
     if (!is_near(leg, reach, s)) continue;
     if (walls.is_opening(c) ? crosses(leg, s, wall.solid_left) : drive_meets(leg, shape, s))
-      return DriveFault{
-          index, (walls.is_opening(c) ? "leaves through the opening " : "meets the wall ") + taut::detail::text(s), c};
+      return DriveFault{index,
+                        (walls.is_opening(c) ? "leaves through the opening " : "meets the wall ") + taut::text(s), c};
   }
   return std::nullopt;
 }
@@ -223,7 +223,7 @@ std::optional<DriveFault> fault_of(const Leg& leg, std::size_t index, const Free
 }  // namespace
 
 std::optional<DriveFault> fault_of(std::span<const Leg> legs, const FreeSpace& space, const CarShape& shape) {
-  const taut::detail::GateWalls walls(space);
+  const taut::WallIndex walls(space);
   for (std::size_t i = 0; i < legs.size(); ++i) {
     if (i > 0 && legs[i].from != legs[i - 1].to) return DriveFault{i, "does not begin where the one before ends"};
     if (auto fault = fault_of(legs[i], i, space, walls, shape)) return fault;

@@ -15,7 +15,7 @@ namespace {
 using detail::LegGeometry;
 
 void require(bool fine, const char* what, double value) {
-  if (!fine) throw InputError({}, 0, "the car's " + std::string(what) + " cannot be " + taut::detail::text(value));
+  if (!fine) throw InputError({}, 0, "the car's " + std::string(what) + " cannot be " + taut::text(value));
 }
 
 bool sensible(double v) { return v >= 1e-9 && v <= 1e9; }
@@ -55,7 +55,7 @@ std::optional<std::string> fault_of(const Leg& leg, const CarShape& shape) {
   }
   if (sgn(geometry.t1) < 0 || sgn(geometry.t2) < 0) return "goes against its own direction";
   if (geometry.radius < mpq_class(shape.radius))
-    return "bends with radius " + taut::detail::text(geometry.radius.get_d()) + ", below the least one";
+    return "bends with radius " + taut::text(geometry.radius.get_d()) + ", below the least one";
   return std::nullopt;
 }
 

@@ -10,7 +10,7 @@ namespace taut::micromouse {
 
 namespace {
 
-using taut::detail::Draws;
+using taut::Draws;
 
 /// Interior walls that stand and that `wanted` accepts, in order of cells.
 template <class Wanted>

@@ -26,7 +26,7 @@ class RandomWalker final : public MappingRobot {
     return action_towards(pose(), next[draws_.below(static_cast<std::uint32_t>(next.size()))]);
   }
 
-  taut::detail::Draws draws_;
+  taut::Draws draws_;
 };
 
 class WallFollower final : public MappingRobot {

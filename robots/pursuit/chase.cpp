@@ -23,7 +23,7 @@ double wall_seconds() {
 }
 
 std::string fault_of_move(const ChaseMap& map, CellIndex from, CellIndex to) {
-  using taut::detail::text;
+  using taut::text;
   const std::string move = "the move from " + text(map.cell(from));
   if (to >= map.index_count()) return move + " leaves the map";
   const Cell a = map.cell(from), b = map.cell(to);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint32_t kHill = 100;
 
-int between(taut::detail::Draws& draws, int lo, int hi) {
+int between(taut::Draws& draws, int lo, int hi) {
   return lo + static_cast<int>(draws.below(static_cast<std::uint32_t>(hi - lo + 1)));
 }
 
@@ -154,7 +154,7 @@ class Site {
   }
 
   const ChaseRecipe& recipe_;
-  taut::detail::Draws draws_;
+  taut::Draws draws_;
   ChaseMap::Parts parts_;
 };
 

@@ -69,13 +69,13 @@ ChaseMap::ChaseMap(Parts parts)
   costs_ = std::move(parts.costs);
   add_border(costs_, static_cast<std::size_t>(x_size_), static_cast<std::size_t>(y_size_));
   require(is_on(parts, parts.start), source_,
-          "the robot starts at " + detail::text(parts.start) + ", outside the map of " + size_text(parts));
+          "the robot starts at " + text(parts.start) + ", outside the map of " + size_text(parts));
   start_ = index(parts.start);
-  require(is_free(start_), source_, "the robot starts at " + detail::text(parts.start) + ", inside an obstacle");
+  require(is_free(start_), source_, "the robot starts at " + text(parts.start) + ", inside an obstacle");
   target_.reserve(parts.target.size());
   for (std::size_t i = 0; i < parts.target.size(); ++i) {
     require(is_on(parts, parts.target[i]), source_,
-            "entry " + std::to_string(i + 1) + " of the trajectory, " + detail::text(parts.target[i]) +
+            "entry " + std::to_string(i + 1) + " of the trajectory, " + text(parts.target[i]) +
                 ", is outside the map of " + size_text(parts));
     target_.push_back(index(parts.target[i]));
   }

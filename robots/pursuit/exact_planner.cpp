@@ -204,13 +204,14 @@ class Planning {
     share();
   }
 
-  Range range_of(const Open& node) const { return {values_[node.lo], values_[node.hi]}; }
+  CostRange range_of(const Open& node) const { return {values_[node.lo], values_[node.hi]}; }
 
   std::size_t most_labels(const Open& node) const {
     return std::min(limits_.most_labels / 2, node.lo == node.hi ? limits_.most_labels : kMostLabelsOfARange);
   }
 
-  static RangeSearch::Answer evaluated(RangeSearch& search, const Range& range, Open& node, std::size_t most_labels) {
+  static RangeSearch::Answer evaluated(RangeSearch& search, const CostRange& range, Open& node,
+                                       std::size_t most_labels) {
     search.begin(range, std::move(node.bounds));
     search.pass(search.worker.work.parts * range.lo);
     return search.finish(most_labels);
@@ -225,7 +226,7 @@ class Planning {
   }
 
   RangeSearch::Answer one(Open& node, std::size_t most_labels) {
-    const Range range = range_of(node);
+    const CostRange range = range_of(node);
     here_.begin(range, node.bounds);
     beside_.begin(range, std::move(node.bounds));
     side_by_side(
@@ -239,7 +240,7 @@ class Planning {
   bool split(const Open& node, const RangeSearch::Answer& answer) {
     if (answer.bound >= best_.cost) return true;
     if (answer.is_open && node.lo == node.hi) return false;
-    const Range range = range_of(node);
+    const CostRange range = range_of(node);
     const std::uint32_t middle = range.lo + (range.hi - range.lo) / 2 + 1;
     const std::uint32_t value = answer.is_open ? middle : std::min(middle, answer.cheapest);
     const auto at = std::max(

@@ -41,8 +41,8 @@ namespace {
 std::string fault_of_step(const Chase& chase, CellIndex from, CellIndex to) {
   const Cell a = chase.map->cell(from), b = chase.map->cell(to);
   if (std::abs(a.x - b.x) > 1 || std::abs(a.y - b.y) > 1)
-    return "the move from " + taut::detail::text(a) + " to " + taut::detail::text(b) + " is no step to a neighbour";
-  return chase.map->is_free(to) ? "" : "the move to " + taut::detail::text(b) + " ends in an obstacle";
+    return "the move from " + taut::text(a) + " to " + taut::text(b) + " is no step to a neighbour";
+  return chase.map->is_free(to) ? "" : "the move to " + taut::text(b) + " ends in an obstacle";
 }
 
 bool is_meeting(const Chase& chase, CellIndex cell, int second) {

@@ -53,14 +53,13 @@ void require_start_free(const Course& course, WallReading reading, const std::st
   const auto met = [&](Cell c) { return touches(pose, c, reading, slack_of(reading)); };
   any_cell_near(pose, course, [&](Cell c) {
     if (course.is_wall(c) && met(c))
-      throw InputError(source, 0,
-                       "the car at start " + detail::text(course.start) + " touches the wall " + detail::text(c));
+      throw InputError(source, 0, "the car at start " + text(course.start) + " touches the wall " + text(c));
     return false;
   });
   for (const Roadblock& block : course.roadblocks)
     if (std::ranges::any_of(block.cells, met))
       throw InputError(source, 0,
-                       "the car at start " + detail::text(course.start) + " stands on the roadblock " + block.letter);
+                       "the car at start " + text(course.start) + " stands on the roadblock " + block.letter);
 }
 
 std::string_view name(Outcome outcome) {

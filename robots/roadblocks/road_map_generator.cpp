@@ -173,7 +173,7 @@ class Generator {
   }
 
   RoadMapRecipe recipe_;
-  detail::Draws draws_;
+  Draws draws_;
   RoadMap map_;
   int columns_ = 0, rows_ = 0;
   std::vector<Room> rooms_;

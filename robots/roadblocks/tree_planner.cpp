@@ -29,7 +29,7 @@ struct TreePlanner::Impl {
   const Course& course;
   WallReading reading;
   TreeKind kind;
-  detail::Draws draws;
+  Draws draws;
   std::size_t samples = 0;
   std::map<RoadblockSet, detail::TreeRoom> rooms;
 };

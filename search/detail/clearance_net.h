@@ -24,7 +24,7 @@ struct Arc {
   std::uint32_t edge;  ///< kNone: a leg
   std::uint32_t rank;
   double length;
-  VoronoiCurve curve;
+  Bezier curve;
 };
 
 /// An undirected multigraph: two nodes may have several arcs between them.

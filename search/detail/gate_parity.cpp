@@ -104,7 +104,7 @@ std::vector<BarrierPiece> pieces_of(const Gates& gates, const std::vector<ChainE
   for (const ChainEdge& e : chain) {
     const bool inside = e.piece.gate != kNone && !gates.gates()[e.piece.gate].foot_is_end;
     const BarrierPiece along{inside ? gates.gates()[e.piece.gate].facing : kNone, kNone};
-    const bool ends_at_foot = inside && e.u == gates.impl().nodes[e.piece.gate][0];
+    const bool ends_at_foot = inside && e.u == gates.exact().nodes[e.piece.gate][0];
     if (inside && !ends_at_foot) pieces.push_back(along);
     pieces.push_back(e.piece);
     if (ends_at_foot) pieces.push_back(along);
@@ -115,7 +115,7 @@ std::vector<BarrierPiece> pieces_of(const Gates& gates, const std::vector<ChainE
 }
 
 std::optional<SeparatingChain> closed_chain(const Gates& gates, const CrossingParity& parity, std::uint32_t count) {
-  const auto& ends = gates.impl().walls.ends();
+  const auto& ends = gates.exact().walls.ends();
   const std::size_t vertices = gates.space().triangulation().points.size();
   ParityForest forest(vertices);
   std::vector<ChainEdge> tree;
@@ -134,7 +134,7 @@ std::optional<SeparatingChain> closed_chain(const Gates& gates, const CrossingPa
   for (std::uint32_t c = 0; c < ends.size(); ++c)
     if (const ChainEdge e{ends[c][0], ends[c][1], {c, kNone}}; closes(e, parity.of_constraint(c))) return chain(e);
   for (std::uint32_t i = 0; i < count && !parity.is_degenerate(); ++i) {
-    const auto [u, v] = gates.impl().nodes[i];
+    const auto [u, v] = gates.exact().nodes[i];
     if (const ChainEdge e{u, v, {kNone, i}}; closes(e, parity.of_gate(i))) return chain(e);
   }
   return std::nullopt;
@@ -170,16 +170,16 @@ bool CrossingParity::of_gate(std::uint32_t i) const {
 }
 
 bool CrossingParity::crosses_constraint(const Leg& leg, std::uint32_t c) const {
-  const auto [u, v] = gates_.impl().walls.ends()[c];
+  const auto [u, v] = gates_.exact().walls.ends()[c];
   if (leg.within_triangle || leg.right_of[u] == leg.right_of[v]) return false;
-  const auto [a, b] = gates_.impl().walls.segment(c);
+  const auto [a, b] = gates_.exact().walls.segment(c);
   return written::orientation(a, b, leg.s) * written::orientation(a, b, leg.g) < 0;
 }
 
 bool CrossingParity::crosses_gate(const Leg& leg, std::uint32_t i) const {
-  const detail::GateShape& shape = gates_.impl().shapes[i];
+  const GateShape& shape = gates_.exact().shapes[i];
   const Gate& gate = gates_.gates()[i];
-  const auto [u, v] = gates_.impl().nodes[i];
+  const auto [u, v] = gates_.exact().nodes[i];
   const bool end_right = leg.right_of[u];
   const bool foot_right = gate.foot_is_end ? leg.right_of[v] != 0 : foot_orientation(leg.s, leg.g, shape) < 0;
   bool odd = false;
@@ -190,7 +190,7 @@ bool CrossingParity::crosses_gate(const Leg& leg, std::uint32_t i) const {
     odd = sides < 0;
   }
   if (gate.foot_is_end || leg.within_triangle || foot_right == (leg.right_of[v] != 0)) return odd;
-  const auto [a, b] = gates_.impl().walls.segment(gate.facing);
+  const auto [a, b] = gates_.exact().walls.segment(gate.facing);
   return odd ^ (written::orientation(a, b, leg.s) * written::orientation(a, b, leg.g) < 0);
 }
 

@@ -16,7 +16,7 @@ Labels::Labels(const Roadmap& roadmap, Point start, std::vector<Point> goals)
 Interval Labels::enclose(Chain chain) const {
   const Label& to = labels_[chain.label];
   const Interval leg = distance_interval(point(to.vertex), chain.end);
-  return {add_down(to.lo, leg.lo), add_up(to.hi, leg.hi)};
+  return {twofold::add_down(to.lo, leg.lo), twofold::add_up(to.hi, leg.hi)};
 }
 
 Labels::Id Labels::extend(Id parent, Vertex v, Id former) {

@@ -69,7 +69,7 @@ void PolyanyaEngine::look_around(std::span<const std::uint32_t> polygons) {
       if (a == start) continue;
       see_corner(0, c);
       // Of a side in line with the start nothing is seen through, unless it is on it.
-      if (b != start && (side_of(start, a, b) != 0 || written::on_segment(start, a, b)))
+      if (b != start && (written::orientation(start, a, b) != 0 || written::on_segment(start, a, b)))
         pass(cone(0, c, d), c, a, b, true, true);
     }
   }
@@ -138,8 +138,8 @@ void PolyanyaEngine::see_goals(const Cone& cone, std::uint32_t polygon) {
 std::uint32_t PolyanyaEngine::turns_at(Point from, std::uint32_t corner) const {
   const Point at = mesh_.corners[corner].point;
   const Navmesh::Bend& bend = mesh_.bends[mesh_.corners[corner].bend];
-  const int right = side_of(from, at, bend.right),
-            left = bend.left == bend.right ? right : side_of(from, at, bend.left);
+  const int right = written::orientation(from, at, bend.right),
+            left = bend.left == bend.right ? right : written::orientation(from, at, bend.left);
   if (right * left < 0) return 0;
   const auto is_ahead = [&](int side, Point p) {
     return side == 0 && (at.x - from.x) * (p.x - at.x) + (at.y - from.y) * (p.y - at.y) > 0;
@@ -183,7 +183,7 @@ void PolyanyaEngine::turn_left() {
   std::uint32_t c = mesh_.bends[roots_[root].bend].left_corner;
   for (bool at_wall = true;; at_wall = false) {
     const std::uint32_t polygon = mesh_.corners[c].polygon, right = mesh_.next(c), left = mesh_.previous(c);
-    const int side = side_of(from, at, mesh_.corners[right].point);
+    const int side = written::orientation(from, at, mesh_.corners[right].point);
     const Cone cone = this->cone(root, side >= 0 ? right : kAway, left);
     if (goals_here_[polygon].query == query_) see_goals(cone, polygon);
     if (at_wall) see_corner(root, left);
@@ -201,7 +201,7 @@ void PolyanyaEngine::turn_right() {
   std::uint32_t c = mesh_.bends[roots_[root].bend].right_corner;
   for (bool at_wall = true;; at_wall = false) {
     const std::uint32_t polygon = mesh_.corners[c].polygon, right = mesh_.next(c), left = mesh_.previous(c);
-    const int side = side_of(from, at, mesh_.corners[left].point);
+    const int side = written::orientation(from, at, mesh_.corners[left].point);
     const Cone cone = this->cone(root, right, side <= 0 ? left : kAway);
     if (goals_here_[polygon].query == query_) see_goals(cone, polygon);
     if (at_wall) see_corner(root, right);

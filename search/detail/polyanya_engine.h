@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include <taut/geometry/detail/side.h>
+#include <taut/geometry/written.h>
 #include <taut/roadmaps/navmesh.h>
 #include <taut/search/detail/landmarks.h>
 #include <taut/search/detail/taut_string.h>
@@ -131,8 +131,8 @@ class PolyanyaEngine {
     int right_sign, left_sign;
     std::uint32_t right, left;
 
-    int from_right(Point p) const { return right_sign * side_of(origin, right_through, p); }
-    int from_left(Point p) const { return left_sign * side_of(origin, left_through, p); }
+    int from_right(Point p) const { return right_sign * written::orientation(origin, right_through, p); }
+    int from_left(Point p) const { return left_sign * written::orientation(origin, left_through, p); }
   };
 
   static double distance(Point p, Point q) {

@@ -52,7 +52,7 @@ class SearchState {
   /// The order in the queue of a vertex from which at least `rest` is still to go.
   double bound(Vertex v, double rest) const {
     const Labels::Label& l = labels[label(v)];
-    return graph.is_goal(v) ? l.hi : add_down(l.lo, rest);
+    return graph.is_goal(v) ? l.hi : twofold::add_down(l.lo, rest);
   }
 
   const QueryGraph& graph;

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <vector>
 
-#include <taut/geometry/detail/side.h>
 #include <taut/geometry/written.h>
 
 namespace taut::detail {
@@ -71,7 +70,7 @@ class TautString {
   /// Is p on the inner side of a -> b, or in line and beyond? In line and not beyond, the string goes around b, or p is
   /// the near end of a portal that lies in line.
   static bool is_within(Point a, Point b, Point p, int inward) {
-    const int turn = side_of(a, b, p) * inward;
+    const int turn = written::orientation(a, b, p) * inward;
     if (turn != 0) return turn > 0;
     return std::min(a.x, p.x) <= b.x && b.x <= std::max(a.x, p.x) && std::min(a.y, p.y) <= b.y &&
            b.y <= std::max(a.y, p.y);

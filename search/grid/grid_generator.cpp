@@ -20,7 +20,7 @@ std::uint8_t& cell(OccupancyGrid& grid, std::uint32_t column, std::uint32_t row)
 }
 
 // Cells of even column and row are rooms, those between them walls until the tree takes them down.
-void carve_maze(OccupancyGrid& grid, detail::Draws& draws) {
+void carve_maze(OccupancyGrid& grid, Draws& draws) {
   grid.blocked.assign(grid.blocked.size(), 1);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
   cell(grid, 0, 0) = 0;
@@ -46,7 +46,7 @@ void carve_maze(OccupancyGrid& grid, detail::Draws& draws) {
 
 constexpr std::uint32_t kRoom = 8;  // with one wall
 
-void build_rooms(OccupancyGrid& grid, detail::Draws& draws) {
+void build_rooms(OccupancyGrid& grid, Draws& draws) {
   for (std::uint32_t row = 0; row < grid.height; ++row)
     for (std::uint32_t column = 0; column < grid.width; ++column)
       cell(grid, column, row) = column % kRoom == kRoom - 1 || row % kRoom == kRoom - 1;
@@ -61,7 +61,7 @@ void build_rooms(OccupancyGrid& grid, detail::Draws& draws) {
       for (const bool upright : {true, false}) door(column, row, upright);
 }
 
-void scatter(OccupancyGrid& grid, detail::Draws& draws) {
+void scatter(OccupancyGrid& grid, Draws& draws) {
   for (std::uint8_t& each : grid.blocked) each = draws.below(4) == 0;
   if (std::find(grid.blocked.begin(), grid.blocked.end(), 0) == grid.blocked.end()) grid.blocked[0] = 0;
 }
@@ -82,7 +82,7 @@ OccupancyGrid generate_grid(GridKind kind, std::uint32_t width, std::uint32_t he
         "", 0,
         "a grid of " + std::to_string(width) + " x " + std::to_string(height) + " is not of 1 to 20000 cells a side");
   OccupancyGrid grid{width, height, std::vector<std::uint8_t>(std::size_t{width} * height, 0)};
-  detail::Draws draws(seed);
+  Draws draws(seed);
   switch (kind) {
     case GridKind::maze: carve_maze(grid, draws); break;
     case GridKind::rooms: build_rooms(grid, draws); break;

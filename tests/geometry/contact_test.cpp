@@ -9,9 +9,6 @@
 namespace taut {
 namespace {
 
-using detail::Contact;
-using detail::contact;
-using detail::Star;
 using test::add_solid;
 using test::Constraints;
 using test::follows;
@@ -62,9 +59,9 @@ TEST(Star, KnowsReflexAndSolidSectors) {
   ASSERT_EQ(corner.free_sectors().size(), 1u);
   EXPECT_TRUE(corner.reflex(corner.free_sectors()[0]));
   const Star side = test::star({1, 2}, c);
-  EXPECT_EQ(side.free_sectors(), (detail::Sectors{0}));
+  EXPECT_EQ(side.free_sectors(), (Sectors{0}));
   EXPECT_FALSE(side.reflex(0));
-  EXPECT_TRUE(test::star({7, 7}, c).free_sectors() == detail::Sectors{0});
+  EXPECT_TRUE(test::star({7, 7}, c).free_sectors() == Sectors{0});
   EXPECT_TRUE(test::star({0, 1}, walls({{{0, 0}, {0, 1}}})).reflex(0));
 }
 

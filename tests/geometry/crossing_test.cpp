@@ -11,15 +11,15 @@ namespace taut {
 namespace {
 
 TEST(LineCrossing, IsExact) {
-  const detail::ExactPoint p = detail::line_crossing({{0, 0}, {3, 1}}, {{0, 1}, {3, 0}});
-  EXPECT_EQ(p, detail::ExactPoint(mpq_class(3, 2), mpq_class(1, 2)));
-  const detail::ExactPoint third = detail::line_crossing({{0, 0}, {1, 1}}, {{0, 1}, {2, -3}});
-  EXPECT_EQ(third, detail::ExactPoint(mpq_class(1, 3), mpq_class(1, 3)));
+  const ExactPoint p = line_crossing({{0, 0}, {3, 1}}, {{0, 1}, {3, 0}});
+  EXPECT_EQ(p, ExactPoint(mpq_class(3, 2), mpq_class(1, 2)));
+  const ExactPoint third = line_crossing({{0, 0}, {1, 1}}, {{0, 1}, {2, -3}});
+  EXPECT_EQ(third, ExactPoint(mpq_class(1, 3), mpq_class(1, 3)));
 }
 
 TEST(LineCrossing, HoldsFromTheSmallestToTheLargestNumbers) {
   for (const double unit : {0x1p-1000, 0x1p-300, 1.0, 0x1p240}) {
-    const detail::ExactPoint p = detail::line_crossing({{0, 0}, {unit, unit}}, {{0, unit}, {2 * unit, -3 * unit}});
+    const ExactPoint p = line_crossing({{0, 0}, {unit, unit}}, {{0, unit}, {2 * unit, -3 * unit}});
     EXPECT_EQ(p.x * 3, mpq_class(unit));
   }
 }
@@ -40,14 +40,14 @@ TEST(QuickCrossing, RoundsAsRationalsDoOrSaysNothing) {
     const Segment s{point(), point()}, t{point(), point()};
     if (!written::cross_properly(s, t)) continue;
     ++crossings;
-    const detail::Unit measure(100 * scale + offset);
+    const DecimalUnit measure(100 * scale + offset);
     const auto quick = detail::quick_crossing(s, t, measure);
     if (!quick) continue;
     ++answers;
-    const detail::ExactPoint exact = detail::line_crossing(s, t);
+    const ExactPoint exact = line_crossing(s, t);
     ASSERT_EQ(quick->point, measure.nearest(exact));
-    ASSERT_GE(quick->displacement, detail::displacement(exact, quick->point) * (1 - 1e-15));
-    ASSERT_FALSE(exact == detail::ExactPoint(quick->point));
+    ASSERT_GE(quick->displacement, displacement(exact, quick->point) * (1 - 1e-15));
+    ASSERT_FALSE(exact == ExactPoint(quick->point));
   }
   EXPECT_GT(crossings, 3000u);
   EXPECT_GT(answers, crossings * 8 / 10);
@@ -59,9 +59,9 @@ TEST(RoundOutward, StaysOffTheSolidSideOfAllEdges) {
   for (int k = 0; k < 2000; ++k) {
     const Segment s{{unit(), unit()}, {unit(), unit()}}, t{{unit(), unit()}, {unit(), unit()}};
     if (!written::cross_properly(s, t)) continue;
-    const detail::ExactPoint exact = detail::line_crossing(s, t);
+    const ExactPoint exact = line_crossing(s, t);
     const Segment edges[] = {s, t};
-    const Point p = detail::round_outward(exact, edges, detail::Unit(1));
+    const Point p = round_outward(exact, edges, DecimalUnit(1));
     EXPECT_LE(written::orientation(s.a, s.b, p), 0);
     EXPECT_LE(written::orientation(t.a, t.b, p), 0);
   }

@@ -77,11 +77,11 @@ RC_GTEST_PROP(FreeSpace, MeasuresTheClearanceToTheNearestConstraint, ()) {
     std::uint32_t nearest = 0;
     for (std::uint32_t i = 1; i < constraints.size(); ++i) {
       const Constraint &c = constraints[i], &best = constraints[nearest];
-      if (detail::compare_segment_distances({p, p}, {c.a, c.b}, {p, p}, {best.a, best.b}) < 0) nearest = i;
+      if (compare_segment_distances({p, p}, {c.a, c.b}, {p, p}, {best.a, best.b}) < 0) nearest = i;
     }
     const Clearance clearance = space.clearance(p);
     RC_ASSERT(clearance.constraint == nearest);
-    RC_ASSERT(clearance.distance == detail::segment_distance({p, p}, {constraints[nearest].a, constraints[nearest].b}));
+    RC_ASSERT(clearance.distance == segment_distance({p, p}, {constraints[nearest].a, constraints[nearest].b}));
   });
 }
 
@@ -108,7 +108,7 @@ RC_GTEST_PROP(FreeSpace, MarksTheSolidSidesOfItsConstraintsConsistently, ()) {
   RC_LOG() << test::show(world) << '\n';
   const FreeSpace space = world.space();
   for (const Constraint& c : space.constraints()) {
-    const detail::Star star = test::star(c.a, space.constraints());
+    const Star star = test::star(c.a, space.constraints());
     const auto n = star.sector_count();
     for (std::uint32_t s = 0; s < n; ++s) RC_ASSERT(star.rays()[s].solid_ccw == star.rays()[(s + 1) % n].solid_cw);
   }

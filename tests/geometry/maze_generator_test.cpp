@@ -108,14 +108,14 @@ TEST(MazeGenerator, RefusesSizesAndSharesThatMakeNoSense) {
 }
 
 TEST(Draws, AreFixedForever) {
-  detail::Draws draws(1);
+  Draws draws(1);
   const std::vector<std::uint32_t> first{draws.below(1000), draws.below(1000), draws.below(1000)};
   EXPECT_EQ(first, (std::vector<std::uint32_t>{133, 136, 451}));
-  EXPECT_DOUBLE_EQ(detail::Draws(1).unit(), 0.13387664401253274);
+  EXPECT_DOUBLE_EQ(Draws(1).unit(), 0.13387664401253274);
 }
 
 TEST(Draws, HitEveryValueAboutEquallyOften) {
-  detail::Draws draws(5);
+  Draws draws(5);
   std::vector<int> hits(7);
   for (int i = 0; i < 70000; ++i) ++hits[draws.below(7)];
   for (int h : hits) EXPECT_NEAR(h, 10000, 400);

@@ -13,10 +13,6 @@
 namespace taut {
 namespace {
 
-using detail::compare_segment_distances;
-using detail::segment_distance;
-using detail::segment_distance_interval;
-
 TEST(SegmentDistance, IsZeroWhereSegmentsMeet) {
   EXPECT_EQ(segment_distance({{0, 0}, {2, 2}}, {{0, 2}, {2, 0}}), 0);
   EXPECT_EQ(segment_distance({{0, 0}, {2, 2}}, {{2, 2}, {3, 0}}), 0);

@@ -77,7 +77,7 @@ TEST(WrittenNumber, AddsAsPeopleDo) {
 }
 
 mpq_class exact_area(Point a, Point b, Point c) {
-  const detail::ExactPoint p(a), q(b), r(c);
+  const ExactPoint p(a), q(b), r(c);
   return (p.x - r.x) * (q.y - r.y) - (p.y - r.y) * (q.x - r.x);
 }
 
@@ -127,7 +127,7 @@ TEST(WrittenCircle, SaysWhatTheDecimalsSay) {
       step += 1 + static_cast<int>(engine() % 3);
     }
     if (k % 2 == 0) p[3].x = std::nextafter(p[3].x, k % 4 == 0 ? 1e9 : -1e9);
-    const detail::ExactPoint a(p[0]), b(p[1]), c(p[2]), d(p[3]);
+    const ExactPoint a(p[0]), b(p[1]), c(p[2]), d(p[3]);
     const mpq_class ax = a.x - d.x, ay = a.y - d.y, bx = b.x - d.x, by = b.y - d.y, cx = c.x - d.x, cy = c.y - d.y;
     const mpq_class det = (ax * ax + ay * ay) * (bx * cy - by * cx) - (bx * bx + by * by) * (ax * cy - ay * cx) +
                           (cx * cx + cy * cy) * (ax * by - ay * bx);

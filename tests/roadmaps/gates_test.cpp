@@ -29,7 +29,7 @@ struct Rational {
   friend bool operator==(const Rational& a, const Rational& b) { return a.x == b.x && a.y == b.y; }
 };
 
-Rational rational(Point p) { return {detail::meaning(p.x), detail::meaning(p.y)}; }
+Rational rational(Point p) { return {meaning(p.x), meaning(p.y)}; }
 Rational minus(const Rational& a, const Rational& b) { return {a.x - b.x, a.y - b.y}; }
 mpq_class dot(const Rational& a, const Rational& b) { return a.x * b.x + a.y * b.y; }
 
@@ -76,7 +76,7 @@ Named brute_force(const Gates& gates) {
     for (const Point end : {from.a, from.b})
       for (std::uint32_t c = 0; c < all.size(); ++c) {
         const Rational p = rational(end), q = nearest(p, all[c].a, all[c].b);
-        const Point foot{detail::nearest_double(q.x), detail::nearest_double(q.y)};
+        const Point foot{nearest_double(q.x), nearest_double(q.y)};
         const bool foot_is_end = q == rational(all[c].a) || q == rational(all[c].b);
         const bool here = is_wall_end(end), there = foot_is_end ? is_wall_end(foot) : !gates.is_opening(c);
         if (p == q || (!here && !there) || !is_empty(p, q)) continue;

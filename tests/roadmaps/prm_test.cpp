@@ -58,7 +58,7 @@ bool joins(const Roadmap& graph, Point p, Point q) {
 
 /// The squared distance of p and the segment a b, as a fraction.
 mpq_class squared_distance(Point p, Point a, Point b) {
-  const detail::ExactPoint at(p), from(a), to(b);
+  const ExactPoint at(p), from(a), to(b);
   const mpq_class ux = to.x - from.x, uy = to.y - from.y;
   const mpq_class length = ux * ux + uy * uy;
   mpq_class t = length == 0 ? mpq_class(0) : mpq_class(((at.x - from.x) * ux + (at.y - from.y) * uy) / length);
@@ -83,7 +83,7 @@ RC_GTEST_PROP(Prm, HasOnlyEdgesThatTheCheckAcceptsAndThatKeepTheClearance, ()) {
   const FreeSpace space = world.space();
   const PrmOptions options = any_options();
   const Roadmap graph = prm(space, options);
-  const mpq_class least = detail::meaning(options.clearance) * detail::meaning(options.clearance);
+  const mpq_class least = meaning(options.clearance) * meaning(options.clearance);
   for (Roadmap::Vertex v = 0; v < graph.vertex_count(); ++v) {
     const Point p = graph.point(v);
     for (const Constraint& c : space.constraints()) {

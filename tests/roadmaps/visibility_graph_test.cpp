@@ -134,7 +134,7 @@ Point any_point(int side) {
 }
 
 /// The star's sectors that the vertices of a graph at one point stand for, by the direction of their first triangle.
-std::uint32_t star_sector(const detail::Star& star, const Triangulation& mesh, const Triangulation::Sector& sector) {
+std::uint32_t star_sector(const Star& star, const Triangulation& mesh, const Triangulation::Sector& sector) {
   const auto& corners = mesh.triangles[sector.triangle];
   const auto i = static_cast<int>(std::find(corners.begin(), corners.end(), sector.vertex) - corners.begin());
   return star.sector_left_of(mesh.points[corners[Triangulation::ccw(i)]]);
@@ -155,7 +155,7 @@ bool joins(const VisibilityGraph& graph, Point p, Roadmap::Vertex v) {
   const auto& constraints = graph.space().constraints();
   const Triangulation& mesh = graph.space().triangulation();
   const Point q = graph.roadmap().point(v);
-  const detail::Star star = test::star(q, constraints);
+  const Star star = test::star(q, constraints);
   if (p != q && graph.kind() == VisibilityKind::reduced && !star.tangent(p)) return false;
   const auto reached = test::follow_from(test::star(p, constraints).free_sectors(), {p, q}, constraints);
   return std::binary_search(reached.begin(), reached.end(), star_sector(star, mesh, mesh.sectors[graph.sector(v)]));

@@ -39,19 +39,19 @@ std::string fault(const VoronoiRoadmap& map) {
   }
   for (const VoronoiEdge& e : map.edges()) {
     for (int i = 1; i < 8; ++i) {
-      const VoronoiCurve c = map.curve(e);
+      const Bezier c = map.curve(e);
       const double t = i / 8.0, s = 1 - t;
       const Point p{s * s * c.from.x + 2 * s * t * c.control.x + t * t * c.to.x,
                     s * s * c.from.y + 2 * s * t * c.control.y + t * t * c.to.y};
       if (space.locate(p).kind == Location::Kind::outside) {
-        if (detail::segment_distance({p, p}, map.segment(e.sites[0])) < slack(map, e)) continue;  // rounded
+        if (segment_distance({p, p}, map.segment(e.sites[0])) < slack(map, e)) continue;  // rounded
         return "edge outside at " + test::show(p);
       }
       const double clearance = space.clearance(p).distance;
       if (clearance < e.clearance - slack(map, e)) return "clearance of edge at " + test::show(p);
       for (const std::uint32_t s2 : e.sites) {
         const Segment site = map.segment(s2);
-        if (std::abs(detail::segment_distance({p, p}, site) - clearance) > slack(map, e))
+        if (std::abs(segment_distance({p, p}, site) - clearance) > slack(map, e))
           return "sites of edge at " + test::show(p);
       }
     }

@@ -43,7 +43,7 @@ bool disc_passes(const World& world, double r, Point from, Point to) {
 /// Least clearance at points along the path, by the triangulation; a straight edge can be narrowest in its middle.
 double sampled_clearance(const FreeSpace& space, const ClearancePath& path) {
   double least = HUGE_VAL;
-  for (const VoronoiCurve& c : path.curves)
+  for (const Bezier& c : path.curves)
     for (int i = 0; i <= 64; ++i) {
       const double t = i / 64.0, s = 1 - t;
       const Point p{s * s * c.from.x + 2 * s * t * c.control.x + t * t * c.to.x,

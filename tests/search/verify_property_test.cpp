@@ -78,11 +78,11 @@ std::uint32_t nearest_constraint(const std::vector<Point>& path, const std::vect
     for (std::size_t k = 0; k < path.size(); ++k) {
       const Segment leg{path[k], path[std::min(k + 1, path.size() - 1)]};
       const Constraint &c = constraints[i], &best = constraints[nearest];
-      if (detail::compare_segment_distances(leg, {c.a, c.b}, nearest_leg, {best.a, best.b}) >= 0) continue;
+      if (compare_segment_distances(leg, {c.a, c.b}, nearest_leg, {best.a, best.b}) >= 0) continue;
       nearest = i;
       nearest_leg = leg;
     }
-  distance = detail::segment_distance(nearest_leg, {constraints[nearest].a, constraints[nearest].b});
+  distance = segment_distance(nearest_leg, {constraints[nearest].a, constraints[nearest].b});
   return nearest;
 }
 

@@ -44,9 +44,13 @@ std::vector<Line> lines_of(const fs::path& file, const std::string& layer) {
   return lines;
 }
 
-std::vector<Line> sources() {
+/// Of all layers, and of one more folder when it is named.
+std::vector<Line> sources(const std::string& more = {}) {
   std::vector<Line> all;
-  for (const auto& [layer, allowed] : kMayInclude) {
+  std::set<std::string> layers;
+  for (const auto& [layer, allowed] : kMayInclude) layers.insert(layer);
+  if (!more.empty()) layers.insert(more);
+  for (const std::string& layer : layers) {
     const fs::path folder = fs::path(TAUT_SOURCE_DIR) / layer;
     if (!fs::exists(folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -81,6 +85,22 @@ TEST(Layers, IncludeOnlyDownwards) {
     if (!kMayInclude.at(line.layer).contains(match[1])) upward.push_back(line.place + ": " + match[1].str());
   }
   EXPECT_THAT(upward, IsEmpty());
+}
+
+/// Does the file lie in the folder; of a test the one that it mirrors?
+bool lies_in(const std::string& folder, const std::string& file) {
+  return file.starts_with(folder + "/") || file.starts_with("tests/" + folder + "/");
+}
+
+TEST(Layers, KeepWhatIsInDetailToTheFolderItLiesIn) {
+  const std::regex include(R"re(^\s*#\s*include\s*<taut/(.+)/detail/)re");
+  std::vector<std::string> strangers;
+  for (const Line& line : sources("tests")) {
+    std::smatch match;
+    if (line.place.starts_with("tests/support/") || !std::regex_search(line.text, match, include)) continue;
+    if (!lies_in(match[1], line.place)) strangers.push_back(line.place + ": " + line.text);
+  }
+  EXPECT_THAT(strangers, IsEmpty()) << "a neighbour needs a public header, or a room of its own";
 }
 
 TEST(Layers, AreIncludedByTheirFullNameOnly) {

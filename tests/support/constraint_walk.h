@@ -29,28 +29,27 @@ inline Constraints walls(std::initializer_list<Segment> segments) {
 inline std::optional<std::vector<std::uint32_t>> touched(const Segment& leg, const Constraints& constraints) {
   std::vector<std::uint32_t> result;
   for (std::uint32_t i = 0; i < constraints.size(); ++i) {
-    const auto kind = detail::contact(leg, constraints[i]);
-    if (kind == detail::Contact::cross) return std::nullopt;
-    if (kind == detail::Contact::touch) result.push_back(i);
+    const auto kind = contact(leg, constraints[i]);
+    if (kind == Contact::cross) return std::nullopt;
+    if (kind == Contact::touch) result.push_back(i);
   }
   return result;
 }
 
 /// The sectors of the star at the path's end that it can be in, `from` its start's; empty when it is blocked.
-inline detail::Sectors follow_from(detail::Sectors from, const std::vector<Point>& path,
-                                   const Constraints& constraints) {
+inline Sectors follow_from(Sectors from, const std::vector<Point>& path, const Constraints& constraints) {
   for (std::size_t i = 0; i + 1 < path.size() && !from.empty(); ++i) {
     const Segment leg{path[i], path[i + 1]};
     const auto touching = touched(leg, constraints);
     if (!touching) return {};
-    from = detail::pass(leg, from, constraints, *touching).sectors;
+    from = pass(leg, from, constraints, *touching).sectors;
   }
   return from;
 }
 
-inline detail::Star star(Point p, const Constraints& constraints) {
+inline Star star(Point p, const Constraints& constraints) {
   const auto touching = touched({p, p}, constraints);
-  return detail::star_at(p, constraints, *touching);
+  return star_at(p, constraints, *touching);
 }
 
 /// Can a path follow these points? (It starts where no constraint is, or in a sector that is not solid.)

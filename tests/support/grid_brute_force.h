@@ -60,14 +60,14 @@ inline std::vector<std::optional<Counts>> brute_force(const OccupancyGrid& g, Gr
   return cost;
 }
 
-inline OccupancyGrid random_grid(detail::Draws& draws, std::uint32_t most) {
+inline OccupancyGrid random_grid(Draws& draws, std::uint32_t most) {
   OccupancyGrid g{1 + draws.below(most), 1 + draws.below(most), {}};
   const std::uint32_t share = 5 + draws.below(50);
   for (std::uint32_t i = 0; i < g.width * g.height; ++i) g.blocked.push_back(draws.below(100) < share);
   return g;
 }
 
-inline GridPlace free_place(detail::Draws& draws, OccupancyGrid& g) {
+inline GridPlace free_place(Draws& draws, OccupancyGrid& g) {
   const std::uint32_t row = draws.below(g.height);
   const std::uint32_t column = draws.below(g.width);
   g.blocked[row * g.width + column] = 0;

@@ -26,8 +26,7 @@ inline bool flooded(const Gates& gates, Point s, Point g, double r, double side,
   const auto is_place = [&](Point p) {
     if (gates.space().locate(p).kind == Location::Kind::outside) return false;
     for (std::uint32_t c = 0; c < all.size(); ++c)
-      if (!gates.is_opening(c) && taut::detail::segment_distance_interval({p, p}, {all[c].a, all[c].b}).hi < r)
-        return false;
+      if (!gates.is_opening(c) && taut::segment_distance_interval({p, p}, {all[c].a, all[c].b}).hi < r) return false;
     return true;
   };
   const auto node = [&](Point p) { return std::lround(p.y / step) * (steps + 1) + std::lround(p.x / step); };
@@ -65,7 +64,7 @@ inline bool separates(const Gates& gates, const std::vector<BarrierPiece>& barri
     Point joint = here.a;
     double least = HUGE_VAL;
     for (const Point p : {here.a, here.b, next.a, next.b}) {
-      const double apart = detail::segment_distance({p, p}, here) + detail::segment_distance({p, p}, next);
+      const double apart = segment_distance({p, p}, here) + segment_distance({p, p}, next);
       if (apart < least) least = apart, joint = p;
     }
     if (least > 1e-9) return false;

@@ -178,7 +178,7 @@ SvgPath SvgLayers::edges(const Roadmap& roadmap) const {
 
 SvgPath SvgLayers::edges(const VoronoiRoadmap& diagram) const {
   SvgPath path(scale_);
-  std::vector<VoronoiCurve> curves;
+  std::vector<Bezier> curves;
   for (const VoronoiEdge& e : diagram.edges()) curves.push_back(diagram.curve(e));
   path.chain(curves);
   return path;

@@ -121,8 +121,8 @@ void SvgPath::bend(SvgScale::Dot control, SvgScale::Dot to) {
   at_ = to;
 }
 
-void SvgPath::chain(const std::vector<VoronoiCurve>& curves) {
-  for (const VoronoiCurve& c : curves) {
+void SvgPath::chain(const std::vector<Bezier>& curves) {
+  for (const Bezier& c : curves) {
     const SvgScale::Dot from = scale_.dot(c.from), control = scale_.dot(c.control), to = scale_.dot(c.to);
     if (!begun_ || from != at_) move(from);
     if (to == from) continue;

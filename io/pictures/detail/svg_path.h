@@ -49,7 +49,7 @@ class SvgPath {
   void segment(const Segment& s);  ///< a zero-length one draws its caps
   void chain(const Ring& points);  ///< open
   /// Open; what is bent stays a quadratic Bezier curve.
-  void chain(const std::vector<VoronoiCurve>& curves);
+  void chain(const std::vector<Bezier>& curves);
   /// On a circle of that radius (in the world), at most 180 degrees, counter-clockwise as the world has it.
   void arc(Point from, Point to, double radius, bool counter_clockwise);
   void ring(const Ring& ring);  ///< closed

@@ -22,7 +22,7 @@ int sign_of_roots(const mpq_class& p, const mpq_class& q, const mpq_class& r) {
 }  // namespace
 
 Spot::Spot(const ExactPoint& p) : exact(p) {
-  const Point q = taut::detail::nearest_point(p);
+  const Point q = taut::nearest_point(p);
   if (ExactPoint(q) == p) doubles = q;
 }
 
@@ -51,7 +51,7 @@ mpq_class squared_distance(const ExactPoint& a, const ExactPoint& b) {
 }
 
 ExactPoint crossing(const Spot& p, const Spot& q, Point a, Point b) {
-  if (p.doubles && q.doubles) return taut::detail::line_crossing({*p.doubles, *q.doubles}, {a, b});
+  if (p.doubles && q.doubles) return taut::line_crossing({*p.doubles, *q.doubles}, {a, b});
   const ExactPoint from(a), to(b);
   const mpq_class dx = q.exact.x - p.exact.x, dy = q.exact.y - p.exact.y, ex = to.x - from.x, ey = to.y - from.y;
   const mpq_class along = ((from.x - p.exact.x) * ey - (from.y - p.exact.y) * ex) / (dx * ey - dy * ex);

@@ -8,7 +8,7 @@
 
 namespace taut::bug::detail {
 
-using taut::detail::ExactPoint;
+using taut::ExactPoint;
 
 /// A point that is often, not always, a pair of doubles: predicates are quick when it is.
 struct Spot {

@@ -257,7 +257,7 @@ class Tangent {
   const Places& places_;
   const Spot goal_;
   const Options options_;
-  const Range range_;
+  const SensorRange range_;
   Logbook log_;
   Stand x_;
   mpq_class limit_;          // squared

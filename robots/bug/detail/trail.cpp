@@ -21,7 +21,7 @@ int side_between(const Tri& tri, std::uint32_t t, std::uint32_t next) {
 }  // namespace
 
 Point rounded(const Triangulation& tri, const Stand& stand) {
-  const Point nearest = taut::detail::nearest_point(stand.at);
+  const Point nearest = taut::nearest_point(stand.at);
   if (stand.kind != Stand::Kind::side) return nearest;
   const auto& c = tri.triangles[stand.t];
   // Free space is to the right of the sides when they are turned round.
@@ -33,10 +33,10 @@ Point rounded(const Triangulation& tri, const Stand& stand) {
                        [&](const Segment& s) { return written::orientation(s.a, s.b, p) <= 0; });
   };
   try {
-    const Point p = taut::detail::round_outward(stand.at, sides,
-                                                taut::detail::Unit(std::max(std::abs(nearest.x), std::abs(nearest.y))));
+    const Point p =
+        taut::round_outward(stand.at, sides, taut::DecimalUnit(std::max(std::abs(nearest.x), std::abs(nearest.y))));
     if (is_inside(p)) return p;
-  } catch (const taut::detail::TooFine&) {
+  } catch (const taut::TooFine&) {
   }
   // No double near it in the triangle: the nearer end of the side is one.
   const Point a = tri.points[c[Tri::ccw(stand.i)]], b = tri.points[c[Tri::cw(stand.i)]];

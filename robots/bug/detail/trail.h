@@ -21,7 +21,7 @@ class Trail {
     if (points_.back() != p) points_.push_back(p);
   }
   /// Counts what rounding the place can add to the length.
-  void add_rounding(const ExactPoint& exact, Point p) { rounding_ += 2 * taut::detail::displacement(exact, p); }
+  void add_rounding(const ExactPoint& exact, Point p) { rounding_ += 2 * taut::displacement(exact, p); }
 
   const std::vector<Point>& points() const { return points_; }
   double rounding() const { return rounding_; }

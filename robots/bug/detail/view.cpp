@@ -35,11 +35,11 @@ Point as_point(const ExactPoint& p) { return {p.x.get_d(), p.y.get_d()}; }
 
 }  // namespace
 
-Range::Range(double range) : value_(range), endless_(std::isinf(range)), squared_(endless_ ? 0 : range) {
+SensorRange::SensorRange(double range) : value_(range), endless_(std::isinf(range)), squared_(endless_ ? 0 : range) {
   squared_ *= squared_;
 }
 
-Sight::Sight(const Places& places, const Stand& stand, const Range& range)
+Sight::Sight(const Places& places, const Stand& stand, const SensorRange& range)
     : places_(places), stand_(stand), range_(range), origin_(stand.at) {
   look();
   for (std::uint32_t k = 0; k < pieces_.size(); ++k)
@@ -52,7 +52,7 @@ Sight::Sight(const Places& places, const Stand& stand, const Range& range)
 void Sight::look() {
   if (range_.value() == 0) return;
   const Tri& tri = places_.tri();
-  taut::detail::Expansion<SpotCoordinates, Sight> expansion(tri, *this);
+  taut::Expansion<SpotCoordinates, Sight> expansion(tri, *this);
   const auto out_of = [&](std::uint32_t t, int i) {
     for (int k = 0; k < 3; ++k)
       if (stand_.kind != Stand::Kind::vertex || k != i) vertex(t, k);

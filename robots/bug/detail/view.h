@@ -11,9 +11,9 @@
 namespace taut::bug::detail {
 
 /// A range, compared exactly.
-class Range {
+class SensorRange {
  public:
-  explicit Range(double range);
+  explicit SensorRange(double range);
 
   bool reaches(const mpq_class& squared) const { return endless_ || squared <= squared_; }
   bool reaches(const ExactPoint& from, const ExactPoint& to) const {
@@ -32,7 +32,7 @@ class Range {
 /// references.
 class Sight {
  public:
-  Sight(const Places& places, const Stand& stand, const Range& range);
+  Sight(const Places& places, const Stand& stand, const SensorRange& range);
 
   /// The corners seen at which the depth jumps: both sides at the corner lie to one hand of the ray to it. By vertex,
   /// ascending.
@@ -81,7 +81,7 @@ class Sight {
 
   const Places& places_;
   const Stand& stand_;
-  const Range& range_;
+  const SensorRange& range_;
   Spot origin_;
   std::vector<Piece> pieces_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> by_side_;  // 3 * t + i, index of a piece; sorted

@@ -19,10 +19,10 @@ struct CarSpace::Impl {
   /// Is the way free of these walls, and of all openings? `at` is the leg where it is.
   bool is_clear(const detail::PreparedLeg& leg, const Leg& at, const std::vector<detail::NearWall>& near) const;
 
-  taut::detail::GateWalls walls;
+  taut::WallIndex walls;
   CarShape shape;
   std::vector<std::uint32_t> openings;
-  taut::detail::BoxIndex opening_boxes;
+  taut::BoxIndex opening_boxes;
 };
 
 }  // namespace taut::car

@@ -70,10 +70,13 @@ class Table {
   std::size_t used_ = 0;
 };
 
-class Search {
+}  // namespace
+
+/// What CarSpace lets look at what it is made of.
+class DriveSearch {
  public:
-  Search(const CarSpace& space, const DriveQuery& query, const LegLattice& lattice, const Geodesic& geodesic,
-         PlannedDrive& result)
+  DriveSearch(const CarSpace& space, const DriveQuery& query, const LegLattice& lattice, const Geodesic& geodesic,
+              PlannedDrive& result)
       : space_(space),
         query_(query),
         lattice_(lattice),
@@ -197,7 +200,7 @@ class Search {
       return;
     }
     const auto which = static_cast<std::size_t>(node.pose.heading / lattice_.stride);
-    space_.impl().walls_near(reach_[which], node.pose.at, near_);
+    space_.impl_->walls_near(reach_[which], node.pose.at, near_);
     for (const Primitive& p : primitives_[which]) {
       const Leg leg{
           node.pose,
@@ -208,7 +211,7 @@ class Search {
       const double ahead = ahead_at_node(leg.to);
       if (!(ahead < 1e300)) continue;
       ++result_.tested;
-      if (space_.impl().is_clear(p.leg, leg, near_)) push({leg.to, length, ahead, index, leg.backward, false, true});
+      if (space_.impl_->is_clear(p.leg, leg, near_)) push({leg.to, length, ahead, index, leg.backward, false, true});
     }
   }
 
@@ -253,12 +256,10 @@ class Search {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
 };
 
-}  // namespace
-
 void search_drive(const CarSpace& space, const DriveQuery& query, const std::vector<LatticePose>& starts,
                   const LegLattice& lattice, const Geodesic& geodesic, const SearchLimits& limits,
                   PlannedDrive& result) {
-  Search(space, query, lattice, geodesic, result).run(starts, limits);
+  DriveSearch(space, query, lattice, geodesic, result).run(starts, limits);
 }
 
 }  // namespace taut::car::detail

@@ -69,7 +69,7 @@ class Belief {
   std::vector<Sample> samples_;
   std::vector<std::size_t> unknown_;  // walls, shuffled
   std::vector<std::uint32_t> parent_;
-  taut::detail::Draws draws_;
+  taut::Draws draws_;
   bool fresh_ = true;
 };
 

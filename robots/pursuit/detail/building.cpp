@@ -16,7 +16,7 @@ struct Box {
 
 class Architect {
  public:
-  Architect(int x_size, int y_size, taut::detail::Draws& draws)
+  Architect(int x_size, int y_size, taut::Draws& draws)
       : columns_(y_size), draws_(draws), walls_(static_cast<std::size_t>(x_size) * static_cast<std::size_t>(y_size)) {
     const int side = std::min(x_size, y_size);
     thick_ = std::clamp(side / 60, 1, 4);
@@ -85,7 +85,7 @@ class Architect {
   }
 
   int columns_;
-  taut::detail::Draws& draws_;
+  taut::Draws& draws_;
   std::vector<std::uint8_t> walls_;
   std::vector<Box> open_;
   int thick_, corridor_, door_;
@@ -93,7 +93,7 @@ class Architect {
 
 }  // namespace
 
-std::vector<std::uint8_t> building(int x_size, int y_size, taut::detail::Draws& draws) {
+std::vector<std::uint8_t> building(int x_size, int y_size, taut::Draws& draws) {
   return Architect(x_size, y_size, draws).build({{0, 0}, {x_size, y_size}});
 }
 

@@ -12,7 +12,7 @@ Cost floor_divided(Cost a, Cost b) { return a / b - ((a % b != 0) && ((a < 0) !=
 
 }  // namespace
 
-void RangeSearch::begin(const Range& range, std::vector<Cost> bounds) {
+void RangeSearch::begin(const CostRange& range, std::vector<Cost> bounds) {
   range_ = range;
   subjects_.assign(meetings_.size(), {});
   for (std::size_t i = 0; i < meetings_.size(); ++i)

@@ -28,7 +28,7 @@ class RangeSearch {
   };
 
   /// `bounds`: what is known of each meeting.
-  void begin(const Range& range, std::vector<Cost> bounds);
+  void begin(const CostRange& range, std::vector<Cost> bounds);
   void pass(Cost u);                       ///< one search; u in parts
   void absorb(const RangeSearch& beside);  ///< what another search has found about the same range
   Answer finish(
@@ -65,7 +65,7 @@ class RangeSearch {
 
   const std::vector<Meeting>& meetings_;
   ForwardSearch forward_;
-  Range range_;
+  CostRange range_;
   std::vector<Subject> subjects_;
   std::vector<int> latest_;  // for the meetings that a first search left
   std::vector<Cost> tried_;

@@ -7,7 +7,7 @@
 //
 // and the sum has no negative term. So each u gives a bound by one search with Dijkstra's algorithm in the plane,
 // without any clock: the seconds enter by t u and by k <= t. u need not be whole: it is counted in parts,
-// Workspace::parts to a unit. A `Range` lo..hi of m is searched with u = lo, over cells of cost >= lo, along ways that
+// Workspace::parts to a unit. A `CostRange` lo..hi of m is searched with u = lo, over cells of cost >= lo, along ways that
 // visit a cell of cost <= hi.
 #pragma once
 
@@ -23,7 +23,7 @@
 namespace taut::pursuit::detail {
 
 /// Of costs of the cheapest cell on a way.
-struct Range {
+struct CostRange {
   std::uint32_t lo = 0;
   std::uint32_t hi = 0;
 };
@@ -95,7 +95,7 @@ class ForwardSearch {
 
   /// `meetings` ascending, `latest` of Workspace::latest_for them; u in parts, not above range.lo. Offers the ways in
   /// time that it finds. The answers, one a meeting, hold until the next run.
-  const std::vector<Reach>& run(const Range& range, Cost u, const std::vector<Meeting>& meetings,
+  const std::vector<Reach>& run(const CostRange& range, Cost u, const std::vector<Meeting>& meetings,
                                 const std::vector<int>& latest);
   /// The way of the last run to a meeting's cell. Precondition: its bound is not kNoCost.
   std::vector<CellIndex> way_to(CellIndex cell) const;
@@ -115,7 +115,7 @@ class ForwardSearch {
 
   Worker& worker_;
   const Workspace& work_;
-  Range range_;
+  CostRange range_;
   Cost u_ = 0;
   const std::vector<int>* latest_ = nullptr;
   std::vector<Reach> reached_;
@@ -151,7 +151,7 @@ struct RangeBound {
 /// pruned by costs to meet for u = lo and for the `u` given, in parts, best one where the bound of the best meeting is
 /// highest. Gives bound (*) with u = lo, for every meeting among ways that are in time. Nothing when it would take more
 /// than so many labels.
-std::optional<RangeBound> search_labels(Worker& worker, const Range& range, const std::vector<Meeting>& meetings,
+std::optional<RangeBound> search_labels(Worker& worker, const CostRange& range, const std::vector<Meeting>& meetings,
                                         Cost u, std::size_t most_labels);
 
 }  // namespace taut::pursuit::detail

@@ -43,7 +43,7 @@ void ForwardSearch::begin(Query& query) {
   queue_.push(0, (std::uint64_t{from} << 1) | touched);
 }
 
-const std::vector<Reach>& ForwardSearch::run(const Range& range, Cost u, const std::vector<Meeting>& meetings,
+const std::vector<Reach>& ForwardSearch::run(const CostRange& range, Cost u, const std::vector<Meeting>& meetings,
                                              const std::vector<int>& latest) {
   range_ = range;
   u_ = u;

@@ -18,7 +18,7 @@ struct Ahead {
 
 class LabelSearch {
  public:
-  LabelSearch(Worker& worker, const Range& range, const Ahead& ahead, std::size_t most_labels)
+  LabelSearch(Worker& worker, const CostRange& range, const Ahead& ahead, std::size_t most_labels)
       : worker_(worker), work_(worker.work), range_(range), ahead_(ahead), most_labels_(most_labels) {}
 
   std::optional<RangeBound> run() {
@@ -113,7 +113,7 @@ class LabelSearch {
 
   Worker& worker_;
   const Workspace& work_;
-  const Range& range_;
+  const CostRange& range_;
   Ahead ahead_;
   std::size_t most_labels_;
   Cost base_ = 0;
@@ -127,7 +127,7 @@ class LabelSearch {
 
 }  // namespace
 
-std::optional<RangeBound> search_labels(Worker& worker, const Range& range, const std::vector<Meeting>& meetings,
+std::optional<RangeBound> search_labels(Worker& worker, const CostRange& range, const std::vector<Meeting>& meetings,
                                         Cost u, std::size_t most_labels) {
   const Workspace& work = worker.work;
   const std::vector<int> latest = work.latest_for(meetings, range.lo);

@@ -12,7 +12,7 @@
 
 namespace taut::roadblocks::detail {
 
-using taut::detail::Draws;
+using taut::Draws;
 
 /// What a car drives before it is stopped.
 struct Stretch {

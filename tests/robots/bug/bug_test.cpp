@@ -124,7 +124,7 @@ TEST(BugWorlds, OneThousandAreReachedOrProvenOutOfReachWithinTheBounds) {
   for (std::uint64_t seed = 1; worlds < 1000; ++seed) {
     const test::MessyWorld messy = test::messy_world(seed);
     const FreeSpace space(World(messy.parts), messy.footprint);
-    taut::detail::Draws draws(seed);
+    taut::Draws draws(seed);
     const auto free_point = [&] {
       for (;;) {
         const double x = draws.unit() * 10, y = draws.unit() * 10;

@@ -116,7 +116,7 @@ TEST(TangentBug, LeavesForCornersWithinItsRangeOnly) {
 TEST(TangentBug, IsTautAroundAConvexObstacleUnlessItTurnsBack) {
   int turned_back = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    taut::detail::Draws draws(seed);
+    taut::Draws draws(seed);
     std::vector<double> angles(3 + draws.below(9));
     for (double& a : angles) a = draws.unit() * 2 * std::numbers::pi;
     std::sort(angles.begin(), angles.end());
@@ -140,7 +140,7 @@ TEST(TangentBug, SeesWhatIsVisibleAndNothingBeyondItsRange) {
   for (std::uint64_t seed = 1; seed <= 150; ++seed) {
     const test::MessyWorld messy = test::messy_world(seed);
     const FreeSpace space(World(messy.parts), messy.footprint);
-    taut::detail::Draws draws(seed);
+    taut::Draws draws(seed);
     const double x = draws.unit() * 10, y = draws.unit() * 10;
     const Point from{x, y}, to{10 - x, 10 - y};
     if (space.locate(from).kind != Location::Kind::triangle || space.locate(to).kind == Location::Kind::outside)
@@ -167,7 +167,7 @@ TEST(TangentBug, TakesNoNoticeOfWhatItDoesNotSee) {
     test::MessyWorld messy = test::messy_world(seed);
     messy.footprint = Footprint::point();
     const FreeSpace space(World(messy.parts), messy.footprint);
-    taut::detail::Draws draws(seed);
+    taut::Draws draws(seed);
     const auto place = [&] {
       const double x = draws.unit() * 9, y = draws.unit() * 9;
       return Point{x, y};

@@ -21,7 +21,7 @@
 namespace taut::pursuit {
 namespace {
 
-using taut::detail::Draws;
+using taut::Draws;
 using taut::test::least_cost;
 
 /// Few cells, many seconds or few, costs of a kind that makes one part of the method or the other matter.

@@ -18,7 +18,7 @@ Pose driven(Pose pose, const std::vector<double>& controls) {
   return pose;
 }
 
-Pose any_pose(taut::detail::Draws& draws) {
+Pose any_pose(taut::Draws& draws) {
   const double x = draws.unit();
   const double y = draws.unit();
   const double heading = draws.unit();
@@ -26,7 +26,7 @@ Pose any_pose(taut::detail::Draws& draws) {
 }
 
 TEST(Steering, HitsTheHeadingAndMissesThePositionByLittle) {
-  taut::detail::Draws draws(1);
+  taut::Draws draws(1);
   int with_ways = 0;
   for (int i = 0; i < 400; ++i) {
     const Pose from = any_pose(draws), to = any_pose(draws);

@@ -38,7 +38,7 @@ std::vector<double> dijkstra(const ValueGrid& grid) {
   return least;
 }
 
-RoadMap clutter_map(taut::detail::Draws& draws) {
+RoadMap clutter_map(taut::Draws& draws) {
   std::vector<std::string> rows(26, "#" + std::string(30, '.') + "#");
   rows.front() = rows.back() = std::string(32, '#');
   for (int i = 0; i < 14; ++i) {
@@ -54,7 +54,7 @@ RoadMap clutter_map(taut::detail::Draws& draws) {
 }
 
 TEST(ValueIteration, AgreesToTheBitWithDijkstraOnItsOwnDiscretisation) {
-  taut::detail::Draws draws(3);
+  taut::Draws draws(3);
   for (int i = 0; i < 12; ++i) {
     const RoadMap map = clutter_map(draws);
     const WallReading reading = i % 3 == 0 ? WallReading::squares : WallReading::points;

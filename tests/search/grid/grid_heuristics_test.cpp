@@ -147,7 +147,7 @@ class HeuristicVerdictProperty : public testing::TestWithParam<GridMoves> {};
 
 TEST_P(HeuristicVerdictProperty, NamesTheWorstCellAndMoveThatBruteForceNames) {
   const GridMoves moves = GetParam();
-  detail::Draws draws(41 + static_cast<std::uint64_t>(moves));
+  Draws draws(41 + static_cast<std::uint64_t>(moves));
   int inadmissible = 0, inconsistent = 0;
   for (int round = 0; round < 1500; ++round) {
     OccupancyGrid grid = random_grid(draws, 10);

@@ -11,7 +11,7 @@
 namespace taut::test {
 namespace {
 
-std::vector<GridQuery> all_queries(detail::Draws& draws, GridMoves moves) {
+std::vector<GridQuery> all_queries(Draws& draws, GridMoves moves) {
   std::vector<GridQuery> queries;
   for (std::size_t i = 0; i < kGridAlgorithms; ++i) {
     const auto algorithm = static_cast<GridAlgorithm>(i);
@@ -33,7 +33,7 @@ class GridSearchProperty : public testing::TestWithParam<GridMoves> {};
 
 TEST_P(GridSearchProperty, FindsWhatBruteForceFindsOnRandomGrids) {
   const GridMoves moves = GetParam();
-  detail::Draws draws(20 + static_cast<std::uint64_t>(moves));
+  Draws draws(20 + static_cast<std::uint64_t>(moves));
   std::size_t found = 0, stopped = 0;
   for (int round = 0; round < 1500; ++round) {
     OccupancyGrid grid = random_grid(draws, 14);
@@ -71,7 +71,7 @@ TEST_P(GridSearchProperty, FindsWhatBruteForceFindsOnRandomGrids) {
 
 TEST_P(GridSearchProperty, CostsFromEveryCellAreThoseOfBruteForce) {
   const GridMoves moves = GetParam();
-  detail::Draws draws(77);
+  Draws draws(77);
   for (int round = 0; round < 300; ++round) {
     OccupancyGrid grid = random_grid(draws, 12);
     const GridPlace goal = free_place(draws, grid);
@@ -89,7 +89,7 @@ TEST_P(GridSearchProperty, CostsFromEveryCellAreThoseOfBruteForce) {
 // Larger and sparser than brute force could do.
 TEST_P(GridSearchProperty, SearchesAgreeOnLargerGrids) {
   const GridMoves moves = GetParam();
-  detail::Draws draws(5);
+  Draws draws(5);
   for (int round = 0; round < 60; ++round) {
     OccupancyGrid grid = random_grid(draws, 120);
     const GridPlace start = free_place(draws, grid), goal = free_place(draws, grid);
@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(Moves, GridSearchProperty,
 
 // The order of GridCost against squares, on counts that nearly tie.
 TEST(GridCost, AgreesWithSquaresOnRandomCounts) {
-  detail::Draws draws(3);
+  Draws draws(3);
   for (int round = 0; round < 200'000; ++round) {
     const Counts a{draws.below(1'000'000), draws.below(1'000'000)};
     const auto near = static_cast<std::int64_t>(std::uint32_t{draws.below(5)}) - 2;
