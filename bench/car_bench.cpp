@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include <taut/io/worlds/road_map.h>
+#include <taut/io/worlds/roadblock_map.h>
 #include <taut/robots/roadblocks/drivers.h>
 #include <taut/robots/roadblocks/peers.h>
 #include <taut/robots/roadblocks/value_iteration.h>
@@ -26,11 +26,11 @@ namespace {
 
 using namespace taut::roadblocks;
 
-std::optional<RoadMap> map_in(const std::string& file) {
+std::optional<RoadblockMap> map_in(const std::string& file) {
   if (!std::filesystem::exists(file)) return std::nullopt;
   std::stringstream text;
   text << std::ifstream(file).rdbuf();
-  return read_road_map(text.str(), file);
+  return read_roadblock_map(text.str(), file);
 }
 
 /// What the arrays replace: all states by the sweep before, one after the other.
@@ -66,7 +66,7 @@ Values plain_loop(const ValueGrid& grid) {
 }
 
 void sweep(benchmark::State& state, Values (*iterate)(const ValueGrid&)) {
-  const RoadMap map = *map_in(TAUT_DATA_DIR "/car/lane.txt");
+  const RoadblockMap map = *map_in(TAUT_DATA_DIR "/car/lane.txt");
   const ValueGrid grid(map.course, 0, WallReading::points, static_cast<int>(state.range(0)));
   if (iterate(grid).of != plain_loop(grid).of) return state.SkipWithError("not the values of the plain loop");
   int sweeps = 0;
@@ -87,7 +87,7 @@ BENCHMARK(BM_SweepPlainLoop)->Arg(1)->Arg(2)->Arg(4)->Unit(benchmark::kMilliseco
 BENCHMARK(BM_SweepAtOnce)->Arg(1)->Arg(2)->Arg(4)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_SweepInPlace)->Arg(1)->Arg(2)->Arg(4)->Unit(benchmark::kMillisecond);
 
-Drive driven(const RoadMap& map, const Sample& sample, const Peer* peer) {
+Drive driven(const RoadblockMap& map, const Sample& sample, const Peer* peer) {
   if (peer) {
     const auto driver = peer->make(map.course, WallReading::points, 1 + static_cast<std::uint64_t>(sample.number));
     return drive(map.course, sample.open, *driver, WallReading::points);

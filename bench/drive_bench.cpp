@@ -5,10 +5,10 @@
 #include <fstream>
 #include <sstream>
 
-#include <taut/io/worlds/road_map.h>
+#include <taut/io/worlds/roadblock_map.h>
 #include <taut/robots/roadblocks/detail/pose_distance.h>
 #include <taut/robots/roadblocks/drivers.h>
-#include <taut/robots/roadblocks/road_map_generator.h>
+#include <taut/robots/roadblocks/roadblock_map_generator.h>
 
 #include "shared_data.h"
 
@@ -18,16 +18,16 @@ namespace {
 constexpr WallReading kPoints = WallReading::points;
 
 /// 1, 2, 4: the course's maps, where they are; else a generated one of the same size.
-std::optional<RoadMap> map_of(std::int64_t which) {
-  if (which > 10) return generate_road_map({50, 50, 4, 10, static_cast<std::uint64_t>(which - 10)});
+std::optional<RoadblockMap> map_of(std::int64_t which) {
+  if (which > 10) return generate_roadblock_map({50, 50, 4, 10, static_cast<std::uint64_t>(which - 10)});
   const auto file = bench::shared_data("car/map_" + std::to_string(which) + ".txt");
   if (file.empty()) return std::nullopt;
   std::stringstream text;
   text << std::ifstream(file).rdbuf();
-  return read_road_map(text.str(), file.filename().string());
+  return read_roadblock_map(text.str(), file.filename().string());
 }
 
-Pose start_of(const RoadMap& map) { return {map.course.start.x, map.course.start.y, 0}; }
+Pose start_of(const RoadblockMap& map) { return {map.course.start.x, map.course.start.y, 0}; }
 
 void first_plan(benchmark::State& state) {
   const auto map = map_of(state.range(0));
@@ -35,7 +35,7 @@ void first_plan(benchmark::State& state) {
   std::size_t steps = 0, expanded = 0;
   for (auto _ : state) {
     LatticePlanner planner(map->course, kPoints);
-    const Plan* plan = planner.plan(start_of(*map), 0);
+    const DrivePlan* plan = planner.plan(start_of(*map), 0);
     if (!plan) return state.SkipWithError("no way");
     steps = plan->controls.size();
     expanded = planner.expanded();

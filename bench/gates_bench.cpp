@@ -34,8 +34,8 @@ void BM_Passage(benchmark::State& state) {
   const Gates gates{FreeSpace(thick_maze(cells))};
   const Point s{0.5, 0.5}, g{cells - 0.5, cells - 0.5};
   for (auto _ : state) {
-    const bool right = disc_passage(gates, s, g, 0.375).status == PassageStatus::reachable &&
-                       disc_passage(gates, s, g, 0.376).status == PassageStatus::start_blocked;
+    const bool right = disc_passage(gates, s, g, 0.375).status == DiscStatus::found &&
+                       disc_passage(gates, s, g, 0.376).status == DiscStatus::start_blocked;
     if (!right) state.SkipWithError("wrong answer");
   }
 }

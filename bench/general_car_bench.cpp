@@ -11,7 +11,7 @@
 #include <taut/geometry/maze_generator.h>
 #include <taut/robots/car/car_planner.h>
 #include <taut/robots/car/detail/prepared_leg.h>
-#include <taut/robots/car/drive_check.h>
+#include <taut/robots/car/verify_drive.h>
 
 namespace {
 
@@ -42,7 +42,7 @@ const std::vector<Case>& cases() {
       const double angle = draw(0, 6.28);
       const double size = drawn.size() % 2 == 0 ? 1 : 0.02;
       const Segment wall{a, {a.x + size * std::cos(angle), a.y + size * std::sin(angle)}};
-      if (fault_of(leg, kCar) || stand_meets(leg.from, kCar, wall)) continue;
+      if (validate(leg, kCar) || stand_meets(leg.from, kCar, wall)) continue;
       drawn.push_back({leg, wall, drive_meets(leg, kCar, wall)});
     }
     return drawn;
@@ -119,7 +119,7 @@ void BM_DriveThroughMaze(benchmark::State& state) {
     const CarSpace space(FreeSpace(world), kCar);
     drive = planned_drive(space, {.start = {0.5, 0.5}, .goals = {{cells - 0.5, cells - 0.5}}, .weight = 1.05});
   }
-  if (drive.status != SearchStatus::found || fault_of(drive.legs, FreeSpace(world), kCar))
+  if (drive.status != SearchStatus::found || verify_drive(drive.legs, FreeSpace(world), kCar))
     state.SkipWithError("wrong answer");
   state.counters["length"] = drive.length;
   state.counters["over_bound"] = drive.length / drive.lower_bound;

@@ -70,7 +70,7 @@ void search(benchmark::State& state, GridKind kind, GridAlgorithm algorithm) {
   const taut::GridQuery query{algorithm, taut::natural_heuristic(GridMoves::octile)};
   taut::GridResult result;
   for (auto _ : state) result = engine.find(t.start, t.goal, query);
-  const taut::GridPathCheck check = grid_path_check(t.grid, GridMoves::octile, t.start, t.goal, result.path);
+  const taut::GridPathVerdict check = verify_grid_path(t.grid, GridMoves::octile, t.start, t.goal, result.path);
   const taut::GridCost least = least_cost(kind);
   if (!check.fault.empty() || check.cost != result.cost || result.cost < least ||
       (result.optimal && result.cost != least))

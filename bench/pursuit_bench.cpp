@@ -35,13 +35,13 @@ void run_planner(benchmark::State& state, const char* name, ChaseMap (*make)(int
   const Chase chase = chase_of(map, Clock::zero);
   const NamedPlanner& planner = *chase_planner(name);
   const Cost bound = exact_plan(chase).bound;  // the optimum, unless the labels of the exact planner ran out
-  Plan plan;
+  ChasePlan plan;
   for (auto _ : state) plan = planner.plan(chase, {}, nullptr);
-  if (plan.status == PlanStatus::stopped) {  // `entry`, when its one way of least cost is late everywhere
+  if (plan.status == SearchStatus::stopped) {  // `entry`, when its one way of least cost is late everywhere
     state.SetLabel("no plan");
     return;
   }
-  if (plan.status != PlanStatus::found || !fault_of(plan, chase).empty() || plan.cost < bound ||
+  if (plan.status != SearchStatus::found || !verify_plan(plan, chase).empty() || plan.cost < bound ||
       (plan.optimal && plan.cost != bound))
     state.SkipWithError("a wrong plan");
   state.counters["over_bound"] = static_cast<double>(plan.cost) / static_cast<double>(bound);

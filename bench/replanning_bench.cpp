@@ -105,7 +105,7 @@ std::vector<int> look(const Grid& truth, Grid& known, int at) {
   return seen;
 }
 
-struct Plan {
+struct DrivePlan {
   int cost = kNoPath;
   std::vector<int> path;
   std::size_t expanded = 0;
@@ -116,9 +116,9 @@ class AStar {
  public:
   explicit AStar(const Grid& grid) : cost_(grid.blocked.size()), round_(cost_.size()), before_(cost_.size()) {}
 
-  Plan operator()(const Grid& grid, int start, int goal) {
+  DrivePlan operator()(const Grid& grid, int start, int goal) {
     ++now_;
-    Plan plan;
+    DrivePlan plan;
     std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
     put(start, 0, start);
     open.push({grid.heuristic(start, goal), grid.heuristic(start, goal), start});
@@ -195,7 +195,7 @@ Walk walk_with_astar(const Grid& truth, int start, int goal, bool only_when_bloc
   AStar astar(known);
   look(truth, known, start);
   Walk walk;
-  Plan plan;
+  DrivePlan plan;
   bool is_due = true;
   for (int at = start; at != goal;) {
     if (is_due) {

@@ -28,7 +28,7 @@ void BM_TangentGraph(benchmark::State& state) {
     legs = graph.leg_count();
   }
   const Gates gates{FreeSpace(world)};
-  if (result.status != ArcStatus::found || !verify_arcs(result.path, gates, {0.5, 0.5}, corner(cells)).valid)
+  if (result.status != DiscStatus::found || !verify_arcs(result.path, gates, {0.5, 0.5}, corner(cells)).valid)
     state.SkipWithError("wrong answer");
   state.counters["legs"] = static_cast<double>(legs);
   state.counters["length"] = result.path.value();
@@ -38,7 +38,7 @@ void BM_Query(benchmark::State& state) {
   const int cells = static_cast<int>(state.range(0));
   const TangentGraph graph(FreeSpace(opened_maze(cells, 0.1)), kRadius);
   for (auto _ : state)
-    if (arc_search(graph, {0.5, 0.5}, corner(cells)).status != ArcStatus::found) state.SkipWithError("wrong answer");
+    if (arc_search(graph, {0.5, 0.5}, corner(cells)).status != DiscStatus::found) state.SkipWithError("wrong answer");
 }
 
 /// Its length is at most 0.121 % of the radius an arc longer, and never shorter.

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <taut/geometry/detail/outline.h>
-#include <taut/geometry/detail/polygon_gate.h>
+#include <taut/geometry/detail/polygon_validation.h>
 #include <taut/geometry/detail/room_cut.h>
 #include <taut/geometry/text.h>
 #include <taut/geometry/written.h>

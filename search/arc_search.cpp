@@ -39,7 +39,7 @@ class ArcQuery {
       expand(next.node);
     }
     if (!labels_[end_].found) return result;
-    result.status = ArcStatus::found;
+    result.status = DiscStatus::found;
     result.path = path();
     return result;
   }
@@ -208,15 +208,15 @@ class ArcQuery {
 
 ArcSearchResult arc_search(const TangentGraph& graph, Point s, Point g) {
   const TangentWalls& walls = graph.parts().walls;
-  const auto blocked = [&](Point p, ArcStatus status) -> std::optional<ArcSearchResult> {
+  const auto blocked = [&](Point p, DiscStatus status) -> std::optional<ArcSearchResult> {
     if (walls.space().locate(p).kind == Location::Kind::outside) return ArcSearchResult{status, {}, kNone, 0};
     const std::uint32_t wall = walls.too_near(p);
     if (wall == kNone) return std::nullopt;
     return ArcSearchResult{status, {}, wall, 0};
   };
-  if (auto at_start = blocked(s, ArcStatus::start_blocked)) return *at_start;
-  if (auto at_goal = blocked(g, ArcStatus::goal_blocked)) return *at_goal;
-  if (s == g) return {ArcStatus::found, {graph.radius(), s, g, {}, {}}, kNone, 0};
+  if (auto at_start = blocked(s, DiscStatus::start_blocked)) return *at_start;
+  if (auto at_goal = blocked(g, DiscStatus::goal_blocked)) return *at_goal;
+  if (s == g) return {DiscStatus::found, {graph.radius(), s, g, {}, {}}, kNone, 0};
   return ArcQuery(graph.parts(), s, g).search();
 }
 

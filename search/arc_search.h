@@ -6,20 +6,13 @@
 
 #include <taut/roadmaps/tangent_graph.h>
 #include <taut/search/arc_path.h>
+#include <taut/search/search_status.h>
 
 namespace taut {
 
-/// How a search for a disc's path ended.
-enum class ArcStatus {
-  found,          ///< `path` is the shortest
-  none,           ///< there is no path, proven
-  start_blocked,  ///< the disc cannot be at the start: outside, or nearer than its radius to `wall`
-  goal_blocked,   ///< likewise at the goal; the start is sound
-};
-
 /// The answer, and what it took.
 struct ArcSearchResult {
-  ArcStatus status = ArcStatus::none;
+  DiscStatus status = DiscStatus::none;
   ArcPath path;  ///< when found
   /// When an end is blocked: the nearest constraint, the lowest of equals; kNone when it is outside
   std::uint32_t wall = kNone;

@@ -138,8 +138,8 @@ std::optional<Barrier> disc_barrier(const World& world, Point start, const std::
   std::optional<Barrier> found;
   for (const Point goal : goals) {
     const DiscPassage passage = disc_passage(gates, start, goal, r);
-    if (passage.status == PassageStatus::reachable) return std::nullopt;
-    if (!found && passage.status == PassageStatus::separated) found = barrier_of(gates, passage.barrier);
+    if (passage.status == DiscStatus::found) return std::nullopt;
+    if (!found && passage.status == DiscStatus::none) found = barrier_of(gates, passage.barrier);
   }
   return found;
 }

@@ -69,7 +69,7 @@ void ClearancePlanner::prove_none(ClearanceAnswer& answer) const {
     return;
   }
   answer.passage = disc_passage(gates_, start_, goal_, r);
-  if (answer.passage->status == PassageStatus::reachable) return doubt(answer, Doubt::disagree);
+  if (answer.passage->status == DiscStatus::found) return doubt(answer, Doubt::disagree);
   answer.barrier = barrier_of(gates_, answer.passage->barrier);
 }
 
@@ -100,7 +100,7 @@ bool ClearancePlanner::is_followed(const ClearancePath& way) const {
 bool ClearancePlanner::gates_agree(const ClearanceAnswer& answer) const {
   if (answer.query.kind == Kind::at_least)
     return answer.query.clearance == 0 ||
-           disc_passage(gates_, start_, goal_, answer.query.clearance).status == PassageStatus::reachable;
+           disc_passage(gates_, start_, goal_, answer.query.clearance).status == DiscStatus::found;
   const double r = answer.found.back().clearance;
   const auto widest = widest_passage(gates_, start_, goal_);
   // The one is rounded to nearest, the other down.

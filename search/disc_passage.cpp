@@ -120,12 +120,12 @@ Ends limit_of_ends(const Gates& gates, Point s, Point g) {
 }  // namespace
 
 DiscPassage disc_passage(const Gates& gates, Point s, Point g, double r) {
-  if (auto wall = blocked_at(gates, s, r)) return {PassageStatus::start_blocked, std::move(*wall)};
-  if (auto wall = blocked_at(gates, g, r)) return {PassageStatus::goal_blocked, std::move(*wall)};
+  if (auto wall = blocked_at(gates, s, r)) return {DiscStatus::start_blocked, std::move(*wall)};
+  if (auto wall = blocked_at(gates, g, r)) return {DiscStatus::goal_blocked, std::move(*wall)};
   const mpq_class diameter = 2 * meaning(r);
   auto chain = detail::separating_chain(gates, s, g, count_narrower(gates, diameter * diameter));
   if (!chain) return {};
-  return {PassageStatus::separated, std::move(chain->pieces)};
+  return {DiscStatus::none, std::move(chain->pieces)};
 }
 
 DiscPassage disc_passage(const FreeSpace& space, Point s, Point g, double r) {

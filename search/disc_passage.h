@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <taut/roadmaps/gates.h>
+#include <taut/search/search_status.h>
 
 namespace taut {
 
@@ -17,17 +18,9 @@ struct BarrierPiece {
   friend bool operator==(const BarrierPiece&, const BarrierPiece&) = default;
 };
 
-/// Where a disc can go.
-enum class PassageStatus {
-  reachable,      ///< a path exists
-  separated,      ///< none exists: walls and gates stand between
-  start_blocked,  ///< the disc cannot be at the start: outside, or too near a wall
-  goal_blocked,   ///< likewise at the goal; the start is sound
-};
-
 /// The answer, and what proves it when it is no.
 struct DiscPassage {
-  PassageStatus status = PassageStatus::reachable;
+  DiscStatus status = DiscStatus::found;
   /// When separated: the closed chain that separates, in order. Its gates are narrower than the disc; the widest of
   /// them is the narrowest possible. When an end is blocked: the wall nearest to it; empty when it is outside.
   std::vector<BarrierPiece> barrier;

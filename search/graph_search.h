@@ -11,15 +11,9 @@
 #include <taut/roadmaps/roadmap.h>
 #include <taut/search/graph_method.h>
 #include <taut/search/path.h>
+#include <taut/search/search_status.h>
 
 namespace taut {
-
-/// How a search ended.
-enum class SearchStatus {
-  found,    ///< there is a path; that it is the shortest in the graph is proven where `optimal` says so
-  none,     ///< the whole reachable part was searched: there is no path
-  stopped,  ///< a limit was reached first
-};
 
 /// Limits of one search; the default has none.
 struct SearchLimits {

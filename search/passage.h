@@ -17,7 +17,7 @@ struct Passage {
   std::optional<DiscPassage> asked;     ///< of `radius`
   Barrier barrier;                      ///< against `radius`, else against any larger disc, else against a point
 
-  bool gets_through() const { return asked ? asked->status == PassageStatus::reachable : widest.has_value(); }
+  bool gets_through() const { return asked ? asked->status == DiscStatus::found : widest.has_value(); }
   /// What does not get through has a chain of walls and gates in its way; without one nothing is proven.
   bool is_proven() const { return gets_through() || !barrier.walls.empty() || !barrier.gates.empty(); }
 };

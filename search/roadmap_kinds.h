@@ -43,7 +43,7 @@ struct RoadmapKind {
   enum class Keeping {
     none,     ///< vertices and edges are not all there is to it
     rebuilt,  ///< it is what the world gives, nothing else: built anew and compared, vertex for vertex, edge for edge
-    as_prm,   ///< any roadmap whose vertices are clear and whose edges are free (fault_of)
+    as_prm,   ///< any roadmap whose vertices are clear and whose edges are free (verify_roadmap)
   };
 
   const char* name;   ///< on the command line and in files, one word

@@ -29,13 +29,13 @@ struct QuadraticNumber {
   }
 };
 
-struct Place {
+struct ExactPosition {
   QuadraticNumber x, y;
-  Place operator-(const Place& o) const { return {x - o.x, y - o.y}; }
+  ExactPosition operator-(const ExactPosition& o) const { return {x - o.x, y - o.y}; }
 };
 
-QuadraticNumber dot(const Place& u, const Place& v) { return u.x * v.x + u.y * v.y; }
-QuadraticNumber cross(const Place& u, const Place& v) { return u.x * v.y - u.y * v.x; }
+QuadraticNumber dot(const ExactPosition& u, const ExactPosition& v) { return u.x * v.x + u.y * v.y; }
+QuadraticNumber cross(const ExactPosition& u, const ExactPosition& v) { return u.x * v.y - u.y * v.x; }
 
 struct End {
   Point at;
@@ -51,11 +51,12 @@ class ExactLeg {
     const mpq_class k = meaning(r) * (q.turn - p.turn);
     root_ = d2 - k * k;
     if (sgn(d2) == 0 || sgn(root_) < 0) return;
-    const Place normal{QuadraticNumber{k * dx / d2, -dy / d2, &root_}, QuadraticNumber{k * dy / d2, dx / d2, &root_}};
+    const ExactPosition normal{QuadraticNumber{k * dx / d2, -dy / d2, &root_},
+                               QuadraticNumber{k * dy / d2, dx / d2, &root_}};
     const auto touch = [&](const End& end) {
       const QuadraticNumber s = number(meaning(r) * end.turn), ex = number(meaning(end.at.x)),
                             ey = number(meaning(end.at.y));
-      return Place{ex - s * normal.x, ey - s * normal.y};
+      return ExactPosition{ex - s * normal.x, ey - s * normal.y};
     };
     from_ = touch(p);
     to_ = touch(q);
@@ -65,19 +66,19 @@ class ExactLeg {
   ExactLeg& operator=(const ExactLeg&) = delete;
 
   bool exists() const { return exists_; }
-  const Place& from() const { return *from_; }
-  const Place& to() const { return *to_; }
+  const ExactPosition& from() const { return *from_; }
+  const ExactPosition& to() const { return *to_; }
   const mpq_class& root() const { return root_; }
-  Place place(Point p) const { return {number(meaning(p.x)), number(meaning(p.y))}; }
+  ExactPosition place(Point p) const { return {number(meaning(p.x)), number(meaning(p.y))}; }
   QuadraticNumber number(const mpq_class& v) const { return {v, 0, &root_}; }
 
   bool keeps_away(const Segment& wall) const {
-    const Place a = place(wall.a), b = place(wall.b);
+    const ExactPosition a = place(wall.a), b = place(wall.b);
     return far(a, *from_, *to_) && far(b, *from_, *to_) && far(*from_, a, b) && far(*to_, a, b) && !crosses(a, b);
   }
   /// Goes from one side of the segment's inside to the other, or into the wrong one.
   bool crosses_opening(const Constraint& c) const {
-    const Place a = place(c.a), b = place(c.b);
+    const ExactPosition a = place(c.a), b = place(c.b);
     const int solid = c.solid_left ? 1 : -1;
     if (side(*from_, *to_, a) * side(*from_, *to_, b) >= 0) return false;
     const int s = side(a, b, *from_), t = side(a, b, *to_);
@@ -85,13 +86,15 @@ class ExactLeg {
   }
 
  private:
-  static int side(const Place& a, const Place& b, const Place& p) { return cross(b - a, p - a).sign(); }
-  bool crosses(const Place& a, const Place& b) const {
+  static int side(const ExactPosition& a, const ExactPosition& b, const ExactPosition& p) {
+    return cross(b - a, p - a).sign();
+  }
+  bool crosses(const ExactPosition& a, const ExactPosition& b) const {
     return side(*from_, *to_, a) * side(*from_, *to_, b) < 0 && side(a, b, *from_) * side(a, b, *to_) < 0;
   }
   /// |p - segment a b| >= r.
-  bool far(const Place& p, const Place& a, const Place& b) const {
-    const Place u = b - a, v = p - a, w = p - b;
+  bool far(const ExactPosition& p, const ExactPosition& a, const ExactPosition& b) const {
+    const ExactPosition u = b - a, v = p - a, w = p - b;
     const QuadraticNumber r2 = number(r2_);
     if (dot(u, v).sign() <= 0) return (dot(v, v) - r2).sign() >= 0;
     if (dot(u, w).sign() >= 0) return (dot(w, w) - r2).sign() >= 0;
@@ -99,15 +102,15 @@ class ExactLeg {
     return (area * area - r2 * dot(u, u)).sign() >= 0;
   }
   /// The point is on the end's circle, the leg perpendicular to its radius, the centre on the right side.
-  bool touches(const End& end, const Place& at, double) const {
-    const Place radius = at - place(end.at), way = *to_ - *from_;
+  bool touches(const End& end, const ExactPosition& at, double) const {
+    const ExactPosition radius = at - place(end.at), way = *to_ - *from_;
     if (end.turn == 0) return dot(radius, radius).sign() == 0;
     if ((dot(radius, radius) - number(r2_)).sign() != 0 || dot(radius, way).sign() != 0) return false;
     return sgn(root_) == 0 || cross(way, radius).sign() * end.turn < 0;
   }
 
   mpq_class r2_, root_;
-  std::optional<Place> from_, to_;
+  std::optional<ExactPosition> from_, to_;
   bool exists_ = false;
 };
 
@@ -116,7 +119,7 @@ struct Fine {
   mpf_class x, y;
 };
 mpf_class fine(double v) { return mpf_class(meaning(v), kBits); }
-Fine fine(const Place& p) {
+Fine fine(const ExactPosition& p) {
   const mpf_class root = sqrt(mpf_class(*p.x.c, kBits));
   return {mpf_class(p.x.a, kBits) + mpf_class(p.x.b, kBits) * root,
           mpf_class(p.y.a, kBits) + mpf_class(p.y.b, kBits) * root};
@@ -180,11 +183,11 @@ class Arc {
  private:
   static mpf_class tiny() { return mpf_class("1e-100", kBits); }
   int turn_from(const mpq_class& x, const mpq_class& y) const {
-    const Place radius = in_.to() - in_.place(end_.at);
+    const ExactPosition radius = in_.to() - in_.place(end_.at);
     return end_.turn * cross(radius, {in_.number(x), in_.number(y)}).sign();
   }
   int turn_to(const mpq_class& x, const mpq_class& y) const {
-    const Place radius = out_.from() - out_.place(end_.at);
+    const ExactPosition radius = out_.from() - out_.place(end_.at);
     return end_.turn * cross({out_.number(x), out_.number(y)}, radius).sign();
   }
   /// Is the direction strictly within one of the halves, or the middle itself?

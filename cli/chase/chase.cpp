@@ -113,7 +113,9 @@ int run(const ChaseOptions& options, Run& run) {
   const ChaseMap map = run.stage("read", [&] { return read_chase_file(options.file); });
   if (map.rounded()) note(fmt::format("taut: {}: costs have more digits than fit and were rounded", map.source()));
   const ChaseRequest request = request_of(options);
-  const auto hear = [&](const Plan& plan) { run.so_far(chase_plan_json(map, request, plan), plan_text(map, plan)); };
+  const auto hear = [&](const ChasePlan& plan) {
+    run.so_far(chase_plan_json(map, request, plan), plan_text(map, plan));
+  };
   hear({});
   const ChaseRun chase = run.stage("chase", [&] { return run_chase(map, request, hear); });
   Json json = checked_json(map, chase);

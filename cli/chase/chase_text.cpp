@@ -17,7 +17,7 @@ std::string cell_text(Cell c) { return fmt::format("({}, {})", c.x, c.y); }
 std::string headline(const ChaseMap& map, const ChaseRun& run) {
   if (!run.is_caught()) return (run.is_hopeless() ? "the target cannot be caught: " : "not caught: ") + run.why_not();
   const std::string where = "caught at " + cell_text(map.cell(run.result.track.back().cell));
-  if (run.request.horizon && run.plan.status == PlanStatus::found)
+  if (run.request.horizon && run.plan.status == SearchStatus::found)
     return where + fmt::format("; seeing {} ahead it costs {:.3f} times {} who knows all",
                                count_text(static_cast<std::size_t>(*run.request.horizon), "second"),
                                run.ratio().value_or(1), run.plan.optimal ? "the optimum of one" : "what somebody pays");
@@ -47,8 +47,8 @@ std::string track_text(const ChaseMap& map, const ChaseRun& run) {
   return text;
 }
 
-std::string plan_text(const ChaseMap& map, const Plan& plan) {
-  return plan.status == PlanStatus::found
+std::string plan_text(const ChaseMap& map, const ChasePlan& plan) {
+  return plan.status == SearchStatus::found
              ? fmt::format("{}: stopped; the best plan so far costs {}, the least cost is at least {}\n",
                            title_of(map.source()), map.cost_text(plan.cost), map.cost_text(plan.bound))
              : "";

@@ -14,6 +14,6 @@ std::string chase_text(const pursuit::ChaseMap& map, const pursuit::ChaseRun& ru
 std::string track_text(const pursuit::ChaseMap& map, const pursuit::ChaseRun& run);
 
 /// Of the best plan when the planner is stopped; empty where there is none.
-std::string plan_text(const pursuit::ChaseMap& map, const pursuit::Plan& plan);
+std::string plan_text(const pursuit::ChaseMap& map, const pursuit::ChasePlan& plan);
 
 }  // namespace taut::cli

@@ -13,14 +13,14 @@
 #include <taut/cli/report.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/pictures/drive_svg.h>
-#include <taut/io/worlds/road_map.h>
+#include <taut/io/worlds/roadblock_map.h>
 #include <taut/robots/roadblocks/value_planner.h>
 
 namespace taut::cli {
 
 namespace {
 
-std::vector<roadblocks::Sample> chosen_samples(const DriveOptions& options, const roadblocks::RoadMap& map,
+std::vector<roadblocks::Sample> chosen_samples(const DriveOptions& options, const roadblocks::RoadblockMap& map,
                                                const std::string& name) {
   if (!options.bits.empty()) return {{0, roadblocks_of(options.bits, map.course, "--open")}};
   if (options.all && map.samples.empty()) throw InputError(name, 0, "has no samples for --all; give --open BITS");
@@ -155,9 +155,9 @@ std::string planner_name(const DriveOptions& options) {
 }
 
 int drive_on_map(const DriveOptions& options, std::string_view bytes, const std::string& source, Run& run) {
-  const roadblocks::RoadMap map = run.stage("read", [&] {
-    require_road_map(bytes, source);
-    roadblocks::RoadMap read = read_road_map(bytes, source);
+  const roadblocks::RoadblockMap map = run.stage("read", [&] {
+    require_roadblock_map(bytes, source);
+    roadblocks::RoadblockMap read = read_roadblock_map(bytes, source);
     roadblocks::require_start_free(read.course, options.walls, source);
     return read;
   });

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include <taut/io/worlds/road_map.h>
+#include <taut/io/worlds/roadblock_map.h>
 
 namespace taut::cli {
 

@@ -14,7 +14,7 @@
 #include <taut/io/pictures/car_svg.h>
 #include <taut/io/results/barrier_words.h>
 #include <taut/io/results/drive_json.h>
-#include <taut/robots/car/drive_check.h>
+#include <taut/robots/car/verify_drive.h>
 #include <taut/search/no_path.h>
 #include <taut/search/voronoi_search.h>
 
@@ -98,7 +98,7 @@ class Driver {
   }
 
   void check(const car::CarSpace& space) const {
-    const auto fault = car::fault_of(drive_.legs, space.space(), *options_.car);
+    const auto fault = car::verify_drive(drive_.legs, space.space(), *options_.car);
     if (fault) throw std::logic_error(fmt::format("the drive's leg {} {}", fault->leg, fault->text));
   }
 
@@ -166,7 +166,7 @@ class Driver {
 
 }  // namespace
 
-void require_road_map(std::string_view bytes, const std::string& name) {
+void require_roadblock_map(std::string_view bytes, const std::string& name) {
   if (file_kind(bytes) == FileKind::world)
     throw InputError(name, 0,
                      "is no roadblock map but a world; say which car drives there: --car length=L,width=W,radius=R");

@@ -39,7 +39,7 @@ struct DriveOutput {
 /// Throws InputError, with what helps, when these bytes are no roadblock map but a world that a general car could drive
 /// in. What is neither is left to the reader. A roadblock map has a line that begins with the word `grid` or
 /// `roadblock`.
-void require_road_map(std::string_view bytes, const std::string& name);
+void require_roadblock_map(std::string_view bytes, const std::string& name);
 
 /// Plans, checks independently, ends the run. Gives the exit code.
 int drive_in_world(const WorldDriveOptions& options, const DriveOutput& output, std::string_view bytes,

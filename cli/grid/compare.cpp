@@ -45,7 +45,7 @@ class LeastCosts {
 };
 
 std::string row_of(const GridQuery& query, GridMoves moves, const GridResult& result, double seconds) {
-  const bool found = result.status == GridStatus::found;
+  const bool found = result.status == SearchStatus::found;
   return fmt::format("{:<20} {:<6} {:<14} {:<8} {:>9} {:>7} {:>22} {:>8} {:>9}\n", name(query.algorithm), name(moves),
                      is_informed(query.algorithm) ? name(query.heuristic) : "", name(result.status), result.steps,
                      result.path.size(), found ? cost_text(result.cost) : "", result.optimal ? "yes" : "",
@@ -65,7 +65,7 @@ int compare(const GridCompareOptions& options, Run& run) {
   std::string table = fmt::format("{:<20} {:<6} {:<14} {:<8} {:>9} {:>7} {:>22} {:>8} {:>9}\n", "algorithm", "moves",
                                   "heuristic", "status", "steps", "cells", "cost", "least", "cpu");
   Json all{{"searches", Json::array()}};
-  GridStatus best = GridStatus::stopped;
+  SearchStatus best = SearchStatus::stopped;
   LeastCosts least;
   for (std::size_t i = 0; i < kGridAlgorithms; ++i) {
     GridSearchOptions search = options.search;
@@ -83,9 +83,9 @@ int compare(const GridCompareOptions& options, Run& run) {
     run.so_far(all, table);
   }
   return run.end({.outcome = outcome_of(best),
-                  .reason = best == GridStatus::stopped ? "--max-steps, of every search"
-                            : best == GridStatus::none  ? "all cells that can be reached from the start were looked at"
-                                                        : "",
+                  .reason = best == SearchStatus::stopped ? "--max-steps, of every search"
+                            : best == SearchStatus::none ? "all cells that can be reached from the start were looked at"
+                                                         : "",
                   .result = std::move(all),
                   .line = std::move(table)});
 }

@@ -92,7 +92,7 @@ std::vector<Scenario> drawn_scenarios(const OccupancyGrid& grid, const GenerateO
     const GridPlace start = drawn_place(grid, engine);
     const GridPlace goal = drawn_place(grid, engine);
     const GridResult result = search.find(start, goal, {GridAlgorithm::dijkstra, {}});
-    if (result.status != GridStatus::found) continue;
+    if (result.status != SearchStatus::found) continue;
     const double length = result.cost.value();
     all.push_back({static_cast<std::uint32_t>(length / 4), map, grid.width, grid.height, start.column, start.row,
                    goal.column, goal.row, length, fmt::format("{:.8f}", length), all.size() + 2, 8});

@@ -138,15 +138,17 @@ GridMoves moves_for(GridAlgorithm algorithm, const GridOptions& options, const G
 GridResult checked_search(const GridInput& input, GridMoves moves, const GridQuery& query) {
   const GridPlace start = *input.task.start, goal = *input.task.goal;
   GridResult result = GridSearch(input.task.grid, moves).find(start, goal, query);
-  if (result.status != GridStatus::found) return result;
-  const GridPathCheck check = grid_path_check(input.task.grid, moves, start, goal, result.path);
+  if (result.status != SearchStatus::found) return result;
+  const GridPathVerdict check = verify_grid_path(input.task.grid, moves, start, goal, result.path);
   if (!check.fault.empty()) throw std::logic_error("the path found does not pass the check: " + check.fault);
   if (check.cost != result.cost) throw std::logic_error("the path found does not cost what the search says");
   return result;
 }
 
-Outcome outcome_of(GridStatus status) {
-  return status == GridStatus::found ? Outcome::found : status == GridStatus::none ? Outcome::none : Outcome::stopped;
+Outcome outcome_of(SearchStatus status) {
+  return status == SearchStatus::found  ? Outcome::found
+         : status == SearchStatus::none ? Outcome::none
+                                        : Outcome::stopped;
 }
 
 void explain_grid_algorithms(CommandLine& app) {

@@ -54,7 +54,7 @@ GridMoves moves_for(GridAlgorithm algorithm, const GridOptions& options, const G
 GridResult checked_search(const GridInput& input, GridMoves moves, const GridQuery& query);
 
 /// found, none or stopped.
-Outcome outcome_of(GridStatus status);
+Outcome outcome_of(SearchStatus status);
 
 /// `7`, `3 + 2 sqrt(2)`: exact.
 std::string cost_text(GridCost cost);

@@ -52,7 +52,7 @@ class Tally {
   explicit Tally(GridAlgorithm algorithm) : algorithm_(algorithm) {}
 
   void add(const Scenario& scenario, const GridResult& result, const std::string& file) {
-    const bool found = result.status == GridStatus::found;
+    const bool found = result.status == SearchStatus::found;
     const double cost = found ? result.cost.value() : 0;
     ++run_;
     steps_ += result.steps;

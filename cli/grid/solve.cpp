@@ -63,12 +63,12 @@ std::string title(const GridQuery& query) {
 
 std::vector<std::string> facts(const GridResult& result) {
   std::vector<std::string> all{count_text(result.steps, "step")};
-  if (result.status == GridStatus::found) {
+  if (result.status == SearchStatus::found) {
     all.push_back("cost " + cost_text(result.cost));
     all.push_back(count_text(result.path.size(), "cell"));
     all.push_back(result.optimal ? "proven least" : "not proven least");
   } else {
-    all.push_back(result.status == GridStatus::none ? "no path" : "stopped: out of steps, --max-steps allows more");
+    all.push_back(result.status == SearchStatus::none ? "no path" : "stopped: out of steps, --max-steps allows more");
   }
   return all;
 }
@@ -80,8 +80,8 @@ std::string path_text(const std::vector<GridPlace>& path) {
 }
 
 std::string reason_of(const GridResult& result, const GridQuery& query) {
-  if (result.status == GridStatus::none) return "all cells that can be reached from the start were looked at";
-  return result.status == GridStatus::stopped ? fmt::format("--max-steps {}", query.max_steps) : "";
+  if (result.status == SearchStatus::none) return "all cells that can be reached from the start were looked at";
+  return result.status == SearchStatus::stopped ? fmt::format("--max-steps {}", query.max_steps) : "";
 }
 
 // Of those that were asked for.

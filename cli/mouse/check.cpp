@@ -62,7 +62,7 @@ int check_proof(const CheckOptions& options, Run& run) {
   const MouseMaze read = run.stage("read", [&] { return read_mouse_maze(options.maze.file, options.maze.format); });
   const std::string name = options.certificate == "-" ? "<stdin>" : options.certificate;
   const auto certified = read_certificate(read_bytes(options.certificate), name);
-  const micromouse::Finding finding = run.stage("check", [&] { return check_certificate(certified, read.maze); });
+  const micromouse::Finding finding = run.stage("check", [&] { return verify_certificate(certified, read.maze); });
   const micromouse::Certificate& proof = certified.certificate;
   const std::string remark =
       fmt::format(": no run 2 has fewer than {}, and this one needs no more ({} named)",

@@ -78,8 +78,8 @@ MouseTrial trial_of(const RunOptions& options, const GridMaze& maze, const micro
 }
 
 void check(const MouseTrial& trial, const GridMaze& maze) {
-  require(check_record(trial.record, maze), "trial");
-  if (trial.certificate) require(check_certificate(*trial.certificate, maze, trial.record), "certificate");
+  require(verify_record(trial.record, maze), "trial");
+  if (trial.certificate) require(verify_certificate(*trial.certificate, maze, trial.record), "certificate");
 }
 
 // Those that take many trials or a search. What is finished stays if the next is stopped.

@@ -24,7 +24,7 @@ namespace {
 
 using micromouse::Action;
 using micromouse::Record;
-using micromouse::Sight;
+using micromouse::SensorReading;
 using micromouse::TrialStatus;
 
 constexpr const char* kFooter =
@@ -105,7 +105,7 @@ bool is_number(std::string_view word, int& value) {
 /// The robot at the other end of standard input and output.
 class ServedRobot : public micromouse::Robot {
  public:
-  Action next(const Sight& sight) override {
+  Action next(const SensorReading& sight) override {
     print(fmt::format("{} {} {}\n", sight.left, sight.front, sight.right));
     std::string line;
     while (true) {

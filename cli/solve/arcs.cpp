@@ -20,8 +20,8 @@ namespace taut::cli {
 namespace {
 
 void require_place(const ArcSearchResult& result, const FreeSpace& space, const std::string& source, Point s, Point g) {
-  if (result.status != ArcStatus::start_blocked && result.status != ArcStatus::goal_blocked) return;
-  const bool start = result.status == ArcStatus::start_blocked;
+  if (result.status != DiscStatus::start_blocked && result.status != DiscStatus::goal_blocked) return;
+  const bool start = result.status == DiscStatus::start_blocked;
   const std::string end = fmt::format("the {} {}", start ? "start" : "goal", point_text(start ? s : g));
   if (result.wall == taut::kNone) throw InputError(source, 0, end + " is outside the world or in an obstacle");
   const Constraint& wall = space.constraints()[result.wall];
@@ -48,7 +48,7 @@ class ArcSolver {
   }
 
  private:
-  bool found() const { return answer_.result.status == ArcStatus::found; }
+  bool found() const { return answer_.result.status == DiscStatus::found; }
 
   void read_ends(const Input& input) {
     require_ends(input);
@@ -75,7 +75,7 @@ class ArcSolver {
     const DiscPassage passage = disc_passage(gates, answer_.start, answer_.goal, answer_.radius);
     outcome_ = Outcome::unproven;
     reason_ = "no path found, but no walls and gaps that prove that there is none";
-    if (passage.status == PassageStatus::reachable || passage.barrier.empty()) return;
+    if (passage.status == DiscStatus::found || passage.barrier.empty()) return;
     outcome_ = Outcome::none;
     answer_.barrier = barrier_of(gates, passage.barrier);
     reason_ = blocked_text(gates, passage, answer_.barrier, answer_.start, answer_.goal, answer_.radius);

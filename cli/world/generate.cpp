@@ -15,9 +15,9 @@
 #include <taut/cli/run.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/maze_generator.h>
-#include <taut/io/worlds/road_map.h>
+#include <taut/io/worlds/roadblock_map.h>
 #include <taut/io/worlds/write_world.h>
-#include <taut/robots/roadblocks/road_map_generator.h>
+#include <taut/robots/roadblocks/roadblock_map_generator.h>
 
 namespace taut::cli {
 
@@ -132,8 +132,8 @@ std::string recipe(const GenerateOptions& options) {
 std::string bytes_of(const GenerateOptions& options) {
   if (options.kind == Kind::roadblocks) {
     const auto [width, height] = options.size;
-    return road_map_text(
-        roadblocks::generate_road_map({width, height, options.roadblocks, options.samples, options.common.seed}),
+    return roadblock_map_text(
+        roadblocks::generate_roadblock_map({width, height, options.roadblocks, options.samples, options.common.seed}),
         recipe(options));
   }
   auto maze = std::make_shared<const GridMaze>(maze_of(options));

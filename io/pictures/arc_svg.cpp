@@ -18,7 +18,7 @@ std::string width_text(const NamedGate& gate) {
 
 std::vector<std::string> facts(const ArcAnswer& answer) {
   const std::string radius = "disc of radius " + number_text(answer.radius);
-  if (answer.result.status != ArcStatus::found)
+  if (answer.result.status != DiscStatus::found)
     return {answer.barrier.walls.empty() && answer.barrier.gates.empty() ? "not proven" : "no path", radius};
   const ArcPath& path = answer.result.path;
   const auto arcs = std::count_if(path.bends.begin(), path.bends.end(), [](const ArcBend& b) { return b.turn != 0; });
@@ -39,7 +39,7 @@ std::string arc_svg(const ArcAnswer& answer, const FreeSpace& space, const std::
   picture.separation = answer.barrier.walls;
   picture.gates = answer.barrier.gate_segments();
   picture.discs = {{answer.start, answer.radius}, {answer.goal, answer.radius}};
-  if (answer.result.status == ArcStatus::found) picture.arcs = &answer.result.path;
+  if (answer.result.status == DiscStatus::found) picture.arcs = &answer.result.path;
   if (answer.pinch) {
     picture.gates.push_back(answer.pinch->gate.at);
     picture.discs.push_back({answer.pinch->at, answer.radius});

@@ -19,7 +19,7 @@ using detail::MouseFilm;
 using detail::MouseSheet;
 using detail::svg_number;
 using micromouse::CellSide;
-using micromouse::Pose;
+using micromouse::MousePose;
 using micromouse::Record;
 using micromouse::Step;
 
@@ -176,7 +176,7 @@ std::string film_counter(const MouseSheet& sheet, const Record& record, const Mo
 std::string mouse_svg(const GridMaze& maze, const Record& record, const MousePicture& picture) {
   const MouseSheet sheet = sheet_of(maze, picture);
   const Sights sights = sights_of(record);
-  const Pose last = detail::last_pose(record);
+  const MousePose last = detail::last_pose(record);
   return sheet.head() + floor_text(sheet, record, sights) + sheet.goal_room() +
          (picture.flood ? flood_text(sheet, record) : "") + walls_text(sheet, maze, sights, false) +
          walls_text(sheet, maze, sights, true) + sheet.posts() + route_text(sheet, record, 1) +

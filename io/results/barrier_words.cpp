@@ -34,8 +34,8 @@ std::string barrier_text(const Barrier& barrier, double r) {
 
 std::string blocked_text(const Gates& gates, const DiscPassage& passage, const Barrier& barrier, Point start,
                          Point goal, double r) {
-  if (passage.status != PassageStatus::separated) {
-    const bool at_start = passage.status == PassageStatus::start_blocked;
+  if (passage.status != DiscStatus::none) {
+    const bool at_start = passage.status == DiscStatus::start_blocked;
     const Point end = at_start ? start : goal;
     const char* role = at_start ? "start" : "goal";
     if (passage.barrier.empty()) return fmt::format("the {} {} is outside", role, point_text(end));

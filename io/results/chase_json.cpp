@@ -9,8 +9,8 @@ Json step_json(const ChaseMap& map, CellIndex cell, int second) {
   return {second, c.x, c.y};
 }
 
-Json cost_json(const ChaseMap& map, const Plan& plan, Cost cost) {
-  return plan.status == PlanStatus::found ? Json(map.cost_value(cost)) : Json(nullptr);
+Json cost_json(const ChaseMap& map, const ChasePlan& plan, Cost cost) {
+  return plan.status == SearchStatus::found ? Json(map.cost_value(cost)) : Json(nullptr);
 }
 
 Json planning_json(const ChaseRun& run) {
@@ -48,9 +48,9 @@ Json chase_json(const ChaseMap& map, const ChaseRun& run) {
   return json;
 }
 
-Json chase_plan_json(const ChaseMap& map, const ChaseRequest& request, const Plan& plan) {
+Json chase_plan_json(const ChaseMap& map, const ChaseRequest& request, const ChasePlan& plan) {
   Json path = Json::array();
-  if (plan.status == PlanStatus::found)
+  if (plan.status == SearchStatus::found)
     for (std::size_t i = 0; i < plan.cells.size(); ++i)
       path.push_back(step_json(map, plan.cells[i], static_cast<int>(i)));
   return {{"planner", request.planner_name()},

@@ -12,6 +12,6 @@ Json chase_json(const ChaseMap& map, const ChaseRun& run);
 
 /// Of a chase that was stopped while it was planned: `planner`, `clock`, `free_planning`, `caught` (false),
 /// `plan_cost`, `lower_bound` and the `path` of the plan, null and empty where there is none yet.
-Json chase_plan_json(const ChaseMap& map, const ChaseRequest& request, const Plan& plan);
+Json chase_plan_json(const ChaseMap& map, const ChaseRequest& request, const ChasePlan& plan);
 
 }  // namespace taut::pursuit

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include <taut/io/worlds/road_map.h>
+#include <taut/io/worlds/roadblock_map.h>
 
 namespace taut {
 

@@ -26,7 +26,7 @@ Json roadblock_drive_json(const RoadblockDrive& drive, const roadblocks::Course&
 
 /// `reached`, `car`, `lattice`; when found `length`, `lower_bound`, `weight`, `collisions`, `verified`, `reversals`,
 /// `start` and `end` [x, y, degrees], `segments` (straight pieces and arcs, lengths negative in reverse), `legs` (exact
-/// poses). Precondition: what was found has passed car::fault_of().
+/// poses). Precondition: what was found has passed car::verify_drive().
 Json car_drive_json(const car::PlannedDrive& drive, const car::CarShape& shape, double weight);
 
 }  // namespace taut

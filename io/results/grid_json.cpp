@@ -15,7 +15,7 @@ Json grid_result_json(const GridResult& result, const GridQuery& query, GridMove
   json["ties"] = query.ties == Ties::fifo ? "fifo" : "lifo";
   json["steps"] = result.steps;
   json["cost"] = nullptr;
-  if (result.status == GridStatus::found) {
+  if (result.status == SearchStatus::found) {
     json["cost"] = result.cost.value();
     json["straight"] = result.cost.straight();
     json["diagonal"] = result.cost.diagonal();

@@ -42,10 +42,6 @@ void add_outcome(Json& json, const PlanResult& result) {
 
 }  // namespace
 
-const char* name(SearchStatus status) {
-  return status == SearchStatus::found ? "found" : status == SearchStatus::none ? "none" : "stopped";
-}
-
 Json result_json(const PlanResult& result) {
   Json json = Json::object();
   add_outcome(json, result);

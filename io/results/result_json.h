@@ -74,7 +74,4 @@ struct PlanResult {
 ///  improvements    [{"epsilon", "bound", "length", "expanded", "seconds"}, ...] with `bound`: the stages finished
 Json result_json(const PlanResult& result);
 
-/// "found", "none", "stopped".
-const char* name(SearchStatus status);
-
 }  // namespace taut

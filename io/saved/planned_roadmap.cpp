@@ -5,7 +5,7 @@
 
 #include <taut/geometry/errors.h>
 #include <taut/io/saved/roadmap_file.h>
-#include <taut/roadmaps/roadmap_check.h>
+#include <taut/roadmaps/verify_roadmap.h>
 
 namespace taut {
 
@@ -32,7 +32,7 @@ LoadedRoadmap load_roadmap(std::string_view bytes, const std::string& name, cons
     loaded.planned = loaded.kind->build(space, {});
     refuse(name, saved, difference(saved.roadmap, *loaded.planned.roadmap));
   } else {
-    refuse(name, saved, fault_of(saved.roadmap, space));
+    refuse(name, saved, verify_roadmap(saved.roadmap, space));
     loaded.planned = planned_prm(space, std::make_shared<const Roadmap>(std::move(saved.roadmap)));
   }
   loaded.planned.how = std::move(saved.how);

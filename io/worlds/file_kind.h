@@ -12,7 +12,7 @@ enum class FileKind : std::uint8_t {
   unknown,
   world,          ///< any of Format
   cost_map,       ///< sections N C R T M: read_chase_map
-  roadblock_map,  ///< read_road_map
+  roadblock_map,  ///< read_roadblock_map
   grid_csv,       ///< read_grid_csv
   scenarios,      ///< of MovingAI: read_movingai_scenarios
   certificate,    ///< of a micromouse: read_certificate

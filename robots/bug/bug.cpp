@@ -16,9 +16,9 @@ namespace taut::bug {
 
 namespace {
 
+using detail::ContourPlace;
+using detail::ContourPlaces;
 using detail::Contours;
-using detail::Place;
-using detail::Places;
 using detail::product;
 using detail::Spot;
 using detail::squared_distance;
@@ -29,7 +29,7 @@ using Tri = Triangulation;
 /// Bug 1 and Bug 2, from one stand.
 class Run {
  public:
-  Run(const Places& places, Point from, Point goal, const Options& options)
+  Run(const ContourPlaces& places, Point from, Point goal, const Options& options)
       : places_(places), from_(from), goal_(goal), options_(options), log_(places, from, goal) {}
 
   Journey from(Stand stand) {
@@ -41,7 +41,7 @@ class Run {
         log_.journey().reached = true;
         break;
       }
-      const Place hit = places_.at(walk.end);
+      const ContourPlace hit = places_.at(walk.end);
       log_.walk(walk, walk.end);
       stand = after(hit).stand;
       if (options_.algorithm == Algorithm::bug1) line = stand.at;
@@ -54,12 +54,12 @@ class Run {
 
  private:
   /// What follows a hit: the place where the robot leaves; finished_ when there is none, or the goal is on the contour.
-  Place after(const Place& hit) {
+  ContourPlace after(const ContourPlace& hit) {
     Obstacle& obstacle = log_.note(hit.stand, hit.contour, log_.journey().hits);
     if (++obstacle.hits == 1) obstacle.entries = entries(hit.contour);
-    const std::optional<Place> goal = goal_on(hit);
+    const std::optional<ContourPlace> goal = goal_on(hit);
     if (options_.algorithm == Algorithm::bug1) return goal ? arrive(hit, *goal) : after_bug1(hit);
-    const std::optional<Place> leave = next_on_line(hit);
+    const std::optional<ContourPlace> leave = next_on_line(hit);
     if (goal && (!leave || steps(hit, goal->station) < steps(hit, leave->station))) return arrive(hit, *goal);
     if (!leave) return give_up(hit);
     log_.follow(hit, *leave, options_.turn);
@@ -67,8 +67,8 @@ class Run {
     return *leave;
   }
 
-  Place after_bug1(const Place& hit) {
-    const std::optional<Place> leave = nearest_open(hit.contour);
+  ContourPlace after_bug1(const ContourPlace& hit) {
+    const std::optional<ContourPlace> leave = nearest_open(hit.contour);
     if (!leave) return give_up(hit);
     log_.follow(hit, hit, options_.turn);
     const Turn other = options_.turn == Turn::left ? Turn::right : Turn::left;
@@ -78,26 +78,28 @@ class Run {
     return *leave;
   }
 
-  Place arrive(const Place& hit, const Place& goal) {
+  ContourPlace arrive(const ContourPlace& hit, const ContourPlace& goal) {
     log_.follow(hit, goal, options_.turn);
     log_.journey().reached = true;
     finished_ = true;
     return goal;
   }
 
-  Place give_up(const Place& hit) {
+  ContourPlace give_up(const ContourPlace& hit) {
     log_.follow(hit, hit, options_.turn);
     finished_ = true;
     return hit;
   }
 
-  std::uint32_t steps(const Place& from, std::uint32_t to) const { return places_.steps(from, to, options_.turn); }
+  std::uint32_t steps(const ContourPlace& from, std::uint32_t to) const {
+    return places_.steps(from, to, options_.turn);
+  }
   Point tail(Contours::At at) const { return places_.contours().tail(at); }
   Point head(Contours::At at) const { return places_.contours().head(at); }
 
-  double way_length(const Place& a, const Place& b, Turn turn) const {
+  double way_length(const ContourPlace& a, const ContourPlace& b, Turn turn) const {
     if (a.station == b.station && a.stand.at == b.stand.at) return 0;
-    const auto as_point = [](const Place& p) { return Point{p.stand.at.x.get_d(), p.stand.at.y.get_d()}; };
+    const auto as_point = [](const ContourPlace& p) { return Point{p.stand.at.x.get_d(), p.stand.at.y.get_d()}; };
     Point last = as_point(a);
     double length = 0;
     const auto to = [&](Point p) {
@@ -110,7 +112,7 @@ class Run {
   }
 
   /// The first place of the contour, from the hit on, where the goal is.
-  std::optional<Place> goal_on(const Place& hit) const {
+  std::optional<ContourPlace> goal_on(const ContourPlace& hit) const {
     for (std::uint32_t j = 1; j < places_.stations(hit.contour); ++j) {
       const std::uint32_t at = places_.station(hit, j, options_.turn);
       const Contours::At edge{hit.contour, at / 2};
@@ -128,9 +130,9 @@ class Run {
   /// Keeps the nearest places seen so far.
   struct Nearest {
     std::optional<mpq_class> distance;
-    std::vector<Place> places;
+    std::vector<ContourPlace> places;
 
-    void offer(const mpq_class& d, Place place) {
+    void offer(const mpq_class& d, ContourPlace place) {
       if (distance && d > *distance) return;
       if (!distance || d < *distance) places.clear();
       distance = d;
@@ -138,16 +140,16 @@ class Run {
     }
   };
 
-  std::optional<Place> nearest_open(std::uint32_t contour) const {
+  std::optional<ContourPlace> nearest_open(std::uint32_t contour) const {
     Nearest nearest;
     const ExactPoint goal(goal_);
     for (std::uint32_t k = 0; k < places_.contours().edges(contour).size(); ++k) {
       const Contours::At at{contour, k};
       nearest.offer(squared_distance(ExactPoint(tail(at)), goal), places_.vertex(at));
-      if (const Place foot = places_.on(at, detail::nearest_on(tail(at), head(at), goal)); !foot.is_vertex())
+      if (const ContourPlace foot = places_.on(at, detail::nearest_on(tail(at), head(at), goal)); !foot.is_vertex())
         nearest.offer(squared_distance(foot.stand.at, goal), foot);
     }
-    for (const Place& p : nearest.places)
+    for (const ContourPlace& p : nearest.places)
       if (detail::leads_off(places_.tri(), p.stand, goal_)) return p;
     return std::nullopt;
   }
@@ -164,11 +166,11 @@ class Run {
   }
 
   /// The place of a station that is on the m-line, between `after` and the goal; sides along the m-line have none.
-  std::optional<Place> on_line(std::uint32_t contour, std::uint32_t station, const ExactPoint& after) const {
+  std::optional<ContourPlace> on_line(std::uint32_t contour, std::uint32_t station, const ExactPoint& after) const {
     const Contours::At at{contour, station / 2};
     const Point here = tail(at);
     const int o = written::orientation(from_, goal_, here);
-    std::optional<Place> found;
+    std::optional<ContourPlace> found;
     if (station % 2 == 0) {
       if (o == 0) found = places_.vertex(at);
     } else if (o * written::orientation(from_, goal_, head(at)) < 0) {
@@ -177,7 +179,7 @@ class Run {
     return found && is_between(found->stand.at, after) ? found : std::nullopt;
   }
 
-  std::optional<Place> next_on_line(const Place& hit) const {
+  std::optional<ContourPlace> next_on_line(const ContourPlace& hit) const {
     for (std::uint32_t j = 1; j < places_.stations(hit.contour); ++j)
       if (auto p = on_line(hit.contour, places_.station(hit, j, options_.turn), hit.stand.at);
           p && p->stand.at != ExactPoint(goal_) && detail::leads_off(places_.tri(), p->stand, goal_))
@@ -185,7 +187,7 @@ class Run {
     return std::nullopt;
   }
 
-  /// Places of the contour in which the m-line, coming from the start, is blocked.
+  /// ContourPlaces of the contour in which the m-line, coming from the start, is blocked.
   std::size_t entries(std::uint32_t contour) const {
     std::size_t count = 0;
     if (options_.algorithm == Algorithm::bug1) return 0;
@@ -197,7 +199,7 @@ class Run {
     return count;
   }
 
-  const Places& places_;
+  const ContourPlaces& places_;
   Point from_, goal_;
   Options options_;
   detail::Logbook log_;
@@ -240,7 +242,7 @@ Journey travel(const FreeSpace& space, Point from, Point to, const Options& opti
     return journey;
   }
   const Contours contours(space.triangulation());
-  const Places places(space.triangulation(), contours);
+  const ContourPlaces places(space.triangulation(), contours);
   for (const Stand& stand : stands(space, from, to)) {
     journey = options.algorithm == Algorithm::tangent ? detail::tangent_journey(places, stand, from, to, options)
                                                       : Run(places, from, to, options).from(stand);

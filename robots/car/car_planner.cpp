@@ -58,10 +58,10 @@ std::optional<DiscPassage> barrier_of(const CarSpace& space, const DriveQuery& q
       if (!gates) gates.emplace(space.space());
       passage = disc_passage(*gates, query.start, goal, r);
     } else if (NoPath(space.space()).holds(query.start, {goal, {}})) {
-      passage.status = PassageStatus::separated;
+      passage.status = DiscStatus::none;
     }
-    if (passage.status == PassageStatus::reachable) return std::nullopt;
-    if (!barrier || barrier->status != PassageStatus::separated) barrier = std::move(passage);
+    if (passage.status == DiscStatus::found) return std::nullopt;
+    if (!barrier || barrier->status != DiscStatus::none) barrier = std::move(passage);
   }
   return barrier;
 }
@@ -88,7 +88,7 @@ PlannedDrive planned_drive(const CarSpace& space, const DriveQuery& query) {
   const std::vector<LatticePose> starts = free_starts(space, query);
   require_goal_free(space, query);
   if ((result.barrier = barrier_of(space, query))) {
-    if (result.barrier->status == PassageStatus::goal_blocked)
+    if (result.barrier->status == DiscStatus::goal_blocked)
       throw InputError(
           {}, 0, "the car cannot stand at the goal " + taut::text(query.goals.front()) + ", whatever its heading");
     result.status = SearchStatus::none;

@@ -37,7 +37,7 @@ class CarSpace {
 
   /// Can the car stand there? O(log n + walls near).
   bool is_free(const LatticePose& pose) const;
-  /// Can it drive this leg? Precondition: it can stand at its beginning, and fault_of(leg, shape()) is nothing.
+  /// Can it drive this leg? Precondition: it can stand at its beginning, and validate(leg, shape()) is nothing.
   bool is_clear(const Leg& leg) const;
 
  private:

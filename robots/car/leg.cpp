@@ -42,7 +42,7 @@ CarShape car_shape(double length, double width, double radius, double rear, bool
 
 double LegCurve::length() const { return before + radius * std::abs(turn) + after; }
 
-std::optional<std::string> fault_of(const Leg& leg, const CarShape& shape) {
+std::optional<std::string> validate(const Leg& leg, const CarShape& shape) {
   if (leg.backward && !shape.reverse) return "goes back, which this car cannot";
   const auto is_heading = [](int h) { return h >= 0 && h < kHeadings; };
   if (!is_heading(leg.from.heading) || !is_heading(leg.to.heading)) return "has a heading that is none";

@@ -64,7 +64,7 @@ struct LegCurve {
 ///  2. both tangents point the way it goes, so both straight pieces have a length >= 0;
 ///  3. the arc's radius, a rational number, is at least shape.radius;
 ///  4. `backward` only where shape.reverse.
-std::optional<std::string> fault_of(const Leg& leg, const CarShape& shape);
+std::optional<std::string> validate(const Leg& leg, const CarShape& shape);
 
 /// How often the car changes between forward and back.
 std::size_t reversals_of(const std::vector<Leg>& legs);

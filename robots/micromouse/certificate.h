@@ -44,13 +44,13 @@ struct Finding {
 ///  3. The route begins at the start, ends in the goal, has `steps` steps of 1 to 3 cells straight, all openings named.
 ///  4. With the border and the named walls alone no plan has fewer steps.
 ///  5. No named wall can be spared.
-Finding check_certificate(const Certificate& certificate, const GridMaze& maze);
+Finding verify_certificate(const Certificate& certificate, const GridMaze& maze);
 
 /// That, and: each witness is what the sensors, or a move, of that step of run 1 told.
-Finding check_certificate(const Certificate& certificate, const GridMaze& maze, const Record& record);
+Finding verify_certificate(const Certificate& certificate, const GridMaze& maze, const Record& record);
 
 /// Whether the record is what the rules make of its actions in this maze: sights, poses, counts, status, score, news of
 /// each step. Shares no code with Trial.
-Finding check_record(const Record& record, const GridMaze& maze);
+Finding verify_record(const Record& record, const GridMaze& maze);
 
 }  // namespace taut::micromouse

@@ -15,8 +15,8 @@ struct CertifiedRun {
 /// Precondition: the certificate is the record's own.
 CertifiedRun certified_run(const Certificate& certificate, const Record& record);
 
-/// check_certificate() against the maze, with the run 1 it tells: that is done again by the rules, and checked as
-/// check_record() does.
-Finding check_certificate(const CertifiedRun& certified, const GridMaze& maze);
+/// verify_certificate() against the maze, with the run 1 it tells: that is done again by the rules, and checked as
+/// verify_record() does.
+Finding verify_certificate(const CertifiedRun& certified, const GridMaze& maze);
 
 }  // namespace taut::micromouse

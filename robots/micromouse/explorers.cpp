@@ -91,7 +91,7 @@ class DepthFirst final : public Visitor {
 
 /// The first step of a shortest way on known passages to the nearest of the cells that `wanted` accepts; ties by index.
 template <class Wanted>
-std::optional<Action> step_to_nearest(const MappingRobot& robot, const Pose& pose, Wanted wanted) {
+std::optional<Action> step_to_nearest(const MappingRobot& robot, const MousePose& pose, Wanted wanted) {
   const Passages& certain = robot.map().certain();
   const StepField from_here(certain, {pose.cell});
   std::optional<Cell> best;

@@ -4,7 +4,7 @@
 
 namespace taut::micromouse {
 
-Action MappingRobot::next(const Sight& sight) {
+Action MappingRobot::next(const SensorReading& sight) {
   if (run_ == 1 && last_.reset && goal_reached_) {
     run_ = 2;
     odometer_.restart();

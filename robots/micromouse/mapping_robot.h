@@ -12,7 +12,7 @@ namespace taut::micromouse {
 class MappingRobot : public Robot {
  public:
   explicit MappingRobot(const Task& task) : task_(task), map_(task), odometer_(task) {}
-  Action next(const Sight& sight) final;
+  Action next(const SensorReading& sight) final;
 
   const Task& task() const { return task_; }
   const WallMap& map() const { return map_; }
@@ -23,7 +23,7 @@ class MappingRobot : public Robot {
   /// Run 2: the first step of a shortest route on what is surely open; where there is none, on what may be.
   virtual Action race();
 
-  const Pose& pose() const { return odometer_.pose(); }
+  const MousePose& pose() const { return odometer_.pose(); }
   bool goal_reached() const { return goal_reached_; }
   int steps_taken() const { return steps_; }
   int steps_left() const { return task_.max_steps - steps_; }

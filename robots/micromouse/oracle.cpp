@@ -29,18 +29,18 @@ class Demands {
   Demands(const GridMaze& maze, const Task& task, const Poses& poses, int best)
       : task_(task), poses_(poses), truth_(passages_of(maze)), best_(best) {
     for (auto& board : views_) board.assign(poses.count() / 8, 0);
-    for (Poses::Pose p = 0; p < poses.count(); ++p)
+    for (Poses::MousePose p = 0; p < poses.count(); ++p)
       poses.for_each_seen(p, [&](const CellSide& wall, bool) { ++at(views_, wall); });
   }
 
   PoseGroup goal() const {
-    return where([&](Poses::Pose p) { return task_.in_goal(poses_.cell(p)); });
+    return where([&](Poses::MousePose p) { return task_.in_goal(poses_.cell(p)); });
   }
 
   /// A demand that this walk does not meet and every proving walk does; empty: the walk proves.
-  PoseGroup unmet(const std::vector<Poses::Pose>& walk) const {
+  PoseGroup unmet(const std::vector<Poses::MousePose>& walk) const {
     WallMap map(task_);
-    for (const Poses::Pose p : walk)
+    for (const Poses::MousePose p : walk)
       poses_.for_each_seen(p, [&](const CellSide& wall, bool closed) { map.learn(wall.cell, wall.side, closed); });
     // Of the uncut plans one that is far from all of this walk: it costs most.
     const auto far = distance_of_views(walk);
@@ -69,18 +69,18 @@ class Demands {
   int at(const Boards& boards, const CellSide& wall) const { return at(const_cast<Boards&>(boards), wall); }
 
   /// How many moves the nearest pose that shows a wall is away from the walk.
-  Boards distance_of_views(const std::vector<Poses::Pose>& walk) const {
+  Boards distance_of_views(const std::vector<Poses::MousePose>& walk) const {
     constexpr int kFar = std::numeric_limits<int>::max();
     Boards far;
     for (auto& board : far) board.assign(poses_.count() / 8, kFar);
     std::vector<int> moves(poses_.count(), -1);
-    std::vector<Poses::Pose> queue = walk;
-    for (const Poses::Pose p : walk) moves[p] = 0;
+    std::vector<Poses::MousePose> queue = walk;
+    for (const Poses::MousePose p : walk) moves[p] = 0;
     for (std::size_t head = 0; head < queue.size(); ++head) {
-      const Poses::Pose here = queue[head];
+      const Poses::MousePose here = queue[head];
       poses_.for_each_seen(here,
                            [&](const CellSide& wall, bool) { at(far, wall) = std::min(at(far, wall), moves[here]); });
-      for (const Poses::Pose next : poses_.moves(here))
+      for (const Poses::MousePose next : poses_.moves(here))
         if (moves[next] < 0) moves[next] = moves[here] + 1, queue.push_back(next);
     }
     return far;
@@ -89,13 +89,13 @@ class Demands {
   template <class Wanted>
   PoseGroup where(Wanted wanted) const {
     PoseGroup group;
-    for (Poses::Pose p = 0; p < poses_.count(); ++p)
+    for (Poses::MousePose p = 0; p < poses_.count(); ++p)
       if (wanted(p)) group.push_back(p);
     return group;
   }
 
   PoseGroup showing(const std::vector<CellSide>& walls) const {
-    return where([&](Poses::Pose p) {
+    return where([&](Poses::MousePose p) {
       bool shows = false;
       poses_.for_each_seen(p, [&](const CellSide& wall, bool) {
         shows = shows || std::find(walls.begin(), walls.end(), wall) != walls.end();

@@ -18,7 +18,7 @@ class Robot {
   Robot& operator=(const Robot&) = delete;
   virtual ~Robot() = default;
 
-  virtual Action next(const Sight& sight) = 0;
+  virtual Action next(const SensorReading& sight) = 0;
 };
 
 }  // namespace taut::micromouse

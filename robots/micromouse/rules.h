@@ -29,10 +29,10 @@ struct Task {
 Task task_of(const GridMaze& maze, int max_steps = kMaxSteps);
 
 /// Where the robot stands and looks.
-struct Pose {
+struct MousePose {
   Cell cell{};
   Side heading = Side::north;
-  friend bool operator==(const Pose&, const Pose&) = default;
+  friend bool operator==(const MousePose&, const MousePose&) = default;
 };
 
 /// The direction after `quarters` clockwise quarter turns (negative: counter-clockwise).
@@ -46,11 +46,11 @@ Cell ahead(Cell cell, Side side, int count = 1);
 
 /// What the sensors give: the number of open cells up to the next wall to the left, ahead and to the right. None looks
 /// back.
-struct Sight {
+struct SensorReading {
   int left = 0;
   int front = 0;
   int right = 0;
-  friend bool operator==(const Sight&, const Sight&) = default;
+  friend bool operator==(const SensorReading&, const SensorReading&) = default;
 
   /// The reading in the direction `rotation` (-90, 0 or 90 degrees) from the heading.
   int at(int rotation) const { return rotation < 0 ? left : rotation > 0 ? right : front; }

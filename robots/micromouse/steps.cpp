@@ -68,7 +68,7 @@ Side side_towards(Cell from, Cell to) {
   return to.y >= from.y ? Side::north : Side::south;
 }
 
-Action action_towards(const Pose& pose, Cell to) {
+Action action_towards(const MousePose& pose, Cell to) {
   TAUT_EXPECTS((pose.cell.x == to.x) != (pose.cell.y == to.y));
   const Side side = side_towards(pose.cell, to);
   const int count = std::abs(to.x - pose.cell.x) + std::abs(to.y - pose.cell.y);

@@ -39,6 +39,6 @@ Side side_towards(Cell from, Cell to);
 
 /// The action that goes from `pose` straight to `to`, at most three cells away in its row or column: forwards, unless
 /// it lies behind. Precondition: it does.
-Action action_towards(const Pose& pose, Cell to);
+Action action_towards(const MousePose& pose, Cell to);
 
 }  // namespace taut::micromouse

@@ -63,7 +63,7 @@ Trial::Trial(const GridMaze& maze, int max_steps)
     record_.status = TrialStatus::no_goal;
 }
 
-Sight Trial::sight() const {
+SensorReading Trial::sight() const {
   return {open_cells(maze_, pose_.cell, turned(pose_.heading, -1)), open_cells(maze_, pose_.cell, pose_.heading),
           open_cells(maze_, pose_.cell, turned(pose_.heading, 1))};
 }

@@ -24,10 +24,10 @@ std::string_view name(Offence offence);
 /// One step, enough to replay it.
 struct Step {
   int run = 1;  ///< 1 or 2
-  Pose before{};
-  Sight sight{};  ///< what the robot saw before it chose
+  MousePose before{};
+  SensorReading sight{};  ///< what the robot saw before it chose
   Action action{};
-  Pose after{};          ///< after the reset: the start, heading north
+  MousePose after{};     ///< after the reset: the start, heading north
   int moved = 0;         ///< cells, negative backwards
   bool blocked = false;  ///< a wall cut the move short
   bool in_goal = false;  ///< the step ended in the goal
@@ -78,8 +78,8 @@ class Trial {
   const Task& task() const { return record_.task; }
   bool over() const { return record_.status != TrialStatus::running; }
   int run() const { return run_; }
-  const Pose& pose() const { return pose_; }
-  Sight sight() const;
+  const MousePose& pose() const { return pose_; }
+  SensorReading sight() const;
 
   /// Precondition: !over().
   const Step& act(const Action& action);
@@ -95,7 +95,7 @@ class Trial {
   GridMaze maze_;
   Record record_;
   WallMap known_;
-  Pose pose_;
+  MousePose pose_;
   int run_ = 1;
 };
 

@@ -81,7 +81,7 @@ bool WallMap::learn(Cell cell, Side side, bool closed) {
   return true;
 }
 
-std::vector<WallSeen> WallMap::see(const Pose& pose, const Sight& sight) {
+std::vector<WallSeen> WallMap::see(const MousePose& pose, const SensorReading& sight) {
   std::vector<WallSeen> news;
   for (const int quarters : {-1, 0, 1}) {
     const Side side = turned(pose.heading, quarters);
@@ -94,7 +94,7 @@ std::vector<WallSeen> WallMap::see(const Pose& pose, const Sight& sight) {
   return news;
 }
 
-std::vector<WallSeen> WallMap::move(const Pose& before, const Action& action, const Pose& after) {
+std::vector<WallSeen> WallMap::move(const MousePose& before, const Action& action, const MousePose& after) {
   std::vector<WallSeen> news;
   const Side side = action.movement < 0 ? opposite(after.heading) : after.heading;
   const int wanted = std::min(std::abs(action.movement), kLongestMove);
@@ -115,7 +115,7 @@ void Odometer::restart() {
   previous_ = pose_ = start_;
 }
 
-void Odometer::sense(const Sight& sight) {
+void Odometer::sense(const SensorReading& sight) {
   previous_ = pose_;
   if (pending_ && !pending_->reset) {
     const int rotation = pending_->rotation;

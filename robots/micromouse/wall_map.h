@@ -54,9 +54,9 @@ class WallMap {
 
   /// Each returns whether, or which of it, was news.
   bool learn(Cell cell, Side side, bool closed);
-  std::vector<WallSeen> see(const Pose& pose, const Sight& sight);
+  std::vector<WallSeen> see(const MousePose& pose, const SensorReading& sight);
   /// A step from `before` that ended in `after`: the cells between are open; a move cut short ends at a wall.
-  std::vector<WallSeen> move(const Pose& before, const Action& action, const Pose& after);
+  std::vector<WallSeen> move(const MousePose& before, const Action& action, const MousePose& after);
 
   /// Unknown walls closed: a way through these surely exists.
   const Passages& certain() const { return certain_; }
@@ -79,19 +79,19 @@ class Odometer {
   explicit Odometer(const Task& task) : start_{task.start, Side::north}, pose_(start_) {}
 
   /// To be called with each sight, before asking for the pose, and with each action.
-  void sense(const Sight& sight);
+  void sense(const SensorReading& sight);
   void act(const Action& action);
   /// Run 2 begins: the reset was granted.
   void restart();
 
-  const Pose& pose() const { return pose_; }
-  const Pose& previous() const { return previous_; }
+  const MousePose& pose() const { return pose_; }
+  const MousePose& previous() const { return previous_; }
 
  private:
-  Pose start_;
-  Pose pose_;
-  Pose previous_;
-  Sight sight_{};
+  MousePose start_;
+  MousePose pose_;
+  MousePose previous_;
+  SensorReading sight_{};
   std::optional<Action> pending_;
 };
 

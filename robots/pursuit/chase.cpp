@@ -140,7 +140,7 @@ Follower::Follower(const ChaseMap& map, Clock clock, PlanFunction planner, PlanL
 std::optional<CellIndex> Follower::next(CellIndex at, int now) {
   adopt(at, now);
   if (!is_on_plan(at, now) && !catch_up(at, now)) plan_anew(at, now);
-  if (plan_.status != PlanStatus::found) return std::nullopt;
+  if (plan_.status != SearchStatus::found) return std::nullopt;
   if (now < chase_.now) return at;
   plan_ahead(now);
   done_ = static_cast<std::size_t>(now - chase_.now) + 1;
@@ -148,14 +148,14 @@ std::optional<CellIndex> Follower::next(CellIndex at, int now) {
 }
 
 bool Follower::is_on_plan(CellIndex at, int now) const {
-  if (plan_.status != PlanStatus::found) return false;
+  if (plan_.status != SearchStatus::found) return false;
   const auto passed = static_cast<std::size_t>(std::max(0, now - chase_.now));
   return passed + 1 < plan_.cells.size() && plan_.cells[passed] == at;
 }
 
 // Late: the rest of the way without its waiting may still be in time.
 bool Follower::catch_up(CellIndex at, int now) {
-  if (plan_.status != PlanStatus::found || done_ >= plan_.cells.size() || plan_.cells[done_] != at) return false;
+  if (plan_.status != SearchStatus::found || done_ >= plan_.cells.size() || plan_.cells[done_] != at) return false;
   const int left = chase_.now + static_cast<int>(plan_.cells.size()) - 1 - now;
   std::vector<CellIndex> way(plan_.cells.begin() + static_cast<std::ptrdiff_t>(done_), plan_.cells.end());
   way.erase(std::unique(way.begin(), way.end()), way.end());
@@ -176,9 +176,9 @@ void Follower::plan_anew(CellIndex at, int now) {
   if (taken > 1) delay_ = 2 * seconds_of_step(taken, chase_.meetings.back().second);
 }
 
-Plan Follower::planned(const Chase& chase, const PlanLimits& limits, double& taken) {
+ChasePlan Follower::planned(const Chase& chase, const PlanLimits& limits, double& taken) {
   const double begin = seconds_ ? seconds_() : 0;
-  Plan plan = planner_(chase, limits, nullptr);
+  ChasePlan plan = planner_(chase, limits, nullptr);
   taken = seconds_ ? seconds_() - begin : 0;
   ++plans_;
   return plan;
@@ -197,7 +197,7 @@ void Follower::plan_ahead(int now) {
   seconds_ahead_ += taken;
   const bool is_ready = taken <= look_ahead_;
   look_ahead_ = look_ahead_ < kMostAhead ? look_ahead_ * kLookAheadGrows : 0;
-  if (is_ready && ahead.plan.status == PlanStatus::found) ahead_ = std::move(ahead);
+  if (is_ready && ahead.plan.status == SearchStatus::found) ahead_ = std::move(ahead);
 }
 
 void Follower::adopt(CellIndex at, int now) {

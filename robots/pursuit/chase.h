@@ -62,13 +62,13 @@ struct ChaseResult {
 ChaseResult play(const ChaseMap& map, const ChaseRules& rules, const NextMove& next_move);
 
 /// Anything that plans.
-using PlanFunction = std::function<Plan(const Chase&, const PlanLimits&, PlanEffort*)>;
+using PlanFunction = std::function<ChasePlan(const Chase&, const PlanLimits&, PlanEffort*)>;
 
 /// A planner as the program offers it.
 struct NamedPlanner {
   std::string_view name;
   std::string_view description;
-  Plan (*plan)(const Chase&, const PlanLimits&, PlanEffort*);
+  ChasePlan (*plan)(const Chase&, const PlanLimits&, PlanEffort*);
 };
 
 /// `exact`, `entry`, `weighted` (entry with weight 3), `first`.
@@ -91,8 +91,8 @@ class Follower {
 
   std::optional<CellIndex> next(CellIndex at, int now);
 
-  const Plan& first_plan() const { return first_; }  ///< as the planner gave it
-  int plans() const { return plans_; }               ///< calls of the planner
+  const ChasePlan& first_plan() const { return first_; }  ///< as the planner gave it
+  int plans() const { return plans_; }                    ///< calls of the planner
   /// Of thinking ahead: it took place while the robot moved, so a clock for ChaseRules should leave it out.
   double seconds_ahead() const { return seconds_ahead_; }
 
@@ -100,7 +100,7 @@ class Follower {
   /// What was thought of a later second.
   struct Ahead {
     Chase chase;
-    Plan plan;
+    ChasePlan plan;
   };
 
   bool is_on_plan(CellIndex at, int now) const;
@@ -108,14 +108,14 @@ class Follower {
   void plan_anew(CellIndex at, int now);
   void plan_ahead(int now);
   void adopt(CellIndex at, int now);
-  Plan planned(const Chase& chase, const PlanLimits& limits, double& taken);
+  ChasePlan planned(const Chase& chase, const PlanLimits& limits, double& taken);
 
   Chase chase_;
   PlanFunction planner_;
   PlanLimits limits_;
   std::function<double()> seconds_;
-  Plan plan_;
-  Plan first_;
+  ChasePlan plan_;
+  ChasePlan first_;
   std::size_t done_ = 0;  // of plan_.cells
   int plans_ = 0;
   int delay_ = 0;  // that the next plan anew allows for

@@ -24,27 +24,27 @@ PlanLimits ChaseRequest::limits() const {
 }
 
 bool ChaseRun::is_proven(const ChaseMap& map) const {
-  return is_caught() && plan.status == PlanStatus::found && result.cost == plan.bound && !map.rounded();
+  return is_caught() && plan.status == SearchStatus::found && result.cost == plan.bound && !map.rounded();
 }
 
 std::string ChaseRun::why_not() const {
   if (!fault.empty()) return "a wrong plan: " + fault;
   if (!result.reason.empty()) return result.reason;
-  if (!plan.reason.empty() && plan.status != PlanStatus::found) return plan.reason;
+  if (!plan.reason.empty() && plan.status != SearchStatus::found) return plan.reason;
   if (request.horizon) return "the target got away; one who knew all of its way could catch it";
   return fmt::format("planning took so long that the target got away ({:.3g} s for the first plan)",
                      result.first_thought);
 }
 
 std::optional<double> ChaseRun::ratio() const {
-  if (!request.horizon || !is_caught() || plan.status != PlanStatus::found || plan.cost <= 0) return std::nullopt;
+  if (!request.horizon || !is_caught() || plan.status != SearchStatus::found || plan.cost <= 0) return std::nullopt;
   return static_cast<double>(result.cost) / static_cast<double>(plan.cost);
 }
 
 namespace {
 
 std::string fault_in(const ChaseRun& run, const Chase& chase) {
-  const std::string fault = fault_of(run.plan, chase);
+  const std::string fault = verify_plan(run.plan, chase);
   return fault.empty() && run.result.end == ChaseEnd::illegal ? run.result.reason : fault;
 }
 
@@ -65,7 +65,8 @@ ChaseRun run_online(const ChaseMap& map, const ChaseRequest& request) {
 
 }  // namespace
 
-ChaseRun run_chase(const ChaseMap& map, const ChaseRequest& request, const std::function<void(const Plan&)>& better) {
+ChaseRun run_chase(const ChaseMap& map, const ChaseRequest& request,
+                   const std::function<void(const ChasePlan&)>& better) {
   if (request.horizon) return run_online(map, request);
   ChaseRun run;
   run.request = request;
@@ -83,7 +84,7 @@ ChaseRun run_chase(const ChaseMap& map, const ChaseRequest& request, const std::
   run.plan = follower.first_plan();
   const Chase chase = chase_of(map, request.clock);
   if (run.plans == 0) {  // there was nothing to play for
-    run.plan.status = PlanStatus::none;
+    run.plan.status = SearchStatus::none;
     run.plan.reason = reason_of_failure(chase);
   }
   run.fault = fault_in(run, chase);

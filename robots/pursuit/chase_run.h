@@ -27,17 +27,17 @@ struct ChaseRequest {
 struct ChaseRun {
   ChaseRequest request;
   ChaseResult result;
-  Plan plan;  ///< the first; when online what somebody would do who knows it all: `exact`
+  ChasePlan plan;  ///< the first; when online what somebody would do who knows it all: `exact`
   PlanEffort effort;
   int plans = 0;
   double seconds_ahead = 0;  ///< of planning while the robot moved
-  std::string fault;         ///< of a plan as fault_of() sees it, or of a step; a defect of the planner
+  std::string fault;         ///< of a plan as verify_plan() sees it, or of a step; a defect of the planner
 
   bool is_caught() const { return result.end == ChaseEnd::caught; }
   /// Nobody catches it for less: the plan is proven, and it was kept.
   bool is_proven(const ChaseMap& map) const;
   /// Nobody catches it at all.
-  bool is_hopeless() const { return plan.status == PlanStatus::none && !is_caught(); }
+  bool is_hopeless() const { return plan.status == SearchStatus::none && !is_caught(); }
   std::string why_not() const;  ///< when not caught
   /// When online and caught: the cost in parts of that of `plan`.
   std::optional<double> ratio() const;
@@ -46,7 +46,7 @@ struct ChaseRun {
 /// Plays the request. `better` is told of each better plan for the whole chase, see PlanLimits, and is kept no longer
 /// than the call.
 ChaseRun run_chase(const ChaseMap& map, const ChaseRequest& request,
-                   const std::function<void(const Plan&)>& better = {});
+                   const std::function<void(const ChasePlan&)>& better = {});
 
 /// `zero` or `one`
 std::string_view name(Clock clock);

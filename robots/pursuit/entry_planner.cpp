@@ -202,9 +202,9 @@ class EntrySearch {
 };
 
 /// Along `way`, which may hold waiting, then waiting at its end until `goal`.
-Plan plan_to(const Chase& chase, std::vector<CellIndex> way, const Meeting& goal) {
+ChasePlan plan_to(const Chase& chase, std::vector<CellIndex> way, const Meeting& goal) {
   way.resize(static_cast<std::size_t>(goal.second - chase.now) + 1, goal.cell);
-  Plan plan{PlanStatus::found, false, 0, std::move(way), 0, {}};
+  ChasePlan plan{SearchStatus::found, false, 0, std::move(way), 0, {}};
   for (const Meeting& m : chase.meetings) {
     const int seconds = m.second - chase.now;
     if (seconds < 1 || plan.cells[static_cast<std::size_t>(seconds)] != m.cell) continue;
@@ -215,16 +215,16 @@ Plan plan_to(const Chase& chase, std::vector<CellIndex> way, const Meeting& goal
   return plan;
 }
 
-Plan without_entry(const Chase& chase) {
-  Plan plan = first_plan(chase);
-  if (plan.status != PlanStatus::found) return plan;
+ChasePlan without_entry(const Chase& chase) {
+  ChasePlan plan = first_plan(chase);
+  if (plan.status != SearchStatus::found) return plan;
   plan = {};
-  plan.status = PlanStatus::stopped;
+  plan.status = SearchStatus::stopped;
   plan.reason = "no way of least cost reaches the target in time, though others do";
   return plan;
 }
 
-Plan planned(Ground& ground, std::uint32_t weight) {
+ChasePlan planned(Ground& ground, std::uint32_t weight) {
   std::vector<std::uint64_t> keys = keys_from(ground, ground.chase.from, true);
   const std::optional<Meeting> goal = cheapest_entry(ground, keys);
   if (!goal) return without_entry(ground.chase);
@@ -235,19 +235,19 @@ Plan planned(Ground& ground, std::uint32_t weight) {
 
 }  // namespace
 
-Plan entry_plan(const Chase& chase, std::uint32_t weight, const PlanLimits& limits, PlanEffort* effort) {
+ChasePlan entry_plan(const Chase& chase, std::uint32_t weight, const PlanLimits& limits, PlanEffort* effort) {
   TAUT_EXPECTS(chase.map->is_free(chase.from));
   TAUT_EXPECTS(weight >= 1 && weight <= 1000);
   Ground ground{chase, limits};
   if (!chase.meetings.empty()) ground.last = std::max(0, chase.meetings.back().second - chase.now);
   ground.bits = static_cast<int>(std::bit_width(static_cast<unsigned>(ground.last)));
   ground.steps = detail::neighbour_steps(*chase.map);
-  Plan plan;
+  ChasePlan plan;
   try {
     plan = planned(ground, weight);
   } catch (const OutOfTime&) {
     plan = {};
-    plan.status = PlanStatus::stopped;
+    plan.status = SearchStatus::stopped;
     plan.reason = "out of time";
   }
   if (effort) *effort = ground.effort;

@@ -52,8 +52,8 @@ class Planning {
     if (limits.stopped || limits.seconds > 0) work_.stopped = [this] { return is_stopped(); };
   }
 
-  Plan run(Depth depth) {
-    Plan plan;
+  ChasePlan run(Depth depth) {
+    ChasePlan plan;
     try {
       if (depth == Depth::exact) look_at_blocks();
       if (!prepare()) {
@@ -67,7 +67,7 @@ class Planning {
     }
     for (const RangeSearch* side : {&here_, &beside_}) take(side->worker.best);
     if (best_.cost >= kNoCost) {
-      plan.status = PlanStatus::stopped;
+      plan.status = SearchStatus::stopped;
       return plan;
     }
     const std::string reason = plan.reason;
@@ -103,7 +103,7 @@ class Planning {
 
   void tell() const {
     if (!limits_.better || best_.cost >= kNoCost) return;
-    Plan plan = plan_along(*work_.chase, best_.way, best_.seconds);
+    ChasePlan plan = plan_along(*work_.chase, best_.way, best_.seconds);
     plan.bound = std::min(bound_, plan.cost);
     limits_.better(plan);
   }
@@ -268,20 +268,20 @@ class Planning {
 
 }  // namespace
 
-Plan exact_plan(const Chase& chase, const PlanLimits& limits, PlanEffort* effort) {
+ChasePlan exact_plan(const Chase& chase, const PlanLimits& limits, PlanEffort* effort) {
   TAUT_EXPECTS(chase.map->is_free(chase.from));
   Planning planning(chase, limits);
-  Plan plan = planning.run(Depth::exact);
+  ChasePlan plan = planning.run(Depth::exact);
   if (effort) *effort = planning.effort();
   return plan;
 }
 
-Plan first_plan(const Chase& chase) {
+ChasePlan first_plan(const Chase& chase) {
   TAUT_EXPECTS(chase.map->is_free(chase.from));
   return Planning(chase, {}).run(Depth::first);
 }
 
-Plan rough_plan(const Chase& chase) {
+ChasePlan rough_plan(const Chase& chase) {
   TAUT_EXPECTS(chase.map->is_free(chase.from));
   return Planning(chase, {}).run(Depth::rough);
 }

@@ -7,7 +7,7 @@ namespace taut::pursuit {
 
 /// The least path cost over all meetings, waiting wherever it is cheapest.
 ///
-///  1. found: the plan keeps what Plan says; optimal unless stopped. none: proven, with reason_of_failure. stopped: no
+///  1. found: the plan keeps what ChasePlan says; optimal unless stopped. none: proven, with reason_of_failure. stopped: no
 ///     plan was found in time.
 ///  2. When limits stop it after a first plan was found: found, not optimal, with a bound below the cost.
 ///  3. Deterministic when it is not stopped, on however many cores.
@@ -23,13 +23,13 @@ namespace taut::pursuit {
 /// departure in time and by the cost to meet, for u = lo and for a second, Lagrangian u. Two searches run side by side:
 /// the two breadth-first ones it begins with, two values of u for the first range, then two ranges at a time.
 /// Precondition: chase.from is free.
-Plan exact_plan(const Chase& chase, const PlanLimits& limits = {}, PlanEffort* effort = nullptr);
+ChasePlan exact_plan(const Chase& chase, const PlanLimits& limits = {}, PlanEffort* effort = nullptr);
 
 /// Some way in time: the one that comes to its meeting's cell with the most seconds to spare. Not optimal, O(cells).
-Plan first_plan(const Chase& chase);
+ChasePlan first_plan(const Chase& chase);
 
 /// The best way that the first bounds lead along: mostly near the optimum. A few searches in the plane, O(cells log
 /// cost) each.
-Plan rough_plan(const Chase& chase);
+ChasePlan rough_plan(const Chase& chase);
 
 }  // namespace taut::pursuit

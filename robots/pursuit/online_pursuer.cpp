@@ -26,8 +26,8 @@ Unfolding::Unfolding(const ChaseMap& map, Clock clock, int horizon)
   TAUT_EXPECTS(horizon >= 0);
 }
 
-Sight Unfolding::at(int now) const {
-  Sight sight{now, {}};
+TargetSighting Unfolding::at(int now) const {
+  TargetSighting sight{now, {}};
   const std::int64_t end =
       std::min<std::int64_t>(first_ + static_cast<std::int64_t>(map_.duration()), std::int64_t{now} + horizon_ + 1);
   for (int second = std::max(now, first_); second < end; ++second)
@@ -40,7 +40,7 @@ OnlinePursuer::OnlinePursuer(const ChaseMap& ground, PlanLimits limits)
       limits_(std::move(limits)),
       cheapest_(*std::min_element(ground.costs().begin(), ground.costs().end())) {}
 
-CellIndex OnlinePursuer::next(CellIndex at, const Sight& sight) {
+CellIndex OnlinePursuer::next(CellIndex at, const TargetSighting& sight) {
   if (!is_on_way(at, sight.now)) {
     way_.clear();
     is_sure_ = false;
@@ -65,7 +65,7 @@ void OnlinePursuer::set_way(std::vector<CellIndex> way, int now, bool is_sure) {
 }
 
 // Meetings that were not seen before are later than all others.
-bool OnlinePursuer::could_be_cheaper(const Sight& sight) const {
+bool OnlinePursuer::could_be_cheaper(const TargetSighting& sight) const {
   if (sight.seen.empty() || sight.seen.back().second <= known_) return false;
   Cost rest = 0;
   for (std::size_t i = static_cast<std::size_t>(sight.now - begin_); i + 1 < way_.size(); ++i)
@@ -73,7 +73,7 @@ bool OnlinePursuer::could_be_cheaper(const Sight& sight) const {
   return Cost{std::max(known_, sight.now) + 1 - sight.now} * cheapest_ < rest;
 }
 
-void OnlinePursuer::look_for_meeting(CellIndex at, const Sight& sight) {
+void OnlinePursuer::look_for_meeting(CellIndex at, const TargetSighting& sight) {
   Chase chase{&ground_, at, sight.now, {}};
   for (const Meeting& m : sight.seen)
     if (m.second > sight.now && ground_.is_free(m.cell)) chase.meetings.push_back(m);
@@ -82,8 +82,8 @@ void OnlinePursuer::look_for_meeting(CellIndex at, const Sight& sight) {
     return distance(ground_, at, m.cell) <= m.second - sight.now;
   });
   if (!is_near) return;
-  const Plan plan = exact_plan(chase, limits_);
-  if (plan.status != PlanStatus::found) return;
+  const ChasePlan plan = exact_plan(chase, limits_);
+  if (plan.status != SearchStatus::found) return;
   known_ = sight.seen.back().second;
   Cost rest = 0;
   if (is_sure_)
@@ -96,7 +96,7 @@ void OnlinePursuer::look_for_meeting(CellIndex at, const Sight& sight) {
 }
 
 // The first cell of the line ahead that the robot could be at in time, were there no obstacles; else the last.
-CellIndex OnlinePursuer::expected(CellIndex at, const Sight& sight) {
+CellIndex OnlinePursuer::expected(CellIndex at, const TargetSighting& sight) {
   const Meeting last = sight.seen.back();
   std::ptrdiff_t step = 0;
   if (sight.seen.size() > 1)
@@ -114,7 +114,7 @@ CellIndex OnlinePursuer::expected(CellIndex at, const Sight& sight) {
   return cell;
 }
 
-void OnlinePursuer::head_for_target(CellIndex at, const Sight& sight) {
+void OnlinePursuer::head_for_target(CellIndex at, const TargetSighting& sight) {
   if (sight.seen.empty()) return;
   const CellIndex goal = expected(at, sight);
   last_seen_ = sight.seen.back().cell;

@@ -9,7 +9,7 @@
 namespace taut::pursuit {
 
 /// What is known of the target at one second: where it is, and for how many seconds on.
-struct Sight {
+struct TargetSighting {
   int now = 0;
   std::vector<Meeting> seen;  ///< from `now` to the horizon, ascending, also in obstacles
 };
@@ -21,7 +21,7 @@ class Unfolding {
   Unfolding(const ChaseMap& map, Clock clock, int horizon);
 
   /// Empty when the target has gone, and by clock one at second 0 without a horizon.
-  Sight at(int now) const;
+  TargetSighting at(int now) const;
 
  private:
   const ChaseMap& map_;
@@ -50,17 +50,17 @@ class OnlinePursuer {
   /// The ground is kept by reference. `limits` hold for each exact plan.
   explicit OnlinePursuer(const ChaseMap& ground, PlanLimits limits = {});
 
-  CellIndex next(CellIndex at, const Sight& sight);
+  CellIndex next(CellIndex at, const TargetSighting& sight);
 
   int plans() const { return plans_; }  ///< exact ones and ways of least cost
 
  private:
   bool is_on_way(CellIndex at, int now) const;
   CellIndex follow(int now) const { return way_[static_cast<std::size_t>(now - begin_) + 1]; }
-  void look_for_meeting(CellIndex at, const Sight& sight);
-  bool could_be_cheaper(const Sight& sight) const;
-  void head_for_target(CellIndex at, const Sight& sight);
-  CellIndex expected(CellIndex at, const Sight& sight);
+  void look_for_meeting(CellIndex at, const TargetSighting& sight);
+  bool could_be_cheaper(const TargetSighting& sight) const;
+  void head_for_target(CellIndex at, const TargetSighting& sight);
+  CellIndex expected(CellIndex at, const TargetSighting& sight);
   void set_way(std::vector<CellIndex> way, int now, bool is_sure);
 
   const ChaseMap& ground_;

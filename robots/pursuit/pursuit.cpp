@@ -53,8 +53,8 @@ bool is_meeting(const Chase& chase, CellIndex cell, int second) {
 
 }  // namespace
 
-std::string fault_of(const Plan& plan, const Chase& chase) {
-  if (plan.status != PlanStatus::found) return plan.cells.empty() ? "" : "a way, but the status is not `found`";
+std::string verify_plan(const ChasePlan& plan, const Chase& chase) {
+  if (plan.status != SearchStatus::found) return plan.cells.empty() ? "" : "a way, but the status is not `found`";
   if (plan.cells.size() < 2 || plan.cells.front() != chase.from) return "the way does not begin at the robot";
   Cost cost = 0;
   for (std::size_t i = 0; i + 1 < plan.cells.size(); ++i) {

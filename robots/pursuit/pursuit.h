@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <taut/robots/pursuit/chase_map.h>
+#include <taut/search/search_status.h>
 
 namespace taut::pursuit {
 
@@ -35,17 +36,10 @@ struct Chase {
 /// The whole map from its start.
 Chase chase_of(const ChaseMap& map, Clock clock);
 
-/// How planning ended.
-enum class PlanStatus {
-  found,    ///< a way that meets the target
-  none,     ///< proven: nobody can
-  stopped,  ///< out of time or memory before either was known
-};
-
 /// A way: `cells[i]` is where one is at second `now + i`, the first is `from`, the last a meeting, and no earlier one
 /// is.
-struct Plan {
-  PlanStatus status = PlanStatus::none;
+struct ChasePlan {
+  SearchStatus status = SearchStatus::none;
   bool optimal = false;          ///< proven: no way costs less
   Cost cost = 0;                 ///< sum of the costs of all cells but the last, in units
   std::vector<CellIndex> cells;  ///< when found
@@ -66,15 +60,15 @@ struct PlanLimits {
   std::size_t most_labels = 30'000'000;  ///< about 50 bytes each at worst
   std::function<bool()> stopped{};       ///< asked every few thousand steps, from two threads at once
   /// Called with each plan that is better than the one before, proven or not, and again when its bound is.
-  std::function<void(const Plan&)> better{};
+  std::function<void(const ChasePlan&)> better{};
 };
 
-/// Why nobody can meet the target, for Plan::reason: the trajectory lies in obstacles, apart from the robot, or ends
+/// Why nobody can meet the target, for ChasePlan::reason: the trajectory lies in obstacles, apart from the robot, or ends
 /// too soon.
 std::string reason_of_failure(const Chase& chase);
 
-/// An independent check. Empty when `plan` is a legal way that keeps what Plan says (but optimality), else what is
+/// An independent check. Empty when `plan` is a legal way that keeps what ChasePlan says (but optimality), else what is
 /// wrong.
-std::string fault_of(const Plan& plan, const Chase& chase);
+std::string verify_plan(const ChasePlan& plan, const Chase& chase);
 
 }  // namespace taut::pursuit

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include <taut/robots/roadblocks/car.h>
-#include <taut/robots/roadblocks/road_map.h>
+#include <taut/robots/roadblocks/roadblock_map.h>
 
 namespace taut::roadblocks {
 

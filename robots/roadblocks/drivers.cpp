@@ -28,13 +28,13 @@ class PlannedDriver : public Driver {
 
  protected:
   virtual bool must_decide(const ObservedMap& map, RoadblockSet news) const = 0;
-  virtual const Plan* decided(const ObservedMap& map, const Pose& pose) = 0;
+  virtual const DrivePlan* decided(const ObservedMap& map, const Pose& pose) = 0;
   virtual RoadblockSet assumed_closed(const ObservedMap& map) const { return map.closed(); }
   LatticePlanner& planner() const { return planner_; }
 
  private:
   /// What goes on as before is no new plan.
-  void follow(const Plan* plan) {
+  void follow(const DrivePlan* plan) {
     if (plan_ &&
         !(plan && std::equal(plan->controls.begin(), plan->controls.end(),
                              plan_->controls.begin() + static_cast<std::ptrdiff_t>(at_), plan_->controls.end())))
@@ -44,7 +44,7 @@ class PlannedDriver : public Driver {
   }
 
   LatticePlanner& planner_;
-  const Plan* plan_ = nullptr;
+  const DrivePlan* plan_ = nullptr;
   std::size_t at_ = 0;
   RoadblockSet unknown_ = 0;
   int replans_ = 0;
@@ -59,7 +59,7 @@ class PolicyDriver : public PlannedDriver {
 
  protected:
   bool must_decide(const ObservedMap&, RoadblockSet news) const override { return (news & choice_.relevant) != 0; }
-  const Plan* decided(const ObservedMap& map, const Pose& pose) override {
+  const DrivePlan* decided(const ObservedMap& map, const Pose& pose) override {
     choice_ = policy_.choose(pose, map.open(), map.closed());
     exact_ = exact_ && choice_.exact;
     return choice_.plan;
@@ -87,10 +87,10 @@ class BelievingDriver : public PlannedDriver {
     return kind_ == DriverKind::clairvoyant ? map.all() & ~told_ : map.closed();
   }
 
-  const Plan* decided(const ObservedMap& map, const Pose& pose) override {
+  const DrivePlan* decided(const ObservedMap& map, const Pose& pose) override {
     const RoadblockSet closed = assumed_closed(map);
     avoided_ = kind_ == DriverKind::pessimist ? map.unknown() : 0;
-    const Plan* plan = planner().plan(pose, closed | avoided_);
+    const DrivePlan* plan = planner().plan(pose, closed | avoided_);
     if (!plan && avoided_ != 0) {
       avoided_ = 0;
       plan = planner().plan(pose, closed);
@@ -100,7 +100,7 @@ class BelievingDriver : public PlannedDriver {
   }
 
  private:
-  RoadblockSet crossed(const Course& course, const Pose& from, const Plan& plan) const {
+  RoadblockSet crossed(const Course& course, const Pose& from, const DrivePlan& plan) const {
     RoadblockSet found = 0;
     for (std::size_t b = 0; b < course.roadblocks.size(); ++b)
       if (crosses(from, plan, course.roadblocks[b], planner().reading())) found |= RoadblockSet{1} << b;

@@ -29,7 +29,7 @@ constexpr std::array<detail::Lattice, 3> kLattices{
 
 }  // namespace
 
-bool crosses(const Pose& from, const Plan& plan, const Roadblock& block, WallReading reading) {
+bool crosses(const Pose& from, const DrivePlan& plan, const Roadblock& block, WallReading reading) {
   const Pose* at = &from;
   for (std::size_t i = 0; i < plan.controls.size(); at = &plan.poses[i++])
     for (const Cell c : block.cells)
@@ -53,13 +53,13 @@ struct LatticePlanner::Impl {
 
   /// A plan, or why there is none.
   struct Answer {
-    std::optional<Plan> plan;
+    std::optional<DrivePlan> plan;
     None none = None::proven;
   };
 
   /// A way and what was closed when it was planned.
   struct Way {
-    Plan plan;
+    DrivePlan plan;
     RoadblockSet shut;
   };
 
@@ -108,8 +108,8 @@ struct LatticePlanner::Impl {
 
   /// Of the ways known from there: the shortest that is clear with `closed`. The best of all when what it was planned
   /// around is among that.
-  std::optional<Plan> known_way(const Place& place, const Pose& from, RoadblockSet closed, bool& is_best) {
-    std::optional<Plan> shortest;
+  std::optional<DrivePlan> known_way(const Place& place, const Pose& from, RoadblockSet closed, bool& is_best) {
+    std::optional<DrivePlan> shortest;
     for (const Way& way : place.ways) {
       if (shortest && shortest->controls.size() <= way.plan.controls.size()) continue;
       if (!is_clear(way.plan, from, closed & ~way.shut)) continue;
@@ -119,7 +119,7 @@ struct LatticePlanner::Impl {
     return shortest;
   }
 
-  bool is_clear(const Plan& plan, const Pose& from, RoadblockSet closed) const {
+  bool is_clear(const DrivePlan& plan, const Pose& from, RoadblockSet closed) const {
     for (std::size_t b = 0; b < course.roadblocks.size(); ++b)
       if ((closed >> b) & 1 && crosses(from, plan, course.roadblocks[b], reading)) return false;
     return true;
@@ -130,7 +130,7 @@ struct LatticePlanner::Impl {
     for (const auto& [shut, none] : place.hopeless)
       if (none != None::capped && (shut & ~closed) == 0) return {std::nullopt, none};
     bool is_best = false;
-    std::optional<Plan> way = known_way(place, from, closed, is_best);
+    std::optional<DrivePlan> way = known_way(place, from, closed, is_best);
     if (is_best) return {std::move(way)};
     Answer answer = search(from, closed);
     if (way && !(answer.plan && answer.plan->controls.size() < way->controls.size())) answer = {std::move(way)};
@@ -197,7 +197,7 @@ LatticePlanner::LatticePlanner(const Course& course, WallReading reading)
 
 LatticePlanner::~LatticePlanner() = default;
 
-const Plan* LatticePlanner::plan(const Pose& from, RoadblockSet closed) {
+const DrivePlan* LatticePlanner::plan(const Pose& from, RoadblockSet closed) {
   const auto& plan = impl_->answer(from, closed).plan;
   return plan ? &*plan : nullptr;
 }
@@ -208,7 +208,7 @@ bool LatticePlanner::gave_up(const Pose& from, RoadblockSet closed) {
   return answer.none != Impl::None::proven && impl_->may_reach(from, closed);
 }
 
-void LatticePlanner::adopt(const Plan& plan, std::size_t steps, RoadblockSet shut) {
+void LatticePlanner::adopt(const DrivePlan& plan, std::size_t steps, RoadblockSet shut) {
   const Pose& there = plan.poses[steps - 1];
   std::vector<Impl::Way>& ways = impl_->places[{there.x, there.y, there.heading}].ways;
   if (std::ranges::any_of(ways, [&](const Impl::Way& way) { return way.shut == shut; })) return;

@@ -11,13 +11,13 @@
 namespace taut::roadblocks {
 
 /// The controls of a way to the goal, and the poses after each of them.
-struct Plan {
+struct DrivePlan {
   std::vector<double> controls;
   std::vector<Pose> poses;
 };
 
 /// Does the plan, followed from there, meet the roadblock if it is closed, or pass it by less than kMargin?
-bool crosses(const Pose& from, const Plan& plan, const Roadblock& block, WallReading reading);
+bool crosses(const Pose& from, const DrivePlan& plan, const Roadblock& block, WallReading reading);
 
 /// Plans with the closed roadblocks known.
 ///
@@ -51,14 +51,14 @@ class LatticePlanner {
 
   /// The controls from `from`, whose heading is taken as the nearest on the lattice. Null when there is no way; valid
   /// as long as the planner.
-  const Plan* plan(const Pose& from, RoadblockSet closed);
+  const DrivePlan* plan(const Pose& from, RoadblockSet closed);
 
   /// After plan() gave null for the same: is that unproven?
   bool gave_up(const Pose& from, RoadblockSet closed);
 
   /// A way that is known: `plan`, found with `shut` closed, from its pose after `steps` steps on. From there plan()
   /// searches no other where that is the best for sure, and gives none that is longer.
-  void adopt(const Plan& plan, std::size_t steps, RoadblockSet shut);
+  void adopt(const DrivePlan& plan, std::size_t steps, RoadblockSet shut);
 
   /// About the steps of a plan, without a search (within some percent, mostly less): nothing where the coarse lattice
   /// of the estimate knows no way.

@@ -11,7 +11,7 @@ namespace taut::roadblocks {
 
 /// A plan, or why there is none.
 struct Attempt {
-  std::optional<Plan> plan;
+  std::optional<DrivePlan> plan;
   bool proven_none = false;  ///< without a plan: there is none; else the planner gave up
 };
 

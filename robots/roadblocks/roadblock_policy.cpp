@@ -21,7 +21,7 @@ constexpr double kTrust = 0.98;  // in estimates, as bounds
 
 /// A way to choose: followed for `steps`, where `seen` comes into sight. Without a sight it leads to the goal.
 struct Way {
-  const Plan* plan = nullptr;
+  const DrivePlan* plan = nullptr;
   RoadblockSet shut = 0;  ///< what it was planned around
   std::size_t steps = 0;
   RoadblockSet seen = 0;
@@ -51,7 +51,7 @@ struct RoadblockPolicy::Impl {
   RoadblockSet unknown(RoadblockSet open, RoadblockSet closed) const { return relevant & ~(open | closed); }
 
   /// Not known to be open, and met; all of them are relevant from now on.
-  RoadblockSet crossed(const Pose& from, const Plan& plan, RoadblockSet open) {
+  RoadblockSet crossed(const Pose& from, const DrivePlan& plan, RoadblockSet open) {
     RoadblockSet all = 0;
     for (std::size_t b = 0; b < course.roadblocks.size(); ++b)
       if (const RoadblockSet block = RoadblockSet{1} << b;
@@ -61,7 +61,7 @@ struct RoadblockPolicy::Impl {
     return all;
   }
 
-  const Plan* from_start(RoadblockSet closed) { return planner.plan({course.start.x, course.start.y, 0}, closed); }
+  const DrivePlan* from_start(RoadblockSet closed) { return planner.plan({course.start.x, course.start.y, 0}, closed); }
   bool is_spent() const { return planner.plans() > most_plans || planner.expanded() > most_expanded; }
 
   /// Nothing when the value is no less than `limit`.
@@ -79,7 +79,7 @@ struct RoadblockPolicy::Impl {
   }
 
   std::optional<Choice> decided(const Pose& from, RoadblockSet open, RoadblockSet closed, double limit) {
-    const Plan* direct = planner.plan(from, closed);
+    const DrivePlan* direct = planner.plan(from, closed);
     if (!direct) return Choice{nullptr, from_start(closed) ? kStranded : 0, true};
     const Choice optimist{direct, static_cast<double>(direct->controls.size()), false};
     if (crossed(from, *direct, open) == 0) return Choice{direct, optimist.value, true};
@@ -110,7 +110,7 @@ struct RoadblockPolicy::Impl {
     for (std::size_t i = 0; i < avoid.size() && i < kMostWays; ++i) {
       const RoadblockSet avoided = avoid[i];
       if (i > 0 && is_spent()) return;
-      const Plan* plan = planner.plan(from, closed | avoided);
+      const DrivePlan* plan = planner.plan(from, closed | avoided);
       if (!plan) continue;
       for (RoadblockSet met = crossed(from, *plan, open); met != 0; met &= met - 1)
         if (const RoadblockSet block = met & (~met + 1); asked.insert(avoided | block).second)
@@ -121,7 +121,7 @@ struct RoadblockPolicy::Impl {
     }
   }
 
-  Way way_along(const Plan& plan, RoadblockSet shut, RoadblockSet unknown) const {
+  Way way_along(const DrivePlan& plan, RoadblockSet shut, RoadblockSet unknown) const {
     for (std::size_t k = 0; k + 1 < plan.poses.size(); ++k)
       if (const RoadblockSet seen = seen_from(plan.poses[k], course) & unknown) return {&plan, shut, k + 1, seen};
     return {&plan, shut, plan.poses.size(), 0};

@@ -46,8 +46,8 @@ class RoadblockPolicy {
   RoadblockPolicy& operator=(const RoadblockPolicy&) = delete;
 
   struct Choice {
-    const Plan* plan = nullptr;  ///< to the goal; to be left at its first sight. Null: no way, whatever is open
-    double value = 0;            ///< steps
+    const DrivePlan* plan = nullptr;  ///< to the goal; to be left at its first sight. Null: no way, whatever is open
+    double value = 0;                 ///< steps
     bool exact = true;
     RoadblockSet relevant = 0;  ///< roadblocks whose sight calls for a new choice
   };

@@ -46,7 +46,7 @@ Attempt TreePlanner::plan(const Pose& from, RoadblockSet closed) {
   if (!controls) return {};
   const detail::Stretch way = room.driven(from, *controls);
   if (!way.arrived) return {};
-  return {Plan{{controls->begin(), controls->begin() + static_cast<std::ptrdiff_t>(way.poses.size())}, way.poses}};
+  return {DrivePlan{{controls->begin(), controls->begin() + static_cast<std::ptrdiff_t>(way.poses.size())}, way.poses}};
 }
 
 std::size_t TreePlanner::samples() const { return impl_->samples; }

@@ -40,7 +40,7 @@ class Follower {
       : room_(room), grid_(grid), values_(values), pose_(from) {}
 
   /// Drives to the goal, into `plan`, or gives what is in the way.
-  std::optional<Culprit> follow(std::size_t state, Plan& plan) {
+  std::optional<Culprit> follow(std::size_t state, DrivePlan& plan) {
     eighths_ = grid_.heading(state);
     eighths_ += 8 * static_cast<int>(std::lround((pose_.heading / kEighth - eighths_) / 8));
     while (true) {
@@ -79,7 +79,7 @@ class Follower {
     return turn;
   }
 
-  std::optional<Culprit> drive_leg(const Leg& leg, Plan& plan) {
+  std::optional<Culprit> drive_leg(const Leg& leg, DrivePlan& plan) {
     const Pose end = grid_.pose(leg.last);
     const detail::Turn turn = turn_towards(leg, end);
     const Point by = turn.shift(pose_.heading);
@@ -149,13 +149,13 @@ struct ValuePlanner::Impl {
     return at->second;
   }
 
-  std::optional<Plan> planned(const Pose& from, RoadblockSet closed, int per_unit, bool backs) {
+  std::optional<DrivePlan> planned(const Pose& from, RoadblockSet closed, int per_unit, bool backs) {
     grid.emplace(course, closed, reading, per_unit, ValueCosts{turn_cost * per_unit, backs});
     for (int i = 0; i < kMostShut; ++i) {
       values = value_iteration(*grid);
       const auto state = state_near(*grid, *values, from);
       if (!state) return std::nullopt;
-      Plan plan;
+      DrivePlan plan;
       const auto culprit = Follower(room(closed), *grid, *values, from).follow(*state, plan);
       if (!culprit) return plan;
       if (culprit->action)

@@ -18,7 +18,7 @@ struct GoalTaken {};
 /// A node's place in the queue: the length of the way to it, or the rank of the narrowest gate on it. Which of two
 /// equal ones comes first is settled, so that the way found does not depend on the heap.
 template <class Value>
-struct Place {
+struct QueueRank {
   Value value;
   Node node;
 };
@@ -27,35 +27,37 @@ struct Place {
 template <class Value>
 struct PlaceMap {
   using key_type = Node;
-  using value_type = Place<Value>;
-  using reference = Place<Value>;
+  using value_type = QueueRank<Value>;
+  using reference = QueueRank<Value>;
   using category = boost::read_write_property_map_tag;
 
   Value* values;
 
-  friend Place<Value> get(PlaceMap map, Node v) { return {map.values[v], v}; }
+  friend QueueRank<Value> get(PlaceMap map, Node v) { return {map.values[v], v}; }
   friend void put(PlaceMap map, Node v, Value value) { map.values[v] = value; }
 };
 
 struct PlusLength {
-  double operator()(Place<double> from, double leg) const { return from.value + leg; }
+  double operator()(QueueRank<double> from, double leg) const { return from.value + leg; }
 };
 
 struct Shorter {
-  bool operator()(double candidate, Place<double> old) const { return candidate < old.value; }
-  bool operator()(Place<double> a, Place<double> b) const {
+  bool operator()(double candidate, QueueRank<double> old) const { return candidate < old.value; }
+  bool operator()(QueueRank<double> a, QueueRank<double> b) const {
     return a.value < b.value || (a.value == b.value && a.node < b.node);
   }
 };
 
 struct Narrower {
-  std::uint32_t operator()(Place<std::uint32_t> from, std::uint32_t gate) const { return std::min(from.value, gate); }
+  std::uint32_t operator()(QueueRank<std::uint32_t> from, std::uint32_t gate) const {
+    return std::min(from.value, gate);
+  }
 };
 
 /// Ends of the query have the highest numbers: the goal comes before all that is as wide.
 struct Wider {
-  bool operator()(std::uint32_t candidate, Place<std::uint32_t> old) const { return candidate > old.value; }
-  bool operator()(Place<std::uint32_t> a, Place<std::uint32_t> b) const {
+  bool operator()(std::uint32_t candidate, QueueRank<std::uint32_t> old) const { return candidate > old.value; }
+  bool operator()(QueueRank<std::uint32_t> a, QueueRank<std::uint32_t> b) const {
     return a.value > b.value || (a.value == b.value && a.node > b.node);
   }
 };
@@ -115,9 +117,9 @@ template <class Value, class Weights, class Compare, class Combine, class Visito
 bool dijkstra(const WideArcs& arcs, Node start, std::vector<Value>& values, Weights weights, Compare compare,
               Combine combine, Visitor visitor) {
   try {
-    boost::dijkstra_shortest_paths_no_init(arcs, start, boost::dummy_property_map(), PlaceMap<Value>{values.data()},
-                                           weights, Identity(), compare, combine, Place<Value>{values[start], start},
-                                           visitor, boost::two_bit_color_map<Identity>(num_vertices(arcs)));
+    boost::dijkstra_shortest_paths_no_init(
+        arcs, start, boost::dummy_property_map(), PlaceMap<Value>{values.data()}, weights, Identity(), compare, combine,
+        QueueRank<Value>{values[start], start}, visitor, boost::two_bit_color_map<Identity>(num_vertices(arcs)));
   } catch (GoalTaken) {
     return true;
   }

@@ -19,7 +19,6 @@ constexpr std::array<std::string_view, kGridAlgorithms> kAlgorithms{
     "bfs",     "dfs", "dijkstra", "greedy-once", "greedy", "astar", "weighted-astar", "bidirectional-astar",
     "idastar", "jps"};
 constexpr std::array<std::string_view, 3> kMoves{"4", "8", "octile"};
-constexpr std::array<std::string_view, 3> kStatuses{"found", "none", "stopped"};
 
 template <typename Enum, std::size_t n>
 std::optional<Enum> named(const std::array<std::string_view, n>& names, std::string_view word) {
@@ -60,7 +59,6 @@ std::string_view name(GridAlgorithm algorithm) { return kAlgorithms[static_cast<
 std::optional<GridAlgorithm> grid_algorithm_named(std::string_view word) {
   return named<GridAlgorithm>(kAlgorithms, word);
 }
-std::string_view name(GridStatus status) { return kStatuses[static_cast<std::size_t>(status)]; }
 
 bool finds_least_cost(const GridQuery& query, GridMoves moves) {
   switch (query.algorithm) {
@@ -96,7 +94,7 @@ GridResult GridSearch::find(GridPlace start, GridPlace goal, const GridQuery& qu
   const detail::BoardCell from = detail::free_cell(board, start, "start"), to = detail::free_cell(board, goal, "goal");
   detail::GridRun run(board, impl_->scratch, query, from, to);
   search_of(query.algorithm)(run);
-  run.result.optimal = run.result.status == GridStatus::found && finds_least_cost(query, board.moves());
+  run.result.optimal = run.result.status == SearchStatus::found && finds_least_cost(query, board.moves());
   return std::move(run.result);
 }
 
@@ -111,8 +109,8 @@ std::vector<std::optional<GridCost>> GridSearch::costs_to(GridPlace goal) {
   return costs;
 }
 
-GridPathCheck grid_path_check(const OccupancyGrid& grid, GridMoves moves, GridPlace start, GridPlace goal,
-                              const std::vector<GridPlace>& path) {
+GridPathVerdict verify_grid_path(const OccupancyGrid& grid, GridMoves moves, GridPlace start, GridPlace goal,
+                                 const std::vector<GridPlace>& path) {
   if (path.empty()) return {"the path is empty", {}};
   if (path.front() != start) return {"the path begins at " + detail::text(path.front()), {}};
   if (path.back() != goal) return {"the path ends at " + detail::text(path.back()), {}};

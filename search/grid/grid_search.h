@@ -13,6 +13,7 @@
 #include <taut/search/grid/grid_cost.h>
 #include <taut/search/grid/grid_heuristics.h>
 #include <taut/search/grid/grid_moves.h>
+#include <taut/search/search_status.h>
 
 namespace taut {
 
@@ -65,16 +66,6 @@ std::optional<GridAlgorithm> grid_algorithm_named(std::string_view word);
 /// Of equal entries of the frontier, which one is taken: the one that came first, or last.
 enum class Ties { fifo, lifo };
 
-/// How a search ended.
-enum class GridStatus {
-  found,
-  none,     ///< all that can be reached from the start was looked at: there is no path
-  stopped,  ///< out of steps: nothing is known
-};
-
-/// `found`, `none`, `stopped`
-std::string_view name(GridStatus status);
-
 /// How to search.
 struct GridQuery {
   GridAlgorithm algorithm = GridAlgorithm::astar;
@@ -87,7 +78,7 @@ struct GridQuery {
 
 /// The answer, and what it took.
 struct GridResult {
-  GridStatus status = GridStatus::none;
+  SearchStatus status = SearchStatus::none;
   std::size_t steps = 0;    ///< cells taken, start and goal included, each once (but for greedy and idastar)
   std::size_t entered = 0;  ///< entries put into the frontier, the start included
   std::size_t rounds = 1;   ///< of idastar
@@ -127,11 +118,11 @@ class GridSearch {
 
 /// Replays a path against the map alone: begins and ends right, every move is one of `moves`; gives its cost, or what
 /// is wrong.
-struct GridPathCheck {
+struct GridPathVerdict {
   std::string fault;  ///< empty: valid
   GridCost cost;
 };
-GridPathCheck grid_path_check(const OccupancyGrid& grid, GridMoves moves, GridPlace start, GridPlace goal,
-                              const std::vector<GridPlace>& path);
+GridPathVerdict verify_grid_path(const OccupancyGrid& grid, GridMoves moves, GridPlace start, GridPlace goal,
+                                 const std::vector<GridPlace>& path);
 
 }  // namespace taut

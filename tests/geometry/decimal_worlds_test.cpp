@@ -182,11 +182,11 @@ TEST(DecimalWorld, LetsADiscThroughAGapThatIsExactlyAsWide) {
     const FreeSpace space = walls.space();
     const Point below = place(x, y - 250, 2), above = place(x + 3 * size, y + 4 * size + 250, 2);
     const double r = written::number(25 * size, 3), more = written::number(25 * size + 1, 3);
-    EXPECT_EQ(disc_passage(space, below, above, r).status, PassageStatus::reachable) << k;
-    EXPECT_EQ(disc_passage(space, below, above, more).status, PassageStatus::separated) << k;
+    EXPECT_EQ(disc_passage(space, below, above, r).status, DiscStatus::found) << k;
+    EXPECT_EQ(disc_passage(space, below, above, more).status, DiscStatus::none) << k;
     EXPECT_EQ(widest_passage(space, below, above).value().radius, r);
-    EXPECT_EQ(arc_search(TangentGraph(space, r), below, above).status, ArcStatus::found) << k;
-    EXPECT_EQ(arc_search(TangentGraph(space, more), below, above).status, ArcStatus::none) << k;
+    EXPECT_EQ(arc_search(TangentGraph(space, r), below, above).status, DiscStatus::found) << k;
+    EXPECT_EQ(arc_search(TangentGraph(space, more), below, above).status, DiscStatus::none) << k;
   }
 }
 

@@ -48,7 +48,7 @@ std::optional<double> polygon_length(const World& world, const Footprint& robot,
 TEST(ArcSearch, BendsAroundTheEndOfAWall) {
   const World world = SmallWorld{.walls = {{{0, 5}, {5, 5}}}, .solids = {}}.bounded(Boundary::walled);
   const auto result = search(world, {2, 2}, {2, 8}, 1);
-  ASSERT_EQ(result.status, ArcStatus::found);
+  ASSERT_EQ(result.status, DiscStatus::found);
   ASSERT_EQ(result.path.bends, (std::vector<ArcBend>{{{5, 5}, 1}}));
   // d = (3, 3): tangents sqrt(18 - 1); the arc is what is left of the turn.
   const double tangent = std::sqrt(17.0), arc = 2 * (M_PI - M_PI / 4 - std::acos(1 / std::sqrt(18.0)));
@@ -62,7 +62,7 @@ TEST(ArcSearch, BendsAroundTheEndOfAWall) {
 TEST(ArcSearch, HugsBothSidesOfAWallAlongTheWholeHalfCircle) {
   const World world = SmallWorld{.walls = {{{0, 5}, {5, 5}}}, .solids = {}}.bounded(Boundary::walled);
   const auto result = search(world, {2, 4}, {2, 6}, 1);
-  ASSERT_EQ(result.status, ArcStatus::found);
+  ASSERT_EQ(result.status, DiscStatus::found);
   EXPECT_NEAR(result.path.value(), 3 + M_PI + 3, 1e-13);
 }
 
@@ -70,21 +70,21 @@ TEST(ArcSearch, PassesADoorThatIsExactlyAsWideAsTheDisc) {
   const World world =
       SmallWorld{.walls = {{{0, 5}, {4, 5}}, {{6, 5}, {10, 5}}}, .solids = {}}.bounded(Boundary::walled);
   const auto result = search(world, {5, 2}, {5, 8}, 1);
-  ASSERT_EQ(result.status, ArcStatus::found);
+  ASSERT_EQ(result.status, DiscStatus::found);
   EXPECT_NEAR(result.path.value(), 6, 1e-14);
   const auto aside = search(world, {2, 3}, {8, 7}, 1);
-  ASSERT_EQ(aside.status, ArcStatus::found);
+  ASSERT_EQ(aside.status, DiscStatus::found);
   EXPECT_TRUE(verify_arcs(aside.path, Gates{FreeSpace(world)}, {2, 3}, {8, 7}).valid);
-  EXPECT_EQ(search(world, {5, 2}, {5, 8}, std::nextafter(1, 2)).status, ArcStatus::none);
+  EXPECT_EQ(search(world, {5, 2}, {5, 8}, std::nextafter(1, 2)).status, DiscStatus::none);
 }
 
 TEST(ArcSearch, NamesTheWallThatAnEndIsTooNearTo) {
   const World world = SmallWorld{.walls = {{{3, 3}, {7, 3}}}, .solids = {}}.bounded(Boundary::walled);
-  EXPECT_EQ(search(world, {5, 3.5}, {5, 8}, 0.6).status, ArcStatus::start_blocked);
+  EXPECT_EQ(search(world, {5, 3.5}, {5, 8}, 0.6).status, DiscStatus::start_blocked);
   EXPECT_NE(search(world, {5, 3.5}, {5, 8}, 0.6).wall, kNone);
-  EXPECT_EQ(search(world, {5, 8}, {5, 3.5}, 0.6).status, ArcStatus::goal_blocked);
+  EXPECT_EQ(search(world, {5, 8}, {5, 3.5}, 0.6).status, DiscStatus::goal_blocked);
   EXPECT_EQ(search(world, {11, 8}, {5, 3.5}, 0.6).wall, kNone);
-  EXPECT_EQ(search(world, {5, 8}, {5, 3.5}, 0.5).status, ArcStatus::found);
+  EXPECT_EQ(search(world, {5, 8}, {5, 3.5}, 0.5).status, DiscStatus::found);
 }
 
 TEST(ArcSearch, KeepsItsCentreInsideAnOpening) {
@@ -92,16 +92,16 @@ TEST(ArcSearch, KeepsItsCentreInsideAnOpening) {
                          .solids = {}};
   const World world = small.bounded(Boundary::limit);
   const auto result = search(world, {10, 2}, {10, 8}, 1);
-  ASSERT_EQ(result.status, ArcStatus::found);
+  ASSERT_EQ(result.status, DiscStatus::found);
   EXPECT_NEAR(result.path.value(), 6, 1e-14);
-  EXPECT_EQ(search(world, {10, 2}, {10, 8}, 1.01).status, ArcStatus::none);
+  EXPECT_EQ(search(world, {10, 2}, {10, 8}, 1.01).status, DiscStatus::none);
 }
 
 TEST(ArcSearch, IsBoundedByPolygonsOfMoreAndMoreSides) {
   const World world =
       SmallWorld{.walls = {{{0, 3}, {6, 3}}, {{4, 6}, {10, 6.5}}}, .solids = {}}.bounded(Boundary::walled);
   const auto result = search(world, {2, 1.5}, {8, 8.5}, 1);
-  ASSERT_EQ(result.status, ArcStatus::found);
+  ASSERT_EQ(result.status, DiscStatus::found);
   double last = HUGE_VAL;
   for (const int sides : {8, 16, 32, 64, 128}) {
     const auto length = polygon_length(world, around_disc(1, sides), {2, 1.5}, {8, 8.5});
@@ -136,18 +136,18 @@ TEST(VerifyArcs, RefusesWhatCutsACorner) {
 void is_right(const World& world, Point s, Point g, double r) {
   const Gates gates{FreeSpace(world)};
   const auto result = search(world, s, g, r);
-  const PassageStatus expected = disc_passage(gates, s, g, r).status;
-  RC_ASSERT((result.status == ArcStatus::found) == (expected == PassageStatus::reachable));
-  RC_ASSERT((result.status == ArcStatus::start_blocked) == (expected == PassageStatus::start_blocked));
-  RC_ASSERT((result.status == ArcStatus::goal_blocked) == (expected == PassageStatus::goal_blocked));
-  if (result.status != ArcStatus::found) return;
+  const DiscStatus expected = disc_passage(gates, s, g, r).status;
+  RC_ASSERT((result.status == DiscStatus::found) == (expected == DiscStatus::found));
+  RC_ASSERT((result.status == DiscStatus::start_blocked) == (expected == DiscStatus::start_blocked));
+  RC_ASSERT((result.status == DiscStatus::goal_blocked) == (expected == DiscStatus::goal_blocked));
+  if (result.status != DiscStatus::found) return;
   const ArcVerdict verdict = verify_arcs(result.path, gates, s, g);
   RC_LOG(verdict.reason + "\n");
   RC_ASSERT(verdict.valid);
   const auto point = polygon_length(world, Footprint::point(), s, g);
   RC_ASSERT(point && *point <= result.path.length.hi);
   const auto back = search(world, g, s, r);
-  RC_ASSERT(back.status == ArcStatus::found && std::abs(back.path.value() - result.path.value()) < 1e-11);
+  RC_ASSERT(back.status == DiscStatus::found && std::abs(back.path.value() - result.path.value()) < 1e-11);
   if (const auto polygon = polygon_length(world, Footprint::disc(r), s, g))
     RC_ASSERT(result.path.length.lo <= *polygon + 1e-12);
   // A slightly smaller disc's polygon lies within the disc: its path is no longer.

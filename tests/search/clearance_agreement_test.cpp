@@ -49,7 +49,7 @@ class Both {
   }
 
   bool diagram_passes(double r) const { return query_.shortest(r).has_value(); }
-  bool gates_pass(double r) const { return disc_passage(gates_, s_, g_, r).status == PassageStatus::reachable; }
+  bool gates_pass(double r) const { return disc_passage(gates_, s_, g_, r).status == DiscStatus::found; }
 
   /// Radii below, at and above half of each gate's width; with slack only below and above.
   std::vector<double> critical_radii(double slack) const {

@@ -24,10 +24,10 @@ using test::SmallWorld;
 /// Both ways to one answer, for one radius that is not within the polygon's excess of a critical one.
 void agrees_with_inflation(const World& world, const Gates& gates, Point s, Point g, double r) {
   const DiscPassage passage = disc_passage(gates, s, g, r);
-  if (inflated(world, s, g, r) == true) RC_ASSERT(passage.status == PassageStatus::reachable);
+  if (inflated(world, s, g, r) == true) RC_ASSERT(passage.status == DiscStatus::found);
   if (inflated(world, s, g, r / (1 + 1.001 * Footprint::kDiscExcess)) != true)
-    RC_ASSERT(passage.status != PassageStatus::reachable);
-  if (passage.status == PassageStatus::separated) RC_ASSERT(separates(gates, passage.barrier, s, g));
+    RC_ASSERT(passage.status != DiscStatus::found);
+  if (passage.status == DiscStatus::none) RC_ASSERT(separates(gates, passage.barrier, s, g));
 }
 
 RC_GTEST_PROP(DiscPassage, AgreesWithTheInflatedPolygonInMessyWorlds, ()) {
@@ -51,13 +51,13 @@ RC_GTEST_PROP(DiscPassage, IsBoundedByTheWidest, ()) {
     const Point s = test::any_fine_point(6), g = test::any_fine_point(6);
     const auto widest = widest_passage(gates, s, g);
     if (!widest) {
-      RC_ASSERT(disc_passage(gates, s, g, 1e-9).status != PassageStatus::reachable);
+      RC_ASSERT(disc_passage(gates, s, g, 1e-9).status != DiscStatus::found);
       continue;
     }
     if (widest->radius == 0) continue;
     RC_LOG(fmt::format(" s {} g {} radius {}\n", test::show(s), test::show(g), widest->radius));
-    RC_ASSERT(disc_passage(gates, s, g, widest->radius).status == PassageStatus::reachable);
-    RC_ASSERT(disc_passage(gates, s, g, std::nextafter(widest->radius, 9)).status != PassageStatus::reachable);
+    RC_ASSERT(disc_passage(gates, s, g, widest->radius).status == DiscStatus::found);
+    RC_ASSERT(disc_passage(gates, s, g, std::nextafter(widest->radius, 9)).status != DiscStatus::found);
     if (widest->radius < 1e-9) continue;  // the inflated world cannot be rounded that finely
     RC_ASSERT(inflated(world, s, g, widest->radius * 0.998) == true);
     RC_ASSERT(inflated(world, s, g, widest->radius * 1.0001) != true);
@@ -77,9 +77,9 @@ RC_GTEST_PROP(DiscPassage, AgreesWithAFineGrid, ()) {
   const double r = test::any(10, 60) / 100.0 + 0.0013;
   // A step keeps within 1/2 of a node; a free path stays within 0.71 steps of nodes.
   if (flooded(gates, s, g, r + 0.51 * step, 4, steps))
-    RC_ASSERT(disc_passage(gates, s, g, r).status == PassageStatus::reachable);
+    RC_ASSERT(disc_passage(gates, s, g, r).status == DiscStatus::found);
   if (!flooded(gates, s, g, r - 0.72 * step, 4, steps))
-    RC_ASSERT(disc_passage(gates, s, g, r).status != PassageStatus::reachable);
+    RC_ASSERT(disc_passage(gates, s, g, r).status != DiscStatus::found);
 }
 
 RC_GTEST_PROP(DiscPassage, AgreesWithTheInflatedPolygonInOpenedMazes, ()) {

@@ -33,14 +33,14 @@ World rooms_with_doors(const std::vector<std::pair<double, double>>& doors) {
   return room(walls);
 }
 
-PassageStatus status(const World& world, Point s, Point g, double r) {
+DiscStatus status(const World& world, Point s, Point g, double r) {
   return disc_passage(FreeSpace(world), s, g, r).status;
 }
 
 TEST(DiscPassage, ADoorLetsThroughWhatIsNoWiderThanIt) {
   const World world = rooms_with_doors({{4, 2}});
-  EXPECT_EQ(status(world, {5, 2}, {5, 8}, 1), PassageStatus::reachable);
-  EXPECT_EQ(status(world, {5, 2}, {5, 8}, std::nextafter(1, 2)), PassageStatus::separated);
+  EXPECT_EQ(status(world, {5, 2}, {5, 8}, 1), DiscStatus::found);
+  EXPECT_EQ(status(world, {5, 2}, {5, 8}, std::nextafter(1, 2)), DiscStatus::none);
 }
 
 TEST(DiscPassage, TheWiderOfTwoDoorsCounts) {
@@ -56,7 +56,7 @@ TEST(DiscPassage, TheWiderOfTwoDoorsCounts) {
 TEST(DiscPassage, TheBarrierNamesTheGatesAndClosesAroundOneEnd) {
   const Gates gates{FreeSpace(rooms_with_doors({{1, 1}, {6, 1.5}}))};
   const DiscPassage blocked = disc_passage(gates, {5, 2}, {5, 8}, 0.8);
-  ASSERT_EQ(blocked.status, PassageStatus::separated);
+  ASSERT_EQ(blocked.status, DiscStatus::none);
   EXPECT_EQ(
       std::count_if(blocked.barrier.begin(), blocked.barrier.end(), [](const auto& p) { return p.gate != kNone; }), 2);
   EXPECT_TRUE(separates(gates, blocked.barrier, {5, 2}, {5, 8}));
@@ -64,10 +64,10 @@ TEST(DiscPassage, TheBarrierNamesTheGatesAndClosesAroundOneEnd) {
 
 TEST(DiscPassage, AnEndNearAWallIsNoPlace) {
   const Gates gates{FreeSpace(room({{{3, 3}, {7, 3}}}))};
-  EXPECT_EQ(disc_passage(gates, {5, 3.5}, {5, 8}, 0.6).status, PassageStatus::start_blocked);
-  EXPECT_EQ(disc_passage(gates, {5, 8}, {5, 3.5}, 0.6).status, PassageStatus::goal_blocked);
-  EXPECT_EQ(disc_passage(gates, {5, 8}, {5, 3.5}, 0.5).status, PassageStatus::reachable);
-  EXPECT_EQ(disc_passage(gates, {11, 8}, {5, 3.5}, 0.5).status, PassageStatus::start_blocked);
+  EXPECT_EQ(disc_passage(gates, {5, 3.5}, {5, 8}, 0.6).status, DiscStatus::start_blocked);
+  EXPECT_EQ(disc_passage(gates, {5, 8}, {5, 3.5}, 0.6).status, DiscStatus::goal_blocked);
+  EXPECT_EQ(disc_passage(gates, {5, 8}, {5, 3.5}, 0.5).status, DiscStatus::found);
+  EXPECT_EQ(disc_passage(gates, {11, 8}, {5, 3.5}, 0.5).status, DiscStatus::start_blocked);
   const auto widest = widest_passage(gates, {5, 8}, {5, 3.5});
   ASSERT_TRUE(widest);
   EXPECT_EQ(widest->limit, WidestPassage::Limit::goal);
@@ -78,7 +78,7 @@ TEST(DiscPassage, ClosedRoomsAreSeparatedForAnyRadius) {
   const Gates gates{FreeSpace(room({{{0, 5}, {10, 5}}}))};
   EXPECT_FALSE(widest_passage(gates, {5, 2}, {5, 8}));
   const DiscPassage blocked = disc_passage(gates, {5, 2}, {5, 8}, 1e-6);
-  EXPECT_EQ(blocked.status, PassageStatus::separated);
+  EXPECT_EQ(blocked.status, DiscStatus::none);
   EXPECT_TRUE(separates(gates, blocked.barrier, {5, 2}, {5, 8}));
 }
 
@@ -105,18 +105,18 @@ TEST(DiscPassage, ADiscSticksOutOfAnOpening) {
   const SmallWorld world{.walls = {{{0, 0}, {10, 0}}, {{0, 10}, {10, 10}}, {{0, 0}, {0, 10}}, {{0, 5}, {9, 5}}},
                          .solids = {}};
   const Gates gates(world.space());
-  EXPECT_EQ(disc_passage(gates, {5, 2}, {5, 8}, 1).status, PassageStatus::reachable);
-  EXPECT_EQ(disc_passage(gates, {10, 2}, {10, 8}, 1).status, PassageStatus::reachable);
-  EXPECT_EQ(disc_passage(gates, {10, 2}, {10, 8}, 1.01).status, PassageStatus::separated);
-  EXPECT_EQ(disc_passage(gates, {10, 5}, {10, 8}, 1).status, PassageStatus::reachable);
+  EXPECT_EQ(disc_passage(gates, {5, 2}, {5, 8}, 1).status, DiscStatus::found);
+  EXPECT_EQ(disc_passage(gates, {10, 2}, {10, 8}, 1).status, DiscStatus::found);
+  EXPECT_EQ(disc_passage(gates, {10, 2}, {10, 8}, 1.01).status, DiscStatus::none);
+  EXPECT_EQ(disc_passage(gates, {10, 5}, {10, 8}, 1).status, DiscStatus::found);
 }
 
 TEST(DiscPassage, AWallOnTheOutlineOfAnOpenWorldIsAWall) {
   auto parts = SmallWorld{.walls = {{{0, 0}, {0, 1}}}, .solids = {}}.parts();
   parts.boundary = Boundary::open;
   const FreeSpace space{World(parts)};
-  EXPECT_EQ(disc_passage(space, {0.25, 0.5}, {5, 5}, 0.5).status, PassageStatus::start_blocked);
-  EXPECT_EQ(disc_passage(space, {0.25, 2}, {5, 5}, 0.5).status, PassageStatus::reachable);
+  EXPECT_EQ(disc_passage(space, {0.25, 0.5}, {5, 5}, 0.5).status, DiscStatus::start_blocked);
+  EXPECT_EQ(disc_passage(space, {0.25, 2}, {5, 5}, 0.5).status, DiscStatus::found);
 }
 
 TEST(DiscPassage, AWallReachesOutThroughAnOpening) {
@@ -156,7 +156,7 @@ TEST(DiscPassage, FromOpeningToOpeningOfAMaze) {
     ASSERT_TRUE(widest);
     EXPECT_EQ(widest->radius, 0.5);
     EXPECT_EQ(inflated(world, *world.start(), *world.goal().point, 0.49), true);
-    EXPECT_EQ(disc_passage(gates, *world.start(), *world.goal().point, 0.5).status, PassageStatus::reachable);
+    EXPECT_EQ(disc_passage(gates, *world.start(), *world.goal().point, 0.5).status, DiscStatus::found);
   }
 }
 

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include <taut/io/worlds/road_map.h>
+#include <taut/io/worlds/roadblock_map.h>
 
 namespace taut::test {
 
 /// A grid without start and goal lines; S and G mark them; roadblocks A.. are all declared with p.
-inline roadblocks::RoadMap map_of(std::vector<std::string> rows, const std::string& p = "0.5") {
+inline roadblocks::RoadblockMap map_of(std::vector<std::string> rows, const std::string& p = "0.5") {
   std::string head;
   for (std::size_t y = 0; y < rows.size(); ++y)
     for (std::size_t x = 0; x < rows[y].size(); ++x) {
@@ -20,11 +20,11 @@ inline roadblocks::RoadMap map_of(std::vector<std::string> rows, const std::stri
     }
   head += "grid " + std::to_string(rows[0].size()) + " " + std::to_string(rows.size()) + "\n";
   for (const std::string& row : rows) head += row + "\n";
-  return read_road_map(head, "drawing");
+  return read_roadblock_map(head, "drawing");
 }
 
 /// A lane whose wall points are 3 apart, 30 long, closed at its end; a wide way round below.
-inline roadblocks::RoadMap lane() {
+inline roadblocks::RoadblockMap lane() {
   std::vector<std::string> rows(18, "#" + std::string(48, '.') + "#");
   rows.front() = rows.back() = std::string(50, '#');
   const std::string wall = "#......" + std::string(32, '#') + "..........#";

@@ -10,7 +10,7 @@ namespace taut::detail {
 
 namespace {
 
-using micromouse::Pose;
+using micromouse::MousePose;
 using micromouse::Record;
 using micromouse::Step;
 
@@ -32,8 +32,8 @@ std::string position(const MouseSheet& sheet, Cell cell) {
 
 double degrees(Side heading) { return 90.0 * static_cast<int>(heading); }
 
-Pose last_pose(const Record& record) {
-  return record.steps.empty() ? Pose{record.task.start, Side::north} : record.steps.back().after;
+MousePose last_pose(const Record& record) {
+  return record.steps.empty() ? MousePose{record.task.start, Side::north} : record.steps.back().after;
 }
 
 /// Values and their key times.
@@ -82,7 +82,7 @@ std::string MouseFilm::mouse(const MouseSheet& sheet) const {
     at.add(key(end), position(sheet, s.after.cell));
     turn.add(key(end), svg_number(angle));
   }
-  const Pose last = last_pose(record_);
+  const MousePose last = last_pose(record_);
   at.end();
   turn.end();
   return "<g class=\"moving\" transform=\"translate(" + position(sheet, last.cell) + ")\">" +

@@ -12,7 +12,7 @@ namespace taut::detail {
 double degrees(Side heading);
 
 /// Where the mouse stands in the end.
-micromouse::Pose last_pose(const micromouse::Record& record);
+micromouse::MousePose last_pose(const micromouse::Record& record);
 
 /// The times of a film and the SMIL elements that obey them. Moments count in steps of the trial; the film begins again
 /// after a pause. The record must outlive it.

@@ -97,14 +97,14 @@ SvgFrame::SvgFrame(Point size, std::string title, std::vector<std::string> facts
   const double left = (width_ - size.x) / 2;
   map_ = {{left, kMargin}, {left + size.x, kMargin + size.y}};
   fact_rows_ = wrapped(facts_, width_ - 2 * kMargin);
-  const std::vector<Place> places = key_places();
+  const std::vector<KeySlot> places = key_places();
   const std::size_t rows =
       1 + fact_rows_.size() + (places.empty() ? 0 : static_cast<std::size_t>(places.back().row) + 1);
   height_ = map_.max.y + kMargin + static_cast<double>(rows) * kRow + 10;
 }
 
-std::vector<SvgFrame::Place> SvgFrame::key_places() const {
-  std::vector<Place> places;
+std::vector<SvgFrame::KeySlot> SvgFrame::key_places() const {
+  std::vector<KeySlot> places;
   double x = kMargin;
   int row = 0;
   for (const SvgKey& key : keys_) {
@@ -133,7 +133,7 @@ std::string SvgFrame::foot() const {
       "<g class=\"legend\">\n" + words("title", kMargin, y, shortened(title_, width_ - 2 * kMargin, kTitleSize));
   for (const std::string& row : fact_rows_) out += words("facts", kMargin, y += kRow, row);
   y += kRow - 5;
-  const std::vector<Place> places = key_places();
+  const std::vector<KeySlot> places = key_places();
   for (std::size_t i = 0; i < keys_.size(); ++i) {
     const double at = y + places[i].row * kRow;
     out += sample(keys_[i], places[i].x, at) +

@@ -46,11 +46,11 @@ class SvgFrame {
   std::string foot() const;
 
  private:
-  struct Place {
+  struct KeySlot {
     double x;
     int row;
   };
-  std::vector<Place> key_places() const;
+  std::vector<KeySlot> key_places() const;
 
   std::string title_;
   std::vector<std::string> facts_;

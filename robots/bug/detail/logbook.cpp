@@ -24,7 +24,7 @@ Point Logbook::round(const Stand& stand) {
   return p;
 }
 
-void Logbook::follow(const Place& a, const Place& b, Turn turn) {
+void Logbook::follow(const ContourPlace& a, const ContourPlace& b, Turn turn) {
   each_vertex(a, b, turn, [&](Point p) { trail_.add(p); });
   trail_.add(round(b.stand));
 }

@@ -16,7 +16,8 @@ Interval product(Interval a, double factor);
 /// Writes a Journey. Keeps references.
 class Logbook {
  public:
-  Logbook(const Places& places, Point from, Point goal) : places_(places), goal_(goal), trail_(places.tri(), from) {
+  Logbook(const ContourPlaces& places, Point from, Point goal)
+      : places_(places), goal_(goal), trail_(places.tri(), from) {
     journey_.bound = distance_interval(from, goal);
   }
 
@@ -24,11 +25,11 @@ class Logbook {
   void walk(const Walk& walk) { trail_.add(walk, goal_); }
   void walk(const Walk& walk, const Stand& to) { trail_.add(walk, round(to)); }
   /// Along a contour from a to b; once around when they are the same.
-  void follow(const Place& a, const Place& b, Turn turn);
+  void follow(const ContourPlace& a, const ContourPlace& b, Turn turn);
 
   /// Calls visit(vertex) for all vertices between a and b; once around when they are the same.
   template <typename Visit>
-  void each_vertex(const Place& a, const Place& b, Turn turn, Visit visit) const {
+  void each_vertex(const ContourPlace& a, const ContourPlace& b, Turn turn, Visit visit) const {
     const std::uint32_t n = places_.stations(a.contour);
     const bool left = turn == Turn::left;
     if (a.station == b.station && !a.is_vertex() && a.stand.at != b.stand.at && places_.is_ahead(a, b) == left) return;
@@ -53,7 +54,7 @@ class Logbook {
   Point round(const Stand& stand);
   std::uint32_t number(std::uint32_t contour);
 
-  const Places& places_;
+  const ContourPlaces& places_;
   Point goal_;
   Trail trail_;
   Journey journey_;

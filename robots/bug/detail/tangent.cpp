@@ -19,7 +19,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class Tangent {
  public:
-  Tangent(const Places& places, const Stand& stand, Point from, Point goal, const Options& options)
+  Tangent(const ContourPlaces& places, const Stand& stand, Point from, Point goal, const Options& options)
       : places_(places),
         goal_(goal),
         options_(options),
@@ -87,7 +87,7 @@ class Tangent {
     return true;
   }
 
-  void at_obstacle(const Place& hit) {
+  void at_obstacle(const ContourPlace& hit) {
     if (std::exchange(is_straight_, false)) log_.note(x_, hit.contour, log_.journey().hits);
     const Sight sight = look();
     const Targets targets(places_, x_, goal_, options_.turn);
@@ -118,11 +118,11 @@ class Tangent {
   /// Where a part of the contour ends, and why.
   struct Pass {
     enum class Why { end, goal, leave, closed };
-    Place at;
+    ContourPlace at;
     Why why = Why::end;
   };
 
-  void follow(const Place& hit, Turn turn) {
+  void follow(const ContourPlace& hit, Turn turn) {
     ++log_.note(x_, hit.contour, log_.journey().minima).hits;
     turn_ = turn;
     start_ = front_ = hit;
@@ -161,7 +161,7 @@ class Tangent {
   }
 
   /// Takes note of the contour from a to b, on one side; up to where it need not be followed any more.
-  Pass look_over(const Place& a, const Place& b) {
+  Pass look_over(const ContourPlace& a, const ContourPlace& b) {
     const Contours::At edge = places_.ahead(a, turn_);
     const Point tail = places_.contours().tail(edge), head = places_.contours().head(edge);
     const auto away = [&](const ExactPoint& p) { return squared_distance(a.stand.at, p); };
@@ -173,7 +173,7 @@ class Tangent {
     if (written::on_segment(*goal_.doubles, tail, head) && is_between(goal_.exact))
       return {places_.on(edge, goal_.exact), Pass::Why::goal};
     if (is_between(start_.stand.at) && places_.on(edge, start_.stand.at) == start_) pass = {start_, Pass::Why::closed};
-    const Place foot = places_.on(edge, nearest_on(tail, head, goal_.exact));
+    const ContourPlace foot = places_.on(edge, nearest_on(tail, head, goal_.exact));
     const bool passes_foot = is_between(foot.stand.at) && away(foot.stand.at) < away(pass.at.stand.at);
     followed_ = std::min(followed_, distance(passes_foot ? foot.stand.at : pass.at.stand.at));
     if (passes_foot && !foot.is_vertex() && is_way_off(foot)) return {foot, Pass::Why::leave};
@@ -181,7 +181,7 @@ class Tangent {
     return pass;
   }
 
-  bool is_way_off(const Place& place) const {
+  bool is_way_off(const ContourPlace& place) const {
     return distance(place.stand.at) <= followed_ && leads_off(places_.tri(), place.stand, *goal_.doubles);
   }
 
@@ -205,7 +205,7 @@ class Tangent {
   }
 
   /// The way to a place of the contour, when it leads to that side or corner and no other at the same point.
-  std::optional<Walk> way_to(const Stand& from, const Place& to) const {
+  std::optional<Walk> way_to(const Stand& from, const ContourPlace& to) const {
     const auto is_there = [&](const Stand& s) {
       return s.kind == to.stand.kind &&
              (to.is_vertex() ? s.sector == to.stand.sector : s.t == to.stand.t && s.i == to.stand.i);
@@ -254,7 +254,7 @@ class Tangent {
     return pass.why != Pass::Why::end;
   }
 
-  const Places& places_;
+  const ContourPlaces& places_;
   const Spot goal_;
   const Options options_;
   const SensorRange range_;
@@ -265,13 +265,14 @@ class Tangent {
   bool finished_ = false;
   // Following:
   Turn turn_ = Turn::left;
-  Place start_, front_;  // the part of the contour in between is seen
-  mpq_class followed_;   // squared
+  ContourPlace start_, front_;  // the part of the contour in between is seen
+  mpq_class followed_;          // squared
 };
 
 }  // namespace
 
-Journey tangent_journey(const Places& places, const Stand& stand, Point from, Point goal, const Options& options) {
+Journey tangent_journey(const ContourPlaces& places, const Stand& stand, Point from, Point goal,
+                        const Options& options) {
   return Tangent(places, stand, from, goal, options).run();
 }
 

@@ -42,6 +42,7 @@ namespace taut::bug::detail {
 ///  end| + d(h) + the shorter arc. A leg to a corner v: |xv| + d(v) - d(x) <= 2 min(R, d(v)), and <= 2 p(C) when an end
 ///  of C in view was below the limit, as that one promises at most d(x) + 2 * (the arc from h to it). With R = 0 there
 ///  are no legs: D + 1.5 * sum of (times followed) * p.
-Journey tangent_journey(const Places& places, const Stand& stand, Point from, Point goal, const Options& options);
+Journey tangent_journey(const ContourPlaces& places, const Stand& stand, Point from, Point goal,
+                        const Options& options);
 
 }  // namespace taut::bug::detail

@@ -33,8 +33,8 @@ bool Targets::is_preferred(Point v) const {
   return orientation(Spot(stand_.at), goal_, v) == (preferred_ == Turn::left ? 1 : -1);
 }
 
-ViewEnd Targets::end(const Sight& sight, const Place& hit, Turn turn) const {
-  Place at = hit;
+ViewEnd Targets::end(const Sight& sight, const ContourPlace& hit, Turn turn) const {
+  ContourPlace at = hit;
   for (;;) {
     const Sight::Step step = sight.step(at, turn);
     const bool hidden = step.kind == Kind::shadow && step.corner != kNone;
@@ -49,13 +49,13 @@ ViewEnd Targets::end(const Sight& sight, const Place& hit, Turn turn) const {
   }
 }
 
-Turn Targets::better(const Place& hit, const ViewEnd& left, const ViewEnd& right) const {
+Turn Targets::better(const ContourPlace& hit, const ViewEnd& left, const ViewEnd& right) const {
   int order = compare(left.target, right.target);
   if (order == 0) order = compare_slopes(hit);
   return order == 0 ? preferred_ : order < 0 ? Turn::left : Turn::right;
 }
 
-int Targets::compare_slopes(const Place& hit) const {
+int Targets::compare_slopes(const ContourPlace& hit) const {
   const auto slope = [&](Turn turn) {
     const ExactPoint &h = hit.stand.at, to = places_.next_vertex(hit, turn).stand.at;
     const mpq_class along = (to.x - h.x) * (goal_.exact.x - h.x) + (to.y - h.y) * (goal_.exact.y - h.y);

@@ -23,7 +23,7 @@ struct Corner {
 /// ties go to `preferred`, the side on which a target lies or to which a contour is followed. Keeps references.
 class Targets {
  public:
-  Targets(const Places& places, const Stand& stand, const Spot& goal, Turn preferred)
+  Targets(const ContourPlaces& places, const Stand& stand, const Spot& goal, Turn preferred)
       : places_(places), stand_(stand), goal_(goal), preferred_(preferred) {}
 
   /// The sign of the difference of what two targets promise: negative when p promises the shorter way.
@@ -33,19 +33,19 @@ class Targets {
   std::optional<Corner> best_corner(const Sight& sight, const mpq_class& limit) const;
 
   /// Of the part of a contour in view that holds `hit`, the end to that side.
-  ViewEnd end(const Sight& sight, const Place& hit, Turn turn) const;
+  ViewEnd end(const Sight& sight, const ContourPlace& hit, Turn turn) const;
 
   /// The way along the contour towards the better end; at a tie where it falls steeper towards the goal.
-  Turn better(const Place& hit, const ViewEnd& left, const ViewEnd& right) const;
+  Turn better(const ContourPlace& hit, const ViewEnd& left, const ViewEnd& right) const;
 
  private:
   mpq_class distance(const ExactPoint& p) const { return squared_distance(p, goal_.exact); }
   Point vertex(std::uint32_t v) const { return places_.tri().points[v]; }
   bool is_preferred(Point v) const;
   /// Negative when the contour falls steeper towards the goal to the left of `hit`.
-  int compare_slopes(const Place& hit) const;
+  int compare_slopes(const ContourPlace& hit) const;
 
-  const Places& places_;
+  const ContourPlaces& places_;
   const Stand& stand_;
   const Spot& goal_;
   Turn preferred_;

@@ -25,7 +25,9 @@ class SpotCoordinates {
 
   explicit SpotCoordinates(const Tri& tri) : points_(tri.points.data()) {}
   Place at(std::uint32_t v) const { return {points_[v]}; }
-  static int side(const Place& origin, const Place& b, const Place& c) { return orientation(*origin.spot, b.at, c.at); }
+  static int side(const Place& origin, const Place& b, const Place& c) {
+    return orientation(*origin.spot, b.at, c.at);
+  }
 
  private:
   const Point* points_;
@@ -39,7 +41,7 @@ SensorRange::SensorRange(double range) : value_(range), endless_(std::isinf(rang
   squared_ *= squared_;
 }
 
-Sight::Sight(const Places& places, const Stand& stand, const SensorRange& range)
+Sight::Sight(const ContourPlaces& places, const Stand& stand, const SensorRange& range)
     : places_(places), stand_(stand), range_(range), origin_(stand.at) {
   look();
   for (std::uint32_t k = 0; k < pieces_.size(); ++k)
@@ -77,7 +79,7 @@ bool Sight::is_tangent(const Tri::Sector& sector) const {
   return orientation(origin_, v, point(sector.right)) * orientation(origin_, v, point(sector.left)) >= 0;
 }
 
-const Sight::Piece* Sight::piece_at(const Place& from, Contours::At edge, Turn turn) const {
+const Sight::Piece* Sight::piece_at(const ContourPlace& from, Contours::At edge, Turn turn) const {
   const HalfEdge e = places_.contours().edges(edge.contour)[edge.edge];
   const Spot at(from.stand.at);
   const std::uint32_t side = 3 * e.t + static_cast<std::uint32_t>(e.i);
@@ -90,10 +92,10 @@ const Sight::Piece* Sight::piece_at(const Place& from, Contours::At edge, Turn t
   return nullptr;
 }
 
-Sight::Step Sight::step(const Place& from, Turn turn) const {
+Sight::Step Sight::step(const ContourPlace& from, Turn turn) const {
   const Contours::At edge = places_.ahead(from, turn);
   const Point tail = places_.contours().tail(edge), head = places_.contours().head(edge);
-  const Place whole = places_.next_vertex(from, turn);
+  const ContourPlace whole = places_.next_vertex(from, turn);
   // Seen edge-on.
   if (orientation(origin_, tail, head) == 0) return within_range(from, edge, {Step::Kind::vertex, whole, kNone});
   Step step{Step::Kind::shadow, from, kNone};
@@ -108,7 +110,7 @@ Sight::Step Sight::step(const Place& from, Turn turn) const {
   return within_range(from, edge, std::move(step));
 }
 
-Sight::Step Sight::within_range(const Place& from, Contours::At edge, Step step) const {
+Sight::Step Sight::within_range(const ContourPlace& from, Contours::At edge, Step step) const {
   if (range_.reaches(stand_.at, step.end.stand.at)) return step;
   const ExactPoint &a = from.stand.at, &b = step.end.stand.at;
   const Point x = as_point(stand_.at), p = as_point(a), q = as_point(b);

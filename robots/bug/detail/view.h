@@ -32,7 +32,7 @@ class SensorRange {
 /// references.
 class Sight {
  public:
-  Sight(const Places& places, const Stand& stand, const SensorRange& range);
+  Sight(const ContourPlaces& places, const Stand& stand, const SensorRange& range);
 
   /// The corners seen at which the depth jumps: both sides at the corner lie to one hand of the ray to it. By vertex,
   /// ascending.
@@ -46,11 +46,11 @@ class Sight {
       range,   ///< up to where it is out of range, short of it by at most 2^-30 of the step; 0 when `from` is
     };
     Kind kind = Kind::vertex;
-    Place end;
+    ContourPlace end;
     std::uint32_t corner = kNone;  ///< shadow: the vertex that throws it
   };
   /// Precondition: `from` is in view.
-  Step step(const Place& from, Turn turn) const;
+  Step step(const ContourPlace& from, Turn turn) const;
 
   /// For pictures.
   Ring ring() const;
@@ -74,12 +74,12 @@ class Sight {
   Point point(std::uint32_t v) const { return places_.tri().points[v]; }
   void look();
   bool is_tangent(const Triangulation::Sector& sector) const;
-  const Piece* piece_at(const Place& from, Contours::At edge, Turn turn) const;
-  Step within_range(const Place& from, Contours::At edge, Step step) const;
+  const Piece* piece_at(const ContourPlace& from, Contours::At edge, Turn turn) const;
+  Step within_range(const ContourPlace& from, Contours::At edge, Step step) const;
   Point ray_end(const Piece& piece, std::uint32_t ray) const;
   void clip(Point a, Point b, Ring& ring) const;
 
-  const Places& places_;
+  const ContourPlaces& places_;
   const Stand& stand_;
   const SensorRange& range_;
   Spot origin_;

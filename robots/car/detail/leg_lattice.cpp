@@ -30,7 +30,7 @@ struct Tangents {
     half = std::abs(sine) / (1 + u.x * v.x + u.y * v.y);
   }
 
-  /// Of a leg that goes by d; what this lets through fault_of has to confirm. Precondition: sine is not 0.
+  /// Of a leg that goes by d; what this lets through validate has to confirm. Precondition: sine is not 0.
   std::optional<double> length(Point d, double radius) const {
     const double t1 = (d.x * v.y - d.y * v.x) / sine, t2 = (u.x * d.y - u.y * d.x) / sine, used = std::min(t1, t2);
     if (used < radius * half * (1 - 1e-9)) return std::nullopt;
@@ -85,7 +85,7 @@ void add_legs(const LegLattice& lattice, const CarShape& shape, const LatticePos
       const Leg leg{from,
                     {{static_cast<double>(c.i) * lattice.step, static_cast<double>(c.j) * lattice.step}, heading},
                     backward};
-      if (!fault_of(leg, shape)) found.push_back(leg);
+      if (!validate(leg, shape)) found.push_back(leg);
     }
   }
   legs.insert(legs.end(), found.begin(), found.end());
@@ -157,7 +157,7 @@ std::vector<Leg> legs_to(const CarShape& shape, const LatticePose& from, Point t
       const double gear = backward ? -1 : 1;
       const Point d{gear * (to.x - from.at.x), gear * (to.y - from.at.y)};
       if (turn != 0 && !Tangents(from.heading, heading).length(d, shape.radius)) continue;
-      if (!fault_of(leg, shape)) legs.push_back(leg);
+      if (!validate(leg, shape)) legs.push_back(leg);
     }
   }
   return legs;

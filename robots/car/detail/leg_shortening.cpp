@@ -79,7 +79,7 @@ class Shortening {
   void add(std::vector<Leg> legs, double most, std::vector<Run>& runs) const {
     double length = 0;
     for (const Leg& leg : legs) {
-      if (fault_of(leg, space_.shape())) return;
+      if (validate(leg, space_.shape())) return;
       length += curve_of(leg).length();
     }
     if (length < most) runs.push_back({std::move(legs), length});

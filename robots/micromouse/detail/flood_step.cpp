@@ -6,7 +6,7 @@
 
 namespace taut::micromouse::detail {
 
-Action flood_step(const WallMap& map, const Task& task, const Pose& pose) {
+Action flood_step(const WallMap& map, const Task& task, const MousePose& pose) {
   const StepField to_goal(map.possible(), task.goal);
   if (!to_goal.reached(pose.cell)) return {90, 0};
   const auto next = one_step_from(map.certain(), pose.cell);

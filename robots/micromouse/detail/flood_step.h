@@ -7,6 +7,6 @@ namespace taut::micromouse::detail {
 
 /// Along the fewest steps to the goal, unknown walls open. Cells to stop in are reached by known passages alone; a turn
 /// on the spot where the way leads through a wall not yet seen.
-Action flood_step(const WallMap& map, const Task& task, const Pose& pose);
+Action flood_step(const WallMap& map, const Task& task, const MousePose& pose);
 
 }  // namespace taut::micromouse::detail

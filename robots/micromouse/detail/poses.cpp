@@ -18,11 +18,11 @@ Poses::Poses(const GridMaze& maze, const Task& task) : maze_(maze), task_(task) 
     }
 }
 
-Poses::Pose Poses::id(Cell c, Side heading, bool felt) const {
-  return static_cast<Pose>(index_of(task_.width, c) * 8 + static_cast<std::size_t>(heading) + (felt ? 4 : 0));
+Poses::MousePose Poses::id(Cell c, Side heading, bool felt) const {
+  return static_cast<MousePose>(index_of(task_.width, c) * 8 + static_cast<std::size_t>(heading) + (felt ? 4 : 0));
 }
 
-void Poses::add_moves(Cell cell, Side heading, std::vector<Pose>& into) const {
+void Poses::add_moves(Cell cell, Side heading, std::vector<MousePose>& into) const {
   for (const int quarters : {-1, 0, 1}) {
     const Side h = turned(heading, quarters);
     into.push_back(id(cell, h, maze_.wall(cell, opposite(h))));
@@ -37,15 +37,15 @@ void Poses::add_moves(Cell cell, Side heading, std::vector<Pose>& into) const {
   }
 }
 
-std::vector<Poses::Pose> shortest_walk(const Poses& poses, const std::vector<PoseGroup>& groups) {
+std::vector<Poses::MousePose> shortest_walk(const Poses& poses, const std::vector<PoseGroup>& groups) {
   const std::size_t n = poses.count();
   std::vector<std::uint32_t> meets(n);
   for (std::size_t g = 0; g < groups.size(); ++g)
-    for (const Poses::Pose p : groups[g]) meets[p] |= 1U << g;
+    for (const Poses::MousePose p : groups[g]) meets[p] |= 1U << g;
   constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
   const std::uint32_t all = (1U << groups.size()) - 1;
   std::vector<std::uint32_t> from((std::size_t{all} + 1) * n, kNone);
-  const auto state = [&](std::uint32_t met, Poses::Pose p) { return static_cast<std::uint32_t>(met * n + p); };
+  const auto state = [&](std::uint32_t met, Poses::MousePose p) { return static_cast<std::uint32_t>(met * n + p); };
   const std::uint32_t root = state(meets[poses.start()], poses.start());
   std::vector<std::uint32_t> queue{root};
   from[root] = root;
@@ -53,15 +53,15 @@ std::vector<Poses::Pose> shortest_walk(const Poses& poses, const std::vector<Pos
     const std::uint32_t here = queue[head];
     const auto met = static_cast<std::uint32_t>(here / n);
     if (met == all) {
-      std::vector<Poses::Pose> walk;
+      std::vector<Poses::MousePose> walk;
       for (std::uint32_t s = here;; s = from[s]) {
-        walk.push_back(static_cast<Poses::Pose>(s % n));
+        walk.push_back(static_cast<Poses::MousePose>(s % n));
         if (from[s] == s) break;
       }
       std::reverse(walk.begin(), walk.end());
       return walk;
     }
-    for (const Poses::Pose p : poses.moves(static_cast<Poses::Pose>(here % n))) {
+    for (const Poses::MousePose p : poses.moves(static_cast<Poses::MousePose>(here % n))) {
       const std::uint32_t next = state(met | meets[p], p);
       if (from[next] != kNone) continue;
       from[next] = here;

@@ -15,19 +15,19 @@ namespace taut::micromouse::detail {
 /// and was stopped by the wall behind, which it then knows.
 class Poses {
  public:
-  using Pose = std::uint32_t;
+  using MousePose = std::uint32_t;
 
   /// Both must outlive it. O(cells).
   Poses(const GridMaze& maze, const Task& task);
 
   std::size_t count() const { return moves_.size(); }
-  const std::vector<Pose>& moves(Pose pose) const { return moves_[pose]; }
-  Pose start() const { return id(task_.start, Side::north, false); }
-  Cell cell(Pose pose) const { return cell_of(task_.width, pose / 8); }
+  const std::vector<MousePose>& moves(MousePose pose) const { return moves_[pose]; }
+  MousePose start() const { return id(task_.start, Side::north, false); }
+  Cell cell(MousePose pose) const { return cell_of(task_.width, pose / 8); }
 
   /// Calls visit(wall, closed) for all that the pose shows.
   template <class Visit>
-  void for_each_seen(Pose pose, Visit visit) const {
+  void for_each_seen(MousePose pose, Visit visit) const {
     const Cell at = cell(pose);
     const auto heading = static_cast<Side>(pose % 4);
     for (const int quarters : {-1, 0, 1}) {
@@ -40,19 +40,19 @@ class Poses {
   }
 
  private:
-  Pose id(Cell c, Side heading, bool felt) const;
-  void add_moves(Cell cell, Side heading, std::vector<Pose>& into) const;
+  MousePose id(Cell c, Side heading, bool felt) const;
+  void add_moves(Cell cell, Side heading, std::vector<MousePose>& into) const;
 
   const GridMaze& maze_;
   const Task& task_;
-  std::vector<std::vector<Pose>> moves_;
+  std::vector<std::vector<MousePose>> moves_;
 };
 
 /// A demand on the walk: it has to be in one of these poses.
-using PoseGroup = std::vector<Poses::Pose>;
+using PoseGroup = std::vector<Poses::MousePose>;
 
 /// The shortest walk from the start that meets all groups, as poses. Breadth-first over (groups met, pose): O(2^groups
 /// * poses). Precondition: fewer than 32 groups.
-std::vector<Poses::Pose> shortest_walk(const Poses& poses, const std::vector<PoseGroup>& groups);
+std::vector<Poses::MousePose> shortest_walk(const Poses& poses, const std::vector<PoseGroup>& groups);
 
 }  // namespace taut::micromouse::detail

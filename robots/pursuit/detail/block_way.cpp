@@ -125,8 +125,8 @@ std::optional<TimedWay> way_over_blocks(const Chase& chase, int side) {
     coarse.meetings.push_back(there);
     meetings.push_back(m);
   }
-  const Plan plan = rough_plan(coarse);
-  if (plan.status != PlanStatus::found) return std::nullopt;
+  const ChasePlan plan = rough_plan(coarse);
+  if (plan.status != SearchStatus::found) return std::nullopt;
   for (const CellIndex block : plan.cells) go_straight(map, way, blocks.middle_of(ground.cell(block)));
   const Meeting end{plan.cells.back(), static_cast<int>(plan.cells.size()) - 1};
   const auto which = std::find(coarse.meetings.begin(), coarse.meetings.end(), end) - coarse.meetings.begin();

@@ -13,12 +13,12 @@ WayCost cost_of(const ChaseMap& map, const std::vector<CellIndex>& way) {
   return cost;
 }
 
-Plan plan_along(const Chase& chase, const std::vector<CellIndex>& way, int seconds) {
+ChasePlan plan_along(const Chase& chase, const std::vector<CellIndex>& way, int seconds) {
   const ChaseMap& map = *chase.map;
   const auto rest =
       std::min_element(way.begin(), way.end(), [&](CellIndex a, CellIndex b) { return map.cost(a) < map.cost(b); });
-  Plan plan;
-  plan.status = PlanStatus::found;
+  ChasePlan plan;
+  plan.status = SearchStatus::found;
   plan.cells.reserve(static_cast<std::size_t>(seconds) + 1);
   plan.cells.assign(way.begin(), rest);
   plan.cells.insert(plan.cells.end(), static_cast<std::size_t>(seconds) + 2 - way.size(), *rest);

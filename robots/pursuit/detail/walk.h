@@ -12,7 +12,7 @@ inline constexpr Cost kNoCost = std::numeric_limits<Cost>::max() / 4;
 /// The plan that follows `way` (neighbours, from chase.from to a meeting's cell) and is at its end `seconds` after
 /// chase.now, where a meeting is. All waiting is done at the way's cheapest cell, the first of several; the plan ends
 /// where it meets the target first. Precondition: way.size() <= seconds + 1.
-Plan plan_along(const Chase& chase, const std::vector<CellIndex>& way, int seconds);
+ChasePlan plan_along(const Chase& chase, const std::vector<CellIndex>& way, int seconds);
 
 /// A cost per second on the way, moves alone, and the cost of its cheapest cell.
 struct WayCost {

@@ -189,10 +189,10 @@ class Search {
     return steps == PoseDistance::kFar ? disc + kLost : std::max(disc, static_cast<int>(kTrust * steps));
   }
 
-  Plan plan_to(std::uint32_t last) const {
+  DrivePlan plan_to(std::uint32_t last) const {
     std::vector<const Node*> way;
     for (std::uint32_t n = last; n != Bins::kNone; n = nodes_[n].parent) way.push_back(&nodes_[n]);
-    Plan plan;
+    DrivePlan plan;
     Pose pose = from_;
     for (std::size_t i = way.size() - 1; i-- > 0;)
       for (std::size_t k = 0; k < way[i]->taken; ++k) {

@@ -18,7 +18,7 @@ struct Lattice {
 };
 
 struct LatticeAnswer {
-  std::optional<Plan> plan;
+  std::optional<DrivePlan> plan;
   bool exhausted = false;  ///< without a plan: all of the lattice that the start is connected to was searched
 };
 

@@ -2,9 +2,9 @@
 
 namespace taut::roadblocks::detail {
 
-std::optional<Plan> replayed(const Pose& from, const std::vector<double>& controls, const Obstacles& obstacles,
-                             double slack) {
-  Plan plan;
+std::optional<DrivePlan> replayed(const Pose& from, const std::vector<double>& controls, const Obstacles& obstacles,
+                                  double slack) {
+  DrivePlan plan;
   Pose pose = from;
   for (const double control : controls) {
     const Pose to = stepped(pose, control);

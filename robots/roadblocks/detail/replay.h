@@ -11,7 +11,7 @@ namespace taut::roadblocks::detail {
 
 /// From there with these controls, cut off where the goal is reached; nothing when a step is not clear by `slack` or
 /// the goal never reached.
-std::optional<Plan> replayed(const Pose& from, const std::vector<double>& controls, const Obstacles& obstacles,
-                             double slack);
+std::optional<DrivePlan> replayed(const Pose& from, const std::vector<double>& controls, const Obstacles& obstacles,
+                                  double slack);
 
 }  // namespace taut::roadblocks::detail

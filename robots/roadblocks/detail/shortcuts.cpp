@@ -120,10 +120,10 @@ std::optional<Vector> controls_for(Miss miss, Vector u) {
 
 class Shortcuts {
  public:
-  Shortcuts(const Pose& from, const Plan& plan, const Obstacles& obstacles, double slack)
+  Shortcuts(const Pose& from, const DrivePlan& plan, const Obstacles& obstacles, double slack)
       : from_(from), plan_(plan), obstacles_(obstacles), slack_(slack), changed_(plan.controls.size()) {}
 
-  Plan run() {
+  DrivePlan run() {
     for (round_ = 0; round_ < kRounds; ++round_) {
       const std::size_t before = plan_.controls.size();
       for (auto length = static_cast<double>(before); length >= kLeast; length *= kShrink)
@@ -261,7 +261,7 @@ class Shortcuts {
     const std::size_t end = i + controls.size();
     controls.insert(controls.begin(), plan_.controls.begin(), plan_.controls.begin() + static_cast<std::ptrdiff_t>(i));
     controls.insert(controls.end(), plan_.controls.begin() + static_cast<std::ptrdiff_t>(j), plan_.controls.end());
-    std::optional<Plan> plan = replayed(from_, controls, obstacles_, slack_);
+    std::optional<DrivePlan> plan = replayed(from_, controls, obstacles_, slack_);
     if (!plan || plan->controls.size() >= plan_.controls.size()) return false;
     plan_ = std::move(*plan);
     const auto at = changed_.begin() + static_cast<std::ptrdiff_t>(i);
@@ -271,7 +271,7 @@ class Shortcuts {
   }
 
   Pose from_;
-  Plan plan_;
+  DrivePlan plan_;
   const Obstacles& obstacles_;
   double slack_;
   std::vector<int> changed_;  ///< in which round, a control each
@@ -280,7 +280,7 @@ class Shortcuts {
 
 }  // namespace
 
-Plan with_shortcuts(const Pose& from, const Plan& plan, const Obstacles& obstacles, double slack) {
+DrivePlan with_shortcuts(const Pose& from, const DrivePlan& plan, const Obstacles& obstacles, double slack) {
   return Shortcuts(from, plan, obstacles, slack).run();
 }
 

@@ -10,6 +10,6 @@ namespace taut::roadblocks::detail {
 /// same pose (within 1e-11), or, at the end, a pose that covers the goal. What is returned has been replayed from the
 /// first step on, clear by `slack` at each; it is never longer. Deterministic: stretches are tried in a fixed order,
 /// long ones first.
-Plan with_shortcuts(const Pose& from, const Plan& plan, const Obstacles& obstacles, double slack);
+DrivePlan with_shortcuts(const Pose& from, const DrivePlan& plan, const Obstacles& obstacles, double slack);
 
 }  // namespace taut::roadblocks::detail

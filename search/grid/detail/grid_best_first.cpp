@@ -52,7 +52,7 @@ class BestFirst {
     nodes_.begin(run_.board.size());
     heap_.begin(run_.query.ties);
     enter(run_.start, 0, 0);
-    run_.finish(GridStatus::none);
+    run_.finish(SearchStatus::none);
     while (!heap_.empty() && step()) {
     }
     run_.result.entered = heap_.entered();
@@ -74,7 +74,7 @@ class BestFirst {
     const BoardCell c = heap_.top().cell;
     const bool again = nodes_.marked(c);
     if (again && !repeats_) return heap_.pop(), true;
-    if (!run_.take(c, !again)) return run_.finish(GridStatus::stopped), false;
+    if (!run_.take(c, !again)) return run_.finish(SearchStatus::stopped), false;
     heap_.pop();
     nodes_.mark(c);
     if (c == run_.goal) {

@@ -79,7 +79,7 @@ class Bidirectional {
   }
 
   void conclude(bool stopped) {
-    run_.finish(stopped ? GridStatus::stopped : GridStatus::none);
+    run_.finish(stopped ? SearchStatus::stopped : SearchStatus::none);
     if (!stopped && meeting_ != 0) {
       run_.found(best_);
       run_.result.path = run_.trace(sides_[0].nodes, meeting_);

@@ -24,7 +24,7 @@ class IterativeDeepening {
       if (!round()) return record();
       bound_ = beyond_;
     }
-    run_.finish(GridStatus::none);
+    run_.finish(SearchStatus::none);
     record();
   }
 
@@ -66,7 +66,7 @@ class IterativeDeepening {
   /// False at the goal and when there are no steps left.
   bool enter(BoardCell c, std::int64_t g, BoardCell parent) {
     const bool first = !ever_.marked(c);
-    if (!run_.take(c, first)) return run_.finish(GridStatus::stopped), false;
+    if (!run_.take(c, first)) return run_.finish(SearchStatus::stopped), false;
     ever_.mark(c);
     ++run_.result.entered;
     nodes_.set(c, g, parent);

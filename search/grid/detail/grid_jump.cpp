@@ -105,7 +105,7 @@ class JumpSearch {
     arrived_.resize(run_.board.size());
     heap_.begin(run_.query.ties);
     enter(run_.start, 0, 0, kNowhere);
-    run_.finish(GridStatus::none);
+    run_.finish(SearchStatus::none);
     while (!heap_.empty() && step()) {
     }
     run_.result.entered = heap_.entered();
@@ -125,7 +125,7 @@ class JumpSearch {
   bool step() {
     const BoardCell c = heap_.top().cell;
     if (nodes_.marked(c)) return heap_.pop(), true;
-    if (!run_.take(c)) return run_.finish(GridStatus::stopped), false;
+    if (!run_.take(c)) return run_.finish(SearchStatus::stopped), false;
     heap_.pop();
     nodes_.mark(c);
     if (c == run_.goal) {

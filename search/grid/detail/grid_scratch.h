@@ -99,11 +99,11 @@ class GridRun {
     return true;
   }
 
-  void finish(GridStatus status) { result.status = status; }
+  void finish(SearchStatus status) { result.status = status; }
   /// Found: the path along the parents of `side`, from its root to c.
   std::vector<GridPlace> trace(const GridNodes& nodes, BoardCell c) const;
   void found(std::int64_t g) {
-    finish(GridStatus::found);
+    finish(SearchStatus::found);
     result.cost = GridCost::of_key(g);
   }
   void record_frontier(std::vector<BoardCell> cells);

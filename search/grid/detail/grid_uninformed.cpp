@@ -10,11 +10,11 @@ void breadth_first(GridRun& run) {
   nodes.set(run.start, 0, 0);
   queue.assign(1, run.start);
   std::size_t next = 0;
-  run.finish(GridStatus::none);
+  run.finish(SearchStatus::none);
   for (; next < queue.size(); ++next) {
     const BoardCell c = queue[next];
     if (!run.take(c)) {
-      run.finish(GridStatus::stopped);
+      run.finish(SearchStatus::stopped);
       break;
     }
     if (c == run.goal) {
@@ -62,7 +62,7 @@ void depth_first(GridRun& run) {
   nodes.begin(run.board.size());
   std::vector<Frame> stack;
   const auto enter = [&](BoardCell c, std::int64_t g, BoardCell parent) {
-    if (!run.take(c)) return run.finish(GridStatus::stopped), false;
+    if (!run.take(c)) return run.finish(SearchStatus::stopped), false;
     ++run.result.entered;
     nodes.set(c, g, parent);
     nodes.mark(c);
@@ -72,7 +72,7 @@ void depth_first(GridRun& run) {
     run.result.path = run.trace(nodes, c);
     return false;
   };
-  run.finish(GridStatus::none);
+  run.finish(SearchStatus::none);
   bool on = enter(run.start, 0, 0);
   while (on && !stack.empty()) {
     const BoardCell c = stack.back().cell;

@@ -39,7 +39,7 @@ TEST(CertificateFile, ReadsBackWhatWasWritten) {
   EXPECT_EQ(again.certificate.openings, won.certified.certificate.openings);
   EXPECT_EQ(again.certificate.walls, won.certified.certificate.walls);
   EXPECT_EQ(again.run1, won.certified.run1);
-  EXPECT_TRUE(check_certificate(again, won.maze)) << check_certificate(again, won.maze).reason;
+  EXPECT_TRUE(verify_certificate(again, won.maze)) << verify_certificate(again, won.maze).reason;
   EXPECT_EQ(certificate_text(again), text);
 }
 
@@ -47,7 +47,7 @@ TEST(CertificateFile, DoesNotVouchForWhatItReads) {
   const Won won;
   micromouse::CertifiedRun other = won.certified;
   other.run1.pop_back();
-  EXPECT_FALSE(check_certificate(read_certificate(certificate_text(other)), won.maze));
+  EXPECT_FALSE(verify_certificate(read_certificate(certificate_text(other)), won.maze));
 }
 
 TEST(CertificateFile, NamesTheLineAndTheKey) {

@@ -12,7 +12,7 @@
 #include <taut/io/worlds/read_world.h>
 #include <taut/robots/car/car_planner.h>
 #include <taut/robots/car/detail/leg_lattice.h>
-#include <taut/robots/car/drive_check.h>
+#include <taut/robots/car/verify_drive.h>
 
 namespace taut::car {
 namespace {
@@ -26,7 +26,7 @@ CarSpace space_of(const std::string& text, const CarShape& shape = kCar) {
 }
 
 void expect_checked(const PlannedDrive& drive, const CarSpace& space) {
-  const auto fault = fault_of(drive.legs, space.space(), space.shape());
+  const auto fault = verify_drive(drive.legs, space.space(), space.shape());
   EXPECT_FALSE(fault) << "leg " << fault->leg << " " << fault->text;
   double length = 0;
   for (const Leg& leg : drive.legs) length += curve_of(leg).length();
@@ -84,7 +84,7 @@ TEST(PlannedDrive, IsProvenNotToExistWhereEvenTheDiscInsideDoesNotPass) {
   const PlannedDrive none = planned_drive(space_of(head + "3.81\n"), query);
   EXPECT_EQ(none.status, SearchStatus::none);
   ASSERT_TRUE(none.barrier);
-  EXPECT_EQ(none.barrier->status, PassageStatus::separated);
+  EXPECT_EQ(none.barrier->status, DiscStatus::none);
   EXPECT_EQ(planned_drive(space_of(head + "4\n"), query).status, SearchStatus::none);
 }
 
@@ -186,7 +186,7 @@ TEST(PlannedDrive, IsTheShortestOnItsLattice) {
 TEST(DriveCheck, NamesTheFirstFault) {
   const CarSpace space = space_of(kRoom);
   const auto fault = [&](std::vector<Leg> legs) {
-    const auto found = fault_of(legs, space.space(), kCar);
+    const auto found = verify_drive(legs, space.space(), kCar);
     return found ? found->text : std::string("none");
   };
   const LatticePose a{{1, 1}, 0}, b{{2, 1}, 0}, c{{4, 1}, 0};
@@ -197,9 +197,9 @@ TEST(DriveCheck, NamesTheFirstFault) {
   EXPECT_THAT(fault({{a, {{0, 2}, 16}}}), HasSubstr("direction"));
   const CarSpace open = space_of("boundary 0 0 6 4\n0 0 0 4\n");
   const Leg out{{{5, 1}, 0}, {{7, 1}, 0}};
-  EXPECT_THAT(fault_of(std::vector{out}, open.space(), kCar)->text, HasSubstr("leaves"));
+  EXPECT_THAT(verify_drive(std::vector{out}, open.space(), kCar)->text, HasSubstr("leaves"));
   const Leg bulge{{{5.9, 1}, 8}, {{5.9, 3}, 24}};
-  EXPECT_THAT(fault_of(std::vector{bulge}, open.space(), kCar)->text, HasSubstr("leaves through the opening"));
+  EXPECT_THAT(verify_drive(std::vector{bulge}, open.space(), kCar)->text, HasSubstr("leaves through the opening"));
   EXPECT_FALSE(open.is_clear(bulge));
 }
 

@@ -11,7 +11,7 @@
 #include <taut/geometry/errors.h>
 #include <taut/robots/car/car_space.h>
 #include <taut/robots/car/detail/prepared_leg.h>
-#include <taut/robots/car/drive_check.h>
+#include <taut/robots/car/verify_drive.h>
 
 namespace taut::car {
 namespace {
@@ -47,7 +47,7 @@ class Cases {
   Case next() {
     for (;;) {
       Case c = draw();
-      if (c.wall.a == c.wall.b || fault_of(c.leg, c.shape) || stand_meets(c.leg.from, c.shape, c.wall)) continue;
+      if (c.wall.a == c.wall.b || validate(c.leg, c.shape) || stand_meets(c.leg.from, c.shape, c.wall)) continue;
       return c;
     }
   }
@@ -217,7 +217,7 @@ TEST(CarSpace, RefusesToStandInWallsAndToLeaveTheWorld) {
 
 TEST(Leg, NamesWhatTheCarCannotDrive) {
   using testing::HasSubstr;
-  const auto fault = [](const Leg& leg, const CarShape& shape = kCar) { return fault_of(leg, shape).value_or("none"); };
+  const auto fault = [](const Leg& leg, const CarShape& shape = kCar) { return validate(leg, shape).value_or("none"); };
   EXPECT_EQ(fault(kQuarterLeft), "none");
   EXPECT_THAT(fault(kQuarterLeft, {2, 0.5, 0.5, 2.001, true}), HasSubstr("radius 2"));
   EXPECT_THAT(fault({{{0, 0}, 0}, {{-2, 2}, 16}, false}), HasSubstr("direction"));

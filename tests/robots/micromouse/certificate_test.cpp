@@ -26,11 +26,11 @@ Proven proven(std::uint64_t seed) {
 TEST(Certificate, FailsWithoutAnyOneOfItsWalls) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const Proven p = proven(seed);
-    ASSERT_TRUE(check_certificate(p.certificate, p.maze, p.record));
+    ASSERT_TRUE(verify_certificate(p.certificate, p.maze, p.record));
     for (std::size_t i = 0; i < p.certificate.walls.size(); ++i) {
       Certificate tampered = p.certificate;
       tampered.walls.erase(tampered.walls.begin() + static_cast<std::ptrdiff_t>(i));
-      EXPECT_FALSE(check_certificate(tampered, p.maze));
+      EXPECT_FALSE(verify_certificate(tampered, p.maze));
     }
   }
 }
@@ -42,7 +42,7 @@ TEST(Certificate, FailsWhenAWordOfItIsChanged) {
   const auto fails = [&](auto change) {
     Certificate tampered = p.certificate;
     change(tampered);
-    return !check_certificate(tampered, p.maze, p.record);
+    return !verify_certificate(tampered, p.maze, p.record);
   };
   EXPECT_TRUE(fails([](Certificate& c) { --c.steps; }));
   EXPECT_TRUE(fails([](Certificate& c) { ++c.steps; }));
@@ -58,7 +58,7 @@ TEST(Certificate, FailsWhenAWordOfItIsChanged) {
 
 TEST(Certificate, IsOfThisMazeOnly) {
   const Proven a = proven(3), b = proven(4);
-  EXPECT_FALSE(check_certificate(a.certificate, b.maze));
+  EXPECT_FALSE(verify_certificate(a.certificate, b.maze));
 }
 
 TEST(Certificate, IsAbsentWhenRunOneHasNotProvenIt) {

@@ -24,7 +24,7 @@ TEST(Explorers, KeepTheRulesAndNeverOffend) {
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
       const GridMaze maze = generated(8, seed);
       const Record record = played(maze, e);
-      EXPECT_EQ(check_record(record, maze).reason, "") << name(e) << " " << seed;
+      EXPECT_EQ(verify_record(record, maze).reason, "") << name(e) << " " << seed;
       for (const Step& step : record.steps) EXPECT_EQ(step.offence, Offence::none) << name(e) << " " << seed;
     }
 }
@@ -58,7 +58,7 @@ TEST(Explorers, ProvingOnesFindTheOptimumOfGeneratedMazesAndCertifyIt) {
       const auto proof = certificate(record);
       ASSERT_TRUE(proof) << seed;
       EXPECT_EQ(proof->steps, best);
-      EXPECT_EQ(check_certificate(*proof, maze, record).reason, "") << seed;
+      EXPECT_EQ(verify_certificate(*proof, maze, record).reason, "") << seed;
     }
   }
 }
@@ -103,7 +103,7 @@ TEST(Explorers, ProveFindsTheOptimumOfMazesWithLongRoutes) {
     EXPECT_EQ(record.run2, optimum(passages_of(maze), task_of(maze)));
     const auto proof = certificate(record);
     ASSERT_TRUE(proof);
-    EXPECT_EQ(check_certificate(*proof, maze, record).reason, "");
+    EXPECT_EQ(verify_certificate(*proof, maze, record).reason, "");
   }
 }
 

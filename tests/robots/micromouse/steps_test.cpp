@@ -67,7 +67,7 @@ TEST(Optimum, IsThatOfAQueueInMazesOfFiles) {
 }
 
 TEST(ActionTowards, GoesBackwardsOnlyToWhatLiesBehind) {
-  const Pose pose{{4, 4}, Side::east};
+  const MousePose pose{{4, 4}, Side::east};
   EXPECT_EQ(action_towards(pose, {6, 4}), (Action{0, 2}));
   EXPECT_EQ(action_towards(pose, {3, 4}), (Action{0, -1}));
   EXPECT_EQ(action_towards(pose, {4, 7}), (Action{-90, 3}));

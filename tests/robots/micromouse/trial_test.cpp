@@ -32,21 +32,21 @@ Trial after(const GridMaze& maze, const std::vector<Action>& actions, int max_st
 
 TEST(MicromouseTrial, SensorsCountOpenCellsToTheNextWall) {
   const GridMaze maze = drawn(kRing);
-  EXPECT_EQ(Trial(maze).sight(), (Sight{0, 3, 3}));
-  EXPECT_EQ(after(maze, {{90, 3}}).sight(), (Sight{3, 0, 0}));
+  EXPECT_EQ(Trial(maze).sight(), (SensorReading{0, 3, 3}));
+  EXPECT_EQ(after(maze, {{90, 3}}).sight(), (SensorReading{3, 0, 0}));
 }
 
 TEST(MicromouseTrial, TurnsFirstThenMoves) {
-  EXPECT_EQ(after(drawn(kRing), {{90, 2}}).pose(), (Pose{{2, 0}, Side::east}));
+  EXPECT_EQ(after(drawn(kRing), {{90, 2}}).pose(), (MousePose{{2, 0}, Side::east}));
 }
 
 TEST(MicromouseTrial, MovesBackwardsWithoutTurning) {
-  EXPECT_EQ(after(drawn(kRing), {{0, 3}, {0, -2}}).pose(), (Pose{{0, 1}, Side::north}));
+  EXPECT_EQ(after(drawn(kRing), {{0, 3}, {0, -2}}).pose(), (MousePose{{0, 1}, Side::north}));
 }
 
 TEST(MicromouseTrial, AWallStopsAMoveAndTheStepCounts) {
   const Trial trial = after(drawn(kRing), {{-90, 3}});
-  EXPECT_EQ(trial.pose(), (Pose{{0, 0}, Side::west}));
+  EXPECT_EQ(trial.pose(), (MousePose{{0, 0}, Side::west}));
   EXPECT_TRUE(trial.record().steps[0].blocked);
   EXPECT_EQ(trial.record().run1, 1);
 }
@@ -67,7 +67,7 @@ TEST(MicromouseTrial, AnOffenceIsScoredAsTheRulesSay) {
   const auto& steps = trial.record().steps;
   EXPECT_EQ(steps[0].offence, Offence::early_reset);
   EXPECT_EQ(steps[1].offence, Offence::rotation);
-  EXPECT_EQ(steps[1].after, (Pose{{0, 1}, Side::north}));
+  EXPECT_EQ(steps[1].after, (MousePose{{0, 1}, Side::north}));
   EXPECT_EQ(steps[2].offence, Offence::movement);
   EXPECT_EQ(steps[2].moved, 2);
   EXPECT_EQ(steps[3].moved, -3);
@@ -94,7 +94,7 @@ TEST(MicromouseTrial, TheResetCostsAStepAndBeginsRunTwoAtTheStart) {
   EXPECT_EQ(trial.record().run2, 3);
   EXPECT_EQ(trial.record().steps[3].offence, Offence::late_reset);
   EXPECT_EQ(trial.record().thirtieths(), 3 * 30 + 3);
-  EXPECT_TRUE(check_record(trial.record(), maze));
+  EXPECT_TRUE(verify_record(trial.record(), maze));
 }
 
 TEST(MicromouseTrial, ThousandStepsHoldForBothRunsTogether) {
@@ -133,7 +133,7 @@ RC_GTEST_PROP(MicromouseTrial, AnyActionsReplayAndTheOdometerKnowsThePose, ()) {
     odometer.act(action);
     trial.act(action);
   }
-  const Finding finding = check_record(trial.record(), maze);
+  const Finding finding = verify_record(trial.record(), maze);
   RC_ASSERT(finding.reason == "");
 }
 
@@ -149,7 +149,7 @@ RC_GTEST_PROP(MicromouseTrial, ATamperedRecordFails, ()) {
     case 2: step.after.heading = turned(step.after.heading, 1); break;
     default: --record.run1; break;
   }
-  RC_ASSERT(!check_record(record, maze));
+  RC_ASSERT(!verify_record(record, maze));
 }
 
 }  // namespace

@@ -28,9 +28,9 @@ TEST(BlockWay, IsALegalWayInTimeOverBuildingsAndHills) {
       const auto way = detail::way_over_blocks(chase, seed % 4 ? 3 : 5);
       if (!way) continue;
       ASSERT_LE(way->cells.size(), static_cast<std::size_t>(way->seconds) + 1);
-      const Plan plan = detail::plan_along(chase, way->cells, way->seconds);
-      ASSERT_EQ(fault_of(plan, chase), "") << seed;
-      const Plan best = exact_plan(chase);
+      const ChasePlan plan = detail::plan_along(chase, way->cells, way->seconds);
+      ASSERT_EQ(verify_plan(plan, chase), "") << seed;
+      const ChasePlan best = exact_plan(chase);
       ASSERT_GE(plan.cost, best.cost);
       ratio += static_cast<double>(plan.cost) / static_cast<double>(best.cost);
       ++found;

@@ -126,7 +126,7 @@ struct ThoughtAhead {
     double now = 0;
     const auto planner = [&](const Chase& chase, const PlanLimits& limits, PlanEffort* effort) {
       now += plans == 0 ? first : ahead;
-      Plan plan = exact_plan(chase, limits, effort);
+      ChasePlan plan = exact_plan(chase, limits, effort);
       if (plans++ > 0) return plan;
       plan.cells.clear();
       for (int y = 1; y <= 10; ++y) plan.cells.push_back(map.index({1, y}));
@@ -187,10 +187,10 @@ TEST(EntryPlan, IsLegalAndNeverCheaperThanTheOptimum) {
       const Chase chase = chase_of(map, clock);
       const auto least = test::least_cost(map, clock);
       for (const std::uint32_t weight : {1U, 3U}) {
-        const Plan plan = entry_plan(chase, weight);
-        ASSERT_EQ(fault_of(plan, chase), "") << seed;
-        ASSERT_FALSE(plan.status == PlanStatus::none && least) << seed;
-        if (plan.status != PlanStatus::found) continue;
+        const ChasePlan plan = entry_plan(chase, weight);
+        ASSERT_EQ(verify_plan(plan, chase), "") << seed;
+        ASSERT_FALSE(plan.status == SearchStatus::none && least) << seed;
+        if (plan.status != SearchStatus::found) continue;
         ++found;
         ASSERT_GE(plan.cost, *least) << seed;
         EXPECT_FALSE(plan.optimal);
@@ -213,9 +213,9 @@ TEST(EntryPlan, TakesTheWayOfLeastCostWhenThereAreTooManyStates) {
   const Chase chase = chase_of(map, Clock::zero);
   PlanLimits limits;
   limits.most_labels = 1;
-  const Plan plan = entry_plan(chase, 1, limits);
-  ASSERT_EQ(plan.status, PlanStatus::found);
-  EXPECT_EQ(fault_of(plan, chase), "");
+  const ChasePlan plan = entry_plan(chase, 1, limits);
+  ASSERT_EQ(plan.status, SearchStatus::found);
+  EXPECT_EQ(verify_plan(plan, chase), "");
 }
 
 struct Published {

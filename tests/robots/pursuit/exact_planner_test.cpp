@@ -66,10 +66,10 @@ TEST(ExactPlan, CostsWhatTheFullProgrammeSays) {
     for (const Clock clock : {Clock::zero, Clock::one}) {
       const Chase chase = chase_of(map, clock);
       PlanEffort effort;
-      const Plan plan = exact_plan(chase, {}, &effort);
+      const ChasePlan plan = exact_plan(chase, {}, &effort);
       const auto least = least_cost(map, clock);
-      ASSERT_EQ(plan.status == PlanStatus::found, least.has_value()) << chase_map_text(map);
-      ASSERT_EQ(fault_of(plan, chase), "") << chase_map_text(map);
+      ASSERT_EQ(plan.status == SearchStatus::found, least.has_value()) << chase_map_text(map);
+      ASSERT_EQ(verify_plan(plan, chase), "") << chase_map_text(map);
       if (!least) {
         ASSERT_NE(plan.reason, "");
         continue;
@@ -130,10 +130,10 @@ TEST(ExactPlan, BoundsTheOptimumWhenItHasTooFewLabels) {
     const Chase chase = chase_of(map, Clock::zero);
     PlanLimits limits;
     limits.most_labels = 8;
-    const Plan plan = exact_plan(chase, limits);
+    const ChasePlan plan = exact_plan(chase, limits);
     const auto least = least_cost(map, Clock::zero);
-    ASSERT_EQ(plan.status == PlanStatus::found, least.has_value()) << chase_map_text(map);
-    ASSERT_EQ(fault_of(plan, chase), "") << chase_map_text(map);
+    ASSERT_EQ(plan.status == SearchStatus::found, least.has_value()) << chase_map_text(map);
+    ASSERT_EQ(verify_plan(plan, chase), "") << chase_map_text(map);
     if (!least) continue;
     ASSERT_LE(plan.bound, *least) << chase_map_text(map);
     ASSERT_GE(plan.cost, *least) << chase_map_text(map);
@@ -164,8 +164,8 @@ TEST(ExactPlan, FindsTheOptimaOfFiles) {
 // The start is dear, one cell aside is cheap, the target comes by late: wait there, not at its cell.
 TEST(ExactPlan, WaitsAtTheCheapestCellOnTheWay) {
   const ChaseMap map = read_chase_map("N 1,5 C 100 R 1,1 T 1,5 1,5 1,5 1,5 1,5 1,5 1,5 1,5 1,5 1,4 M 9,1,9,9,100");
-  const Plan plan = exact_plan(chase_of(map, Clock::zero));
-  ASSERT_EQ(plan.status, PlanStatus::found);
+  const ChasePlan plan = exact_plan(chase_of(map, Clock::zero));
+  ASSERT_EQ(plan.status, SearchStatus::found);
   EXPECT_EQ(plan.cost, 9 + 7 * 1 + 9);
   EXPECT_TRUE(plan.optimal);
 }
@@ -173,8 +173,8 @@ TEST(ExactPlan, WaitsAtTheCheapestCellOnTheWay) {
 TEST(ExactPlan, SaysWhyNobodyCanCatchTheTarget) {
   const auto reason = [](const char* text) {
     const ChaseMap map = read_chase_map(text);
-    const Plan plan = exact_plan(chase_of(map, Clock::zero));
-    EXPECT_EQ(plan.status, PlanStatus::none);
+    const ChasePlan plan = exact_plan(chase_of(map, Clock::zero));
+    EXPECT_EQ(plan.status, SearchStatus::none);
     return plan.reason;
   };
   EXPECT_EQ(reason("N 1,3 C 5 R 1,1 T 1,3 1,3 1,3 M 1,1,9"), "the target is inside obstacles all the time");
@@ -192,10 +192,10 @@ TEST(ExactPlan, BoundsWhatItCouldNotFinish) {
   const Chase chase = chase_of(map, Clock::zero);
   PlanLimits limits;
   limits.stopped = [] { return true; };
-  const Plan plan = exact_plan(chase, limits);
-  ASSERT_EQ(plan.status, PlanStatus::found);
+  const ChasePlan plan = exact_plan(chase, limits);
+  ASSERT_EQ(plan.status, SearchStatus::found);
   EXPECT_FALSE(plan.optimal);
-  EXPECT_EQ(fault_of(plan, chase), "");
+  EXPECT_EQ(verify_plan(plan, chase), "");
   EXPECT_LE(plan.bound, exact_plan(chase).cost);
 }
 

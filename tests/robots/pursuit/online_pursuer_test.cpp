@@ -35,10 +35,10 @@ TEST(OnlinePursuer, CostsWhatTheExactPlanDoesWhenItSeesEverything) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     const ChaseMap map = any_map(seed);
     for (const Clock clock : {Clock::zero, Clock::one}) {
-      const Plan plan = exact_plan(chase_of(map, clock));
+      const ChasePlan plan = exact_plan(chase_of(map, clock));
       const ChaseResult result = chased(map, clock, kAll);
-      ASSERT_EQ(result.end == ChaseEnd::caught, plan.status == PlanStatus::found) << seed;
-      if (plan.status != PlanStatus::found) continue;
+      ASSERT_EQ(result.end == ChaseEnd::caught, plan.status == SearchStatus::found) << seed;
+      if (plan.status != SearchStatus::found) continue;
       ASSERT_EQ(result.cost, plan.cost) << seed;
       ++caught;
     }
@@ -51,13 +51,13 @@ TEST(OnlinePursuer, IsLegalNeverCheaperThanTheOptimumAndCatchesMostTargets) {
   for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     const ChaseMap map = any_map(seed);
     for (const int horizon : {0, 1, 5, 30}) {
-      const Plan plan = exact_plan(chase_of(map, Clock::zero));
+      const ChasePlan plan = exact_plan(chase_of(map, Clock::zero));
       const ChaseResult result = chased(map, Clock::zero, horizon);
       ASSERT_TRUE(result.end == ChaseEnd::caught || result.end == ChaseEnd::escaped) << result.reason;
-      possible += plan.status == PlanStatus::found;
+      possible += plan.status == SearchStatus::found;
       if (result.end != ChaseEnd::caught) continue;
       ++caught;
-      ASSERT_EQ(plan.status, PlanStatus::found);
+      ASSERT_EQ(plan.status, SearchStatus::found);
       ASSERT_GE(result.cost, plan.cost) << seed << " " << horizon;
     }
   }

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include <taut/geometry/errors.h>
-#include <taut/io/worlds/road_map.h>
+#include <taut/io/worlds/roadblock_map.h>
 #include <taut/robots/roadblocks/drivers.h>
 
 #include "support/car_drawing.h"
@@ -26,13 +26,13 @@ using test::lane;
 using test::map_of;
 using test::replay;
 
-Drive driven(const RoadMap& map, RoadblockSet open, DriverKind kind = DriverKind::policy,
+Drive driven(const RoadblockMap& map, RoadblockSet open, DriverKind kind = DriverKind::policy,
              WallReading reading = WallReading::points) {
   LatticePlanner planner(map.course, reading);
   return drive(map.course, open, *make_driver(kind, planner, open), reading);
 }
 
-void expect_replays(const RoadMap& map, const Drive& run) {
+void expect_replays(const RoadblockMap& map, const Drive& run) {
   const test::Replay again = replay(map.course, run.open, run.controls);
   EXPECT_TRUE(again.reached);
   EXPECT_FALSE(again.collided);
@@ -79,7 +79,7 @@ TEST(Car, SweptSquaresAgreeWithVeryManyPosesBetween) {
 }
 
 TEST(Drive, BacksOutOfALaneThreeWideWhenItsRoadblockIsClosed) {
-  const RoadMap map = lane();
+  const RoadblockMap map = lane();
   const Drive open = driven(map, 1), closed = driven(map, 0);
   ASSERT_EQ(open.outcome, Outcome::reached);
   ASSERT_EQ(closed.outcome, Outcome::reached);
@@ -97,7 +97,7 @@ TEST(Drive, EndsWithNoRouteWhereTheOnlyWayIsClosed) {
   rows[3][4] = 'S';
   rows[3][36] = 'G';
   rows[3][25] = 'A';
-  const RoadMap map = map_of(rows);
+  const RoadblockMap map = map_of(rows);
   const Drive closed = driven(map, 0);
   EXPECT_EQ(closed.outcome, Outcome::no_route);
   EXPECT_LT(closed.controls.size(), 200U);
@@ -114,7 +114,7 @@ TEST(Drive, HoldsForThreeRoadblocksInARow) {
   }
   rows[3][4] = 'S';
   rows[3][45] = 'G';
-  const RoadMap map = map_of(rows);
+  const RoadblockMap map = map_of(rows);
   for (RoadblockSet open = 0; open < 8; ++open) {
     const Drive run = driven(map, open);
     ASSERT_EQ(run.outcome, Outcome::reached) << bits_of(open, map.course);
@@ -144,7 +144,7 @@ class EveryMap : public testing::TestWithParam<MapFile> {};
 TEST_P(EveryMap, IsDrivenToTheGoalWithoutACollisionWhereThereIsAWay) {
   std::stringstream text;
   text << std::ifstream(GetParam().file).rdbuf();
-  const RoadMap map = read_road_map(text.str(), GetParam().file.string());
+  const RoadblockMap map = read_roadblock_map(text.str(), GetParam().file.string());
   LatticePlanner planner(map.course, WallReading::points);
   std::size_t no_way = 0;
   for (const Sample& sample : map.samples) {

@@ -7,16 +7,16 @@
 #include <taut/robots/roadblocks/detail/replay.h>
 #include <taut/robots/roadblocks/detail/shortcuts.h>
 #include <taut/robots/roadblocks/lattice_planner.h>
-#include <taut/robots/roadblocks/road_map_generator.h>
+#include <taut/robots/roadblocks/roadblock_map_generator.h>
 
 namespace taut::roadblocks {
 namespace {
 
-Pose start_of(const RoadMap& map) { return {map.course.start.x, map.course.start.y, 0}; }
+Pose start_of(const RoadblockMap& map) { return {map.course.start.x, map.course.start.y, 0}; }
 
 TEST(PoseDistance, RepairedAfterARoadblockClosesEqualsOneMadeAnew) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    const RoadMap map = generate_road_map({31, 31, 3, 0, seed});
+    const RoadblockMap map = generate_roadblock_map({31, 31, 3, 0, seed});
     const Point goal = map.course.goal;
     const detail::Obstacles open(map.course, 0, WallReading::points);
     const detail::DiscDistance open_disc(open, goal);
@@ -39,11 +39,11 @@ TEST(PoseDistance, RepairedAfterARoadblockClosesEqualsOneMadeAnew) {
 
 TEST(PoseDistance, IsWithinATenthOfWhatPlansNeed) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
-    const RoadMap map = generate_road_map({31, 31, 0, 0, seed});
+    const RoadblockMap map = generate_roadblock_map({31, 31, 0, 0, seed});
     const detail::Obstacles open(map.course, 0, WallReading::points);
     const detail::PoseDistance distance(open, detail::DiscDistance(open, map.course.goal), map.course.goal);
     LatticePlanner planner(map.course, WallReading::points);
-    const Plan* plan = planner.plan(start_of(map), 0);
+    const DrivePlan* plan = planner.plan(start_of(map), 0);
     if (!plan) continue;
     const auto steps = static_cast<double>(plan->controls.size());
     EXPECT_NEAR(distance.steps_from(start_of(map)), steps, 0.1 * steps + 10) << seed;
@@ -51,9 +51,9 @@ TEST(PoseDistance, IsWithinATenthOfWhatPlansNeed) {
 }
 
 TEST(Shortcuts, PullAWeavingPlanStraightAndGoAroundAPillar) {
-  RoadMap map;
+  RoadblockMap map;
   map.course = {31, 31, std::vector<std::uint8_t>(31 * 31), {}, {5, 15}, {27, 15}};
-  Plan weaving;
+  DrivePlan weaving;
   Pose pose = start_of(map);
   for (int i = 0; i < 4; ++i)
     for (int k = 0; k < 40; ++k) {
@@ -62,7 +62,7 @@ TEST(Shortcuts, PullAWeavingPlanStraightAndGoAroundAPillar) {
     }
   const auto shortened = [&] {
     const detail::Obstacles obstacles(map.course, 0, WallReading::points);
-    const Plan plan = detail::with_shortcuts(start_of(map), weaving, obstacles, kMargin);
+    const DrivePlan plan = detail::with_shortcuts(start_of(map), weaving, obstacles, kMargin);
     EXPECT_TRUE(detail::replayed(start_of(map), plan.controls, obstacles, kMargin).has_value());
     return static_cast<double>(plan.controls.size());
   };
@@ -74,13 +74,13 @@ TEST(Shortcuts, PullAWeavingPlanStraightAndGoAroundAPillar) {
 }
 
 TEST(LatticePlanner, GivesTheRestOfAnAdoptedPlanWithoutASearch) {
-  const RoadMap map = generate_road_map({31, 31, 3, 0, 3});
+  const RoadblockMap map = generate_roadblock_map({31, 31, 3, 0, 3});
   LatticePlanner planner(map.course, WallReading::points);
-  const Plan* plan = planner.plan(start_of(map), 0);
+  const DrivePlan* plan = planner.plan(start_of(map), 0);
   ASSERT_NE(plan, nullptr);
   const std::size_t searches = planner.plans(), half = plan->controls.size() / 2;
   planner.adopt(*plan, half, 0);
-  const Plan* rest = planner.plan(plan->poses[half - 1], 0);
+  const DrivePlan* rest = planner.plan(plan->poses[half - 1], 0);
   ASSERT_NE(rest, nullptr);
   EXPECT_EQ(planner.plans(), searches);
   EXPECT_EQ(rest->controls.size(), plan->controls.size() - half);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <taut/io/worlds/road_map.h>
+#include <taut/io/worlds/roadblock_map.h>
 #include <taut/robots/roadblocks/peers.h>
 #include <taut/robots/roadblocks/replanning_driver.h>
 
@@ -20,13 +20,13 @@
 namespace taut::roadblocks {
 namespace {
 
-Drive driven(const RoadMap& map, const Peer& peer, RoadblockSet open, std::uint64_t seed = 1,
+Drive driven(const RoadblockMap& map, const Peer& peer, RoadblockSet open, std::uint64_t seed = 1,
              WallReading reading = WallReading::points) {
   return drive(map.course, open, *peer.make(map.course, reading, seed), reading);
 }
 
 /// A room with a gate 5 wide, closed in sight of the start, and a wide way round.
-RoadMap rooms() {
+RoadblockMap rooms() {
   std::vector<std::string> rows(24, "#" + std::string(30, '.') + "#");
   rows.front() = rows.back() = std::string(32, '#');
   for (std::size_t y = 1; y < 15; ++y)
@@ -43,7 +43,7 @@ class EveryPeer : public testing::TestWithParam<std::size_t> {
 };
 
 TEST_P(EveryPeer, ReachesTheGoalAndReplaysInTheSecondSimulator) {
-  const RoadMap map = rooms();
+  const RoadblockMap map = rooms();
   for (const RoadblockSet open : {0U, 1U}) {
     const Drive run = driven(map, peer, open);
     ASSERT_EQ(run.outcome, Outcome::reached) << peer.name;
@@ -56,28 +56,28 @@ TEST_P(EveryPeer, ReachesTheGoalAndReplaysInTheSecondSimulator) {
 }
 
 TEST_P(EveryPeer, DrivesTheSameWithTheSameSeed) {
-  const RoadMap map = rooms();
+  const RoadblockMap map = rooms();
   EXPECT_EQ(driven(map, peer, 1, 7).controls, driven(map, peer, 1, 7).controls);
 }
 
 TEST(TreeDrivers, DriveOtherwiseWithAnotherSeed) {
-  const RoadMap map = rooms();
+  const RoadblockMap map = rooms();
   for (const char* name : {"rrt", "rrt-field"})
     EXPECT_NE(driven(map, *peer_named(name), 1, 7).controls, driven(map, *peer_named(name), 1, 8).controls);
 }
 
 TEST_P(EveryPeer, TouchesNoSolidSquareOnTheWholeStep) {
-  const RoadMap map = rooms();
+  const RoadblockMap map = rooms();
   const Drive run = driven(map, peer, 1, 1, WallReading::squares);
   ASSERT_EQ(run.outcome, Outcome::reached);
   for (std::size_t i = 0; i < run.controls.size(); ++i)
     ASSERT_FALSE(collides(run.poses[i], run.controls[i], map.course, 0, WallReading::squares));
 }
 
-RoadMap map_in(const std::filesystem::path& file) {
+RoadblockMap map_in(const std::filesystem::path& file) {
   std::stringstream text;
   text << std::ifstream(file).rdbuf();
-  return read_road_map(text.str(), file.string());
+  return read_roadblock_map(text.str(), file.string());
 }
 
 // On the shared map it gave up with 40 000 samples that all had joints.
@@ -85,7 +85,7 @@ TEST(TreeDrivers, OfRrtStarGrowOnWithoutJointsWhereThoseGiveNoPlan) {
   std::vector<std::filesystem::path> files{test::data_dir() / "car" / "lane.txt"};
   if (const auto shared = test::shared_data_dir()) files.push_back(*shared / "car" / "map_2.txt");
   for (const auto& file : files) {
-    const RoadMap map = map_in(file);
+    const RoadblockMap map = map_in(file);
     const Drive run = driven(map, *peer_named("rrt-star"), 0, 2);
     ASSERT_EQ(run.outcome, Outcome::reached) << file;
     EXPECT_TRUE(test::replay(map.course, 0, run.controls).reached);
@@ -101,7 +101,7 @@ TEST_P(EveryPeer, SaysNoRouteWhereNotEvenADiscGetsThrough) {
   rows[4][25] = 'A';
   rows[4][4] = 'S';
   rows[4][36] = 'G';
-  const RoadMap map = test::map_of(rows);
+  const RoadblockMap map = test::map_of(rows);
   const Drive run = driven(map, peer, 0);
   EXPECT_EQ(run.outcome, Outcome::no_route) << peer.name;
   EXPECT_LT(run.controls.size(), 2000U);
@@ -111,7 +111,7 @@ INSTANTIATE_TEST_SUITE_P(Peers, EveryPeer, testing::Range<std::size_t>(0, peers(
                          [](const auto& which) { return test::words(peers()[which.param].name); });
 
 TEST(ReplanningDriver, SaysNoRouteOnlyWhenThatIsProven) {
-  const RoadMap map = rooms();
+  const RoadblockMap map = rooms();
   for (const bool proven : {false, true}) {
     const auto driver = replanning_driver([proven](const Pose&, RoadblockSet) { return Attempt{{}, proven}; });
     EXPECT_EQ(drive(map.course, 1, *driver, WallReading::points).outcome,
@@ -129,7 +129,7 @@ TEST(ValueIterationDriver, TakesNoMoreStepsThanIsKnownOfItsMaps) {
     known[*shared / "car" / "map_2.txt"] = {{"111", 1374}, {"010", 1374}, {"101", 4128}, {"000", 8641}};
   }
   for (const auto& [file, bounds] : known) {
-    const RoadMap map = map_in(file);
+    const RoadblockMap map = map_in(file);
     for (const auto& [bits, steps] : bounds) {
       const RoadblockSet open = roadblocks_of(bits, map.course);
       const Drive run = driven(map, *peer_named("value-iteration"), open);

@@ -9,7 +9,7 @@
 
 #include <taut/robots/roadblocks/detail/pose_cells.h>
 #include <taut/robots/roadblocks/lattice_planner.h>
-#include <taut/robots/roadblocks/road_map_generator.h>
+#include <taut/robots/roadblocks/roadblock_map_generator.h>
 
 namespace taut::roadblocks {
 namespace {
@@ -29,7 +29,7 @@ Course walled_room(int width, int height) {
 TEST(PoseCells, ReachEveryPoseThatDrivesAtRandomToOneThatTheyReach) {
   std::mt19937_64 random(7);
   for (const WallReading reading : {WallReading::points, WallReading::squares}) {
-    const RoadMap map = generate_road_map({24, 24, 2, 1, 5});
+    const RoadblockMap map = generate_roadblock_map({24, 24, 2, 1, 5});
     const detail::Obstacles obstacles(map.course, 1, reading);
     const detail::PoseCells cells(obstacles, map.course.goal);
     int steps = 0;

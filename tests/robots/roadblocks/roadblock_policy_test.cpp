@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <vector>
 
-#include <taut/io/worlds/road_map.h>
+#include <taut/io/worlds/roadblock_map.h>
 #include <taut/robots/roadblocks/drivers.h>
-#include <taut/robots/roadblocks/road_map_generator.h>
+#include <taut/robots/roadblocks/roadblock_map_generator.h>
 
 namespace taut::roadblocks {
 namespace {
@@ -38,7 +38,7 @@ Driven all_outcomes(LatticePlanner& planner, DriverKind kind, Aim aim) {
 class GeneratedPolicy : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(GeneratedPolicy, KeepsItsPromiseOverAllOutcomes) {
-  const RoadMap map = generate_road_map({31, 31, 3, 0, GetParam()});
+  const RoadblockMap map = generate_roadblock_map({31, 31, 3, 0, GetParam()});
   const Pose start{map.course.start.x, map.course.start.y, 0};
   LatticePlanner planner(map.course, WallReading::points);
   const auto expected = RoadblockPolicy(planner, Aim::expected).choose(start, 0, 0);
@@ -60,7 +60,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, GeneratedPolicy, testing::Values(2, 5, 9, 12, 15
                          [](const auto& seed) { return "Seed" + std::to_string(seed.param); });
 
 /// Two lanes to the goal: the short one with a roadblock far inside, the long one open.
-RoadMap two_lanes(const std::string& p) {
+RoadblockMap two_lanes(const std::string& p) {
   std::vector<std::string> rows(22, "#" + std::string(48, '.') + "#");
   rows.front() = rows.back() = std::string(50, '#');
   for (std::size_t y = 1; y < 12; ++y)
@@ -69,12 +69,12 @@ RoadMap two_lanes(const std::string& p) {
   rows[4][30] = 'A';
   std::string text = "start 5 5\ngoal 46 5\nroadblock A 31 5 " + p + "\ngrid 50 22\n";
   for (const std::string& row : rows) text += row + "\n";
-  return read_road_map(text);
+  return read_roadblock_map(text);
 }
 
 TEST(RoadblockPolicy, TriesTheLaneWhenItIsLikelyToBeOpenAndGoesAroundWhenNot) {
   const auto steps = [](const std::string& p, Aim aim) {
-    const RoadMap map = two_lanes(p);
+    const RoadblockMap map = two_lanes(p);
     LatticePlanner planner(map.course, WallReading::points);
     return drive(map.course, 1, *make_driver(DriverKind::policy, planner, 0, aim), WallReading::points).controls.size();
   };
@@ -84,7 +84,7 @@ TEST(RoadblockPolicy, TriesTheLaneWhenItIsLikelyToBeOpenAndGoesAroundWhenNot) {
 }
 
 TEST(RoadblockPolicy, PromisesSomethingBetweenTheWaysOpenAndClosed) {
-  const RoadMap map = two_lanes("0.5");
+  const RoadblockMap map = two_lanes("0.5");
   LatticePlanner planner(map.course, WallReading::points);
   const Pose start{5, 5, 0};
   const double open = static_cast<double>(planner.plan(start, 0)->controls.size());
@@ -96,7 +96,7 @@ TEST(RoadblockPolicy, PromisesSomethingBetweenTheWaysOpenAndClosed) {
 }
 
 TEST(RoadblockPolicy, SaysWhenItsBudgetDidNotSuffice) {
-  const RoadMap map = generate_road_map({31, 31, 3, 0, 5});
+  const RoadblockMap map = generate_roadblock_map({31, 31, 3, 0, 5});
   LatticePlanner planner(map.course, WallReading::points);
   const auto choice =
       RoadblockPolicy(planner, Aim::expected, 2).choose({map.course.start.x, map.course.start.y, 0}, 0, 0);

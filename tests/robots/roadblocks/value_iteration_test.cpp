@@ -38,7 +38,7 @@ std::vector<double> dijkstra(const ValueGrid& grid) {
   return least;
 }
 
-RoadMap clutter_map(taut::Draws& draws) {
+RoadblockMap clutter_map(taut::Draws& draws) {
   std::vector<std::string> rows(26, "#" + std::string(30, '.') + "#");
   rows.front() = rows.back() = std::string(32, '#');
   for (int i = 0; i < 14; ++i) {
@@ -56,7 +56,7 @@ RoadMap clutter_map(taut::Draws& draws) {
 TEST(ValueIteration, AgreesToTheBitWithDijkstraOnItsOwnDiscretisation) {
   taut::Draws draws(3);
   for (int i = 0; i < 12; ++i) {
-    const RoadMap map = clutter_map(draws);
+    const RoadblockMap map = clutter_map(draws);
     const WallReading reading = i % 3 == 0 ? WallReading::squares : WallReading::points;
     const ValueGrid grid(map.course, 0, reading, 1 + i % 2, {i % 4 == 0 ? 1.0 : 9.0, i % 4 == 1});
     const std::vector<double> expected = dijkstra(grid);
@@ -73,7 +73,7 @@ TEST(ValueIteration, ChargesMovesTurnsAndWallsAround) {
   rows[7][3] = 'S';
   rows[7][20] = 'G';
   rows[3][10] = '#';
-  const RoadMap map = map_of(rows);
+  const RoadblockMap map = map_of(rows);
   const ValueGrid grid(map.course, 0, WallReading::points);
   const auto ahead = [&](int i, int j, int heading) { return grid.cost(grid.index(i, j, heading), Action::straight); };
   EXPECT_EQ(ahead(6, 7, 0), 1);
@@ -92,7 +92,7 @@ TEST(ValuePlanner, DrivesThroughALaneThreeWideOnHalfCells) {
     if (y != 8 && y != 9) rows[y].replace(15, 20, 20, '#');
   rows[8][5] = 'S';
   rows[8][44] = 'G';
-  const RoadMap map = map_of(rows);
+  const RoadblockMap map = map_of(rows);
   ValuePlanner planner(map.course, WallReading::points);
   ASSERT_TRUE(planner.plan({map.course.start.x, map.course.start.y, 0}, 0).plan);
   EXPECT_EQ(planner.grid()->per_unit(), 2);

@@ -44,16 +44,16 @@ TEST_P(GridSearchProperty, FindsWhatBruteForceFindsOnRandomGrids) {
       const GridResult r = search.find(start, goal, q);
       const std::string what =
           std::string(name(q.algorithm)) + " " + name(q.heuristic) + ", round " + std::to_string(round);
-      if (r.status == GridStatus::stopped) {
+      if (r.status == SearchStatus::stopped) {
         ASSERT_TRUE(q.algorithm == GridAlgorithm::greedy || q.algorithm == GridAlgorithm::idastar) << what;
         ++stopped;
         continue;
       }
-      ASSERT_EQ(r.status == GridStatus::found, least.has_value()) << what;
+      ASSERT_EQ(r.status == SearchStatus::found, least.has_value()) << what;
       if (!least) continue;
       ++found;
       const GridCost optimum(least->straight, least->diagonal);
-      const GridPathCheck check = grid_path_check(grid, moves, start, goal, r.path);
+      const GridPathVerdict check = verify_grid_path(grid, moves, start, goal, r.path);
       ASSERT_EQ(check.fault, "") << what;
       ASSERT_EQ(check.cost, r.cost) << what;
       ASSERT_GE(r.cost, optimum) << what;

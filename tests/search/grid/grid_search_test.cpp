@@ -50,10 +50,10 @@ TEST(GridSearch, FindsTheWayRoundTheBendByEveryAlgorithm) {
     if (a == GridAlgorithm::jps) continue;
     SCOPED_TRACE(name(a));
     const GridResult r = found(kBend, query(a));
-    EXPECT_EQ(r.status, GridStatus::found);
+    EXPECT_EQ(r.status, SearchStatus::found);
     EXPECT_EQ(r.cost, GridCost(7, 0));
     EXPECT_THAT(r.path, SizeIs(8));
-    EXPECT_EQ(grid_path_check(kBend.grid, GridMoves::four, kBend.start, kBend.goal, r.path).fault, "");
+    EXPECT_EQ(verify_grid_path(kBend.grid, GridMoves::four, kBend.start, kBend.goal, r.path).fault, "");
   }
 }
 
@@ -64,7 +64,7 @@ TEST(GridSearch, ProvesThatAWallSeparates) {
       if (a == GridAlgorithm::jps && moves == GridMoves::four) continue;
       SCOPED_TRACE(name(a));
       const GridResult r = found(d, query(a, moves), moves);
-      EXPECT_EQ(r.status, GridStatus::none);
+      EXPECT_EQ(r.status, SearchStatus::none);
       EXPECT_THAT(r.path, IsEmpty());
       EXPECT_FALSE(r.optimal);
       EXPECT_TRUE(r.frontier.empty() || a == GridAlgorithm::bidirectional_astar);  // the other side's stays
@@ -75,7 +75,7 @@ TEST(GridSearch, IsThereAtOnceWhenStartIsGoal) {
   for (const GridAlgorithm a : all_algorithms()) {
     SCOPED_TRACE(name(a));
     const GridResult r = GridSearch(kBend.grid, GridMoves::octile).find({2, 2}, {2, 2}, query(a, GridMoves::octile));
-    EXPECT_EQ(r.status, GridStatus::found);
+    EXPECT_EQ(r.status, SearchStatus::found);
     EXPECT_THAT(r.path, ElementsAre(GridPlace{2, 2}));
     EXPECT_EQ(r.cost, GridCost());
     EXPECT_LE(r.steps, 1U);
@@ -87,7 +87,7 @@ TEST(GridSearch, CutsCornersAndSqueezesOnlyByTheFreeRule) {
   const DrawnGrid squeeze = drawn({"S#", "#G"}), corner = drawn({"S#", ".G"});
   for (const GridAlgorithm a : {GridAlgorithm::dijkstra, GridAlgorithm::jps, GridAlgorithm::astar}) {
     EXPECT_EQ(found(squeeze, query(a, GridMoves::eight), GridMoves::eight).cost, GridCost(0, 1));
-    EXPECT_EQ(found(squeeze, query(a, GridMoves::octile), GridMoves::octile).status, GridStatus::none);
+    EXPECT_EQ(found(squeeze, query(a, GridMoves::octile), GridMoves::octile).status, SearchStatus::none);
     EXPECT_EQ(found(corner, query(a, GridMoves::eight), GridMoves::eight).cost, GridCost(0, 1));
     EXPECT_EQ(found(corner, query(a, GridMoves::octile), GridMoves::octile).cost, GridCost(2, 0));
   }
@@ -108,7 +108,7 @@ TEST(GridSearch, StopsWhenItsStepsAreUsedUp) {
     GridQuery q = query(a);
     q.max_steps = 4;
     const GridResult r = found(kBend, q);
-    EXPECT_EQ(r.status, GridStatus::stopped);
+    EXPECT_EQ(r.status, SearchStatus::stopped);
     EXPECT_EQ(r.steps, 4U);
     EXPECT_THAT(r.path, IsEmpty());
   }
@@ -136,9 +136,9 @@ TEST(GridSearch, NamesAreReadBack) {
   EXPECT_FALSE(grid_algorithm_named("a*"));
 }
 
-TEST(GridPathCheck, RefusesWhatIsNoPath) {
+TEST(GridPathVerdict, RefusesWhatIsNoPath) {
   const auto fault = [&](std::vector<GridPlace> path, GridMoves moves) {
-    return grid_path_check(kBend.grid, moves, {0, 0}, {2, 1}, path).fault;
+    return verify_grid_path(kBend.grid, moves, {0, 0}, {2, 1}, path).fault;
   };
   EXPECT_EQ(fault({{0, 0}, {1, 0}, {2, 0}, {2, 1}}, GridMoves::four), "");
   EXPECT_EQ(fault({{0, 0}, {1, 0}, {2, 1}}, GridMoves::octile), "");

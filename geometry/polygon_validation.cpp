@@ -1,4 +1,4 @@
-#include <taut/geometry/detail/polygon_gate.h>
+#include <taut/geometry/detail/polygon_validation.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -137,7 +137,7 @@ bool told(const Step& step, const Witness& w) {
 
 }  // namespace
 
-Finding check_certificate(const Certificate& certificate, const GridMaze& maze) {
+Finding verify_certificate(const Certificate& certificate, const GridMaze& maze) {
   Task task{maze.width(), maze.height(), maze.start, maze.goal, certificate.task.max_steps};
   if (task.goal.empty()) task.goal = centre_room(maze.width(), maze.height());
   std::sort(task.goal.begin(), task.goal.end());
@@ -149,9 +149,9 @@ Finding check_certificate(const Certificate& certificate, const GridMaze& maze) 
   return check_cut(certificate);
 }
 
-Finding check_certificate(const Certificate& certificate, const GridMaze& maze, const Record& record) {
-  if (const Finding finding = check_certificate(certificate, maze); !finding) return finding;
-  if (const Finding finding = check_record(record, maze); !finding) return finding;
+Finding verify_certificate(const Certificate& certificate, const GridMaze& maze, const Record& record) {
+  if (const Finding finding = verify_certificate(certificate, maze); !finding) return finding;
+  if (const Finding finding = verify_record(record, maze); !finding) return finding;
   if (record.task != certificate.task) return fault("the record is of another task");
   for (const auto* list : {&certificate.openings, &certificate.walls})
     for (const Witness& w : *list) {
@@ -176,7 +176,7 @@ class Replay {
     const auto& [rotation, movement, reset] = s.action;
     if (s.run != run_ || s.before.cell != cell_ || static_cast<int>(s.before.heading) != heading_)
       return fault("pose or run before the step");
-    if (s.sight != Sight{look(3), look(0), look(1)}) return fault("sight");
+    if (s.sight != SensorReading{look(3), look(0), look(1)}) return fault("sight");
     ++count_[static_cast<std::size_t>(run_ - 1)];
     Offence offence = Offence::none;
     int moved = 0;
@@ -252,7 +252,7 @@ Finding check_news(const Step& step, Walls& known) {
 
 }  // namespace
 
-Finding check_record(const Record& record, const GridMaze& maze) {
+Finding verify_record(const Record& record, const GridMaze& maze) {
   const Task& task = record.task;
   if (task.width != maze.width() || task.height != maze.height() || task.start != maze.start)
     return fault("another maze");

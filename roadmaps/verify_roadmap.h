@@ -19,7 +19,7 @@ struct RoadmapFault {
 /// Every vertex lies clear of all obstacles, and along every edge a path can go straight (FreeSpace::sees); so any
 /// chain of edges is a path. Exact. What a PRM promises, whatever its samples were. O(V + E) questions to the free
 /// space.
-std::optional<RoadmapFault> fault_of(const Roadmap& roadmap, const FreeSpace& space);
+std::optional<RoadmapFault> verify_roadmap(const Roadmap& roadmap, const FreeSpace& space);
 
 /// Where it differs from the roadmap that it should be: a vertex elsewhere, an edge too many, an edge missing. The
 /// edges of the lowest vertex come first. O(V + E).

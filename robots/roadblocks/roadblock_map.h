@@ -44,7 +44,7 @@ struct Sample {
 };
 
 /// The maze, and for scoring alone the samples.
-struct RoadMap {
+struct RoadblockMap {
   Course course;
   std::vector<Sample> samples;
 };

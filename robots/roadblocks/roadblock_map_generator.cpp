@@ -1,4 +1,4 @@
-#include <taut/robots/roadblocks/road_map_generator.h>
+#include <taut/robots/roadblocks/roadblock_map_generator.h>
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,7 @@ void require_range(const char* what, int value, int least, int most) {
 
 class Generator {
  public:
-  explicit Generator(const RoadMapRecipe& recipe) : recipe_(recipe), draws_(recipe.seed) {
+  explicit Generator(const RoadblockMapRecipe& recipe) : recipe_(recipe), draws_(recipe.seed) {
     Course& course = map_.course;
     course.width = recipe.width;
     course.height = recipe.height;
@@ -43,7 +43,7 @@ class Generator {
     if (columns_ * rows_ == 1) columns_ = 2;
   }
 
-  RoadMap run() {
+  RoadblockMap run() {
     lay_rooms();
     lay_lanes();
     put_ends();
@@ -172,9 +172,9 @@ class Generator {
     }
   }
 
-  RoadMapRecipe recipe_;
+  RoadblockMapRecipe recipe_;
   Draws draws_;
-  RoadMap map_;
+  RoadblockMap map_;
   int columns_ = 0, rows_ = 0;
   std::vector<Room> rooms_;
   std::vector<Lane> lanes_;
@@ -182,7 +182,7 @@ class Generator {
 
 }  // namespace
 
-RoadMap generate_road_map(const RoadMapRecipe& recipe) {
+RoadblockMap generate_roadblock_map(const RoadblockMapRecipe& recipe) {
   require_range("a width of", recipe.width, kLeastMazeSide, kLargestSide);
   require_range("a height of", recipe.height, kLeastMazeSide, kLargestSide);
   require_range("a number of roadblocks,", recipe.roadblocks, 0, Course::kMostRoadblocks);

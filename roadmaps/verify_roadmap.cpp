@@ -1,4 +1,4 @@
-#include <taut/roadmaps/roadmap_check.h>
+#include <taut/roadmaps/verify_roadmap.h>
 
 #include <algorithm>
 
@@ -30,7 +30,7 @@ std::optional<RoadmapFault> row_difference(const Roadmap& roadmap, const Roadmap
 
 }  // namespace
 
-std::optional<RoadmapFault> fault_of(const Roadmap& roadmap, const FreeSpace& space) {
+std::optional<RoadmapFault> verify_roadmap(const Roadmap& roadmap, const FreeSpace& space) {
   for (Vertex v = 0; v < roadmap.vertex_count(); ++v)
     if (space.locate(roadmap.point(v)).kind != Location::Kind::triangle)
       return RoadmapFault{v, false, named(roadmap, v) + " lies in an obstacle or touches one"};

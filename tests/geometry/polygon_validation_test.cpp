@@ -1,4 +1,4 @@
-#include <taut/geometry/detail/polygon_gate.h>
+#include <taut/geometry/detail/polygon_validation.h>
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

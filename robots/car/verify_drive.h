@@ -19,7 +19,7 @@ struct DriveFault {
 };
 
 /// Does the car get along these legs without harm? Nothing when it does. Exact:
-///  1. each leg is one the car can drive (fault_of), and begins with the pose that the one before ends with;
+///  1. each leg is one the car can drive (validate), and begins with the pose that the one before ends with;
 ///  2. both ends of each leg are places for the reference point (FreeSpace::locate), and it crosses no opening of the
 ///     world;
 ///  3. the interior of the car meets no wall (constraint of the space that is no opening) at any time. Touching is
@@ -30,7 +30,7 @@ struct DriveFault {
 /// are apart when one of six lines separates them, that is when certain of these are >= 0. The times of contact are
 /// open, so they begin at 0 or right after a root of one of them, and there every sign is decided in the field of that
 /// root. Walls are looked at one after the other: O(legs * walls) boxes. `space` is the free space of a point robot.
-std::optional<DriveFault> fault_of(std::span<const Leg> legs, const FreeSpace& space, const CarShape& shape);
+std::optional<DriveFault> verify_drive(std::span<const Leg> legs, const FreeSpace& space, const CarShape& shape);
 
 /// Does the car's interior meet the wall anywhere on the leg, ends included? By the method above. Precondition: the leg
 /// has no fault but its radius.

@@ -1,4 +1,4 @@
-#include <taut/roadmaps/roadmap_check.h>
+#include <taut/roadmaps/verify_roadmap.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -34,12 +34,12 @@ Edges edges_of(const Roadmap& roadmap) {
 
 TEST(RoadmapCheck, AcceptsEveryPrmOfTheSpace) {
   const FreeSpace space = room();
-  EXPECT_FALSE(fault_of(Roadmap(), space));
-  EXPECT_FALSE(fault_of(prm(space), space));
+  EXPECT_FALSE(verify_roadmap(Roadmap(), space));
+  EXPECT_FALSE(verify_roadmap(prm(space), space));
 }
 
 TEST(RoadmapCheck, RefusesAnEdgeThroughAWall) {
-  const auto fault = fault_of(Roadmap({{1, 1}, {1, 2}, {3, 1}}, Edges{{0, 1}, {1, 2}}), room());
+  const auto fault = verify_roadmap(Roadmap({{1, 1}, {1, 2}, {3, 1}}, Edges{{0, 1}, {1, 2}}), room());
   ASSERT_TRUE(fault);
   EXPECT_EQ(fault->vertex, 1u);
   EXPECT_TRUE(fault->is_row);
@@ -48,7 +48,7 @@ TEST(RoadmapCheck, RefusesAnEdgeThroughAWall) {
 
 TEST(RoadmapCheck, RefusesVerticesOutsideAndOnWalls) {
   for (const Point p : {Point{5, 1}, Point{2, 1}, Point{2, 3}, Point{0, 0}}) {
-    const auto fault = fault_of(Roadmap({{1, 1}, p}, Edges{}), room());
+    const auto fault = verify_roadmap(Roadmap({{1, 1}, p}, Edges{}), room());
     ASSERT_TRUE(fault);
     EXPECT_EQ(fault->vertex, 1u);
     EXPECT_FALSE(fault->is_row);

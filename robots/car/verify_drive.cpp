@@ -1,4 +1,4 @@
-#include <taut/robots/car/drive_check.h>
+#include <taut/robots/car/verify_drive.h>
 
 #include <gmpxx.h>
 
@@ -71,17 +71,17 @@ void add_roots(const Quadratic& f, const mpq_class& end, std::vector<Surd>& root
   for (const int side : {-1, 1}) add({-f.c[1] * by, side * by, d});
 }
 
-struct Place {
+struct ExactVector {
   mpq_class x, y;
 };
-Place operator-(const Place& a, const Place& b) { return {a.x - b.x, a.y - b.y}; }
-Place operator+(const Place& a, const Place& b) { return {a.x + b.x, a.y + b.y}; }
-Place times(const mpq_class& k, const Place& a) { return {k * a.x, k * a.y}; }
-mpq_class inner(const Place& a, const Place& b) { return a.x * b.x + a.y * b.y; }
-mpq_class outer(const Place& a, const Place& b) { return a.x * b.y - a.y * b.x; }
-Place turned(const Place& a) { return {-a.y, a.x}; }
-Place place(Point p) { return {p.x, p.y}; }
-Place direction(int heading) {
+ExactVector operator-(const ExactVector& a, const ExactVector& b) { return {a.x - b.x, a.y - b.y}; }
+ExactVector operator+(const ExactVector& a, const ExactVector& b) { return {a.x + b.x, a.y + b.y}; }
+ExactVector times(const mpq_class& k, const ExactVector& a) { return {k * a.x, k * a.y}; }
+mpq_class inner(const ExactVector& a, const ExactVector& b) { return a.x * b.x + a.y * b.y; }
+mpq_class outer(const ExactVector& a, const ExactVector& b) { return a.x * b.y - a.y * b.x; }
+ExactVector turned(const ExactVector& a) { return {-a.y, a.x}; }
+ExactVector place(Point p) { return {p.x, p.y}; }
+ExactVector direction(int heading) {
   const HeadingVector h = heading_vector(heading);
   return {mpq_class(h.x) / kHeadingScale, mpq_class(h.y) / kHeadingScale};
 }
@@ -89,22 +89,22 @@ Place direction(int heading) {
 /// A motion from t = 0 to `end`: a point X of the plane is, in the frame of the first pose, at X(t) = (x0 + x1 t + x2
 /// t^2) / weight, and a point of the car goes the other way round.
 struct Piece {
-  Place at, along;  ///< the first pose
+  ExactVector at, along;  ///< the first pose
   mpq_class end;
   bool straight = true;
-  Place pivot;    ///< of an arc
-  int sense = 0;  ///< of a straight piece: of the gear
+  ExactVector pivot;  ///< of an arc
+  int sense = 0;      ///< of a straight piece: of the gear
 
   Quadratic weight() const { return {{1, 0, straight ? 0 : 1}}; }
 
   /// The motion of a point for t, or against it, times the weight.
-  std::pair<Quadratic, Quadratic> moved(const Place& p, int way) const {
+  std::pair<Quadratic, Quadratic> moved(const ExactVector& p, int way) const {
     if (straight) {
-      const Place d = times(mpq_class(way * sense), along);
+      const ExactVector d = times(mpq_class(way * sense), along);
       return {{{p.x, d.x, 0}}, {{p.y, d.y, 0}}};
     }
     // (1 - t^2, 2 t) / (1 + t^2) is the cosine and the sine.
-    const Place r = p - pivot, q = times(mpq_class(2 * way * sense), turned(r));
+    const ExactVector r = p - pivot, q = times(mpq_class(2 * way * sense), turned(r));
     return {{{pivot.x + r.x, q.x, pivot.x - r.x}}, {{pivot.y + r.y, q.y, pivot.y - r.y}}};
   }
 };
@@ -114,11 +114,11 @@ using Line = std::vector<Quadratic>;
 
 std::vector<Line> lines_of(const Piece& piece, const CarShape& shape, const Segment& wall) {
   const Quadratic weight = piece.weight();
-  const Place left = turned(piece.along);
+  const ExactVector left = turned(piece.along);
   std::vector<Line> lines(6);
   for (const Point end : {wall.a, wall.b}) {
     const std::pair<Quadratic, Quadratic> moved = piece.moved(place(end), -1);
-    const auto along = [&](const Place& axis) {
+    const auto along = [&](const ExactVector& axis) {
       return axis.x * moved.first + axis.y * moved.second - inner(axis, piece.at) * weight;
     };
     const Quadratic ahead = along(piece.along), aside = along(left);
@@ -128,10 +128,10 @@ std::vector<Line> lines_of(const Piece& piece, const CarShape& shape, const Segm
     lines[2].push_back(aside - half * weight);
     lines[3].push_back(mpq_class(-1) * (aside + half * weight));
   }
-  const Place a = place(wall.a), d = place(wall.b) - a;
+  const ExactVector a = place(wall.a), d = place(wall.b) - a;
   for (const double along : {shape.front, -shape.back})
     for (const double aside : {shape.half_width, -shape.half_width}) {
-      const Place corner = piece.at + times(mpq_class(along), piece.along) + times(mpq_class(aside), left);
+      const ExactVector corner = piece.at + times(mpq_class(along), piece.along) + times(mpq_class(aside), left);
       const auto [x, y] = piece.moved(corner, 1);
       const Quadratic side = d.x * y - d.y * x - outer(d, a) * weight;
       lines[4].push_back(side);
@@ -156,11 +156,11 @@ bool is_met(const std::vector<Line>& lines, const mpq_class& end) {
 
 std::vector<Piece> pieces_of(const Leg& leg) {
   const int gear = leg.backward ? -1 : 1;
-  const Place from = place(leg.from.at), to = place(leg.to.at), u = direction(leg.from.heading),
-              v = direction(leg.to.heading);
+  const ExactVector from = place(leg.from.at), to = place(leg.to.at), u = direction(leg.from.heading),
+                    v = direction(leg.to.heading);
   const mpq_class sine = outer(u, v), cosine = inner(u, v);
   std::vector<Piece> pieces;
-  const auto add_straight = [&](const Place& at, const Place& along, const mpq_class& length) {
+  const auto add_straight = [&](const ExactVector& at, const ExactVector& along, const mpq_class& length) {
     pieces.push_back({at, along, length, true, {}, gear});
   };
   if (sgn(sine) == 0) {
@@ -171,8 +171,8 @@ std::vector<Piece> pieces_of(const Leg& leg) {
   const mpq_class x = gear * outer(to - from, v) / sine, y = gear * outer(u, to - from) / sine;
   const mpq_class used = std::min(x, y), half = abs(sine) / (1 + cosine), radius = used / half;
   const int sense = sgn(sine);
-  const Place begin = from + times(mpq_class(gear * (x - used)), u);
-  const Place pivot = begin + times(mpq_class(sense * gear * radius), turned(u));
+  const ExactVector begin = from + times(mpq_class(gear * (x - used)), u);
+  const ExactVector pivot = begin + times(mpq_class(sense * gear * radius), turned(u));
   if (x > used) add_straight(from, u, x - used);
   pieces.push_back({begin, u, half, false, pivot, sense});
   if (y > used) add_straight(to - times(mpq_class(gear * (y - used)), v), v, y - used);
@@ -184,7 +184,7 @@ bool crosses(const Leg& leg, const Segment& opening, bool solid_left) {
   for (const Piece& piece : pieces_of(leg)) {
     const auto [x, y] = piece.moved(piece.at, 1);
     const Quadratic weight = piece.weight();
-    const Place a = place(opening.a), b = place(opening.b), d = b - a;
+    const ExactVector a = place(opening.a), b = place(opening.b), d = b - a;
     const Quadratic left = d.x * y - d.y * x - outer(d, a) * weight;
     const Quadratic after_a = d.x * x + d.y * y - inner(d, a) * weight;
     const Quadratic after_b = d.x * x + d.y * y - inner(d, b) * weight;
@@ -202,9 +202,9 @@ bool is_near(const Leg& leg, double reach, const Segment& s) {
   return !apart(leg.from.at.x, leg.to.at.x, s.a.x, s.b.x) && !apart(leg.from.at.y, leg.to.at.y, s.a.y, s.b.y);
 }
 
-std::optional<DriveFault> fault_of(const Leg& leg, std::size_t index, const FreeSpace& space,
-                                   const taut::WallIndex& walls, const CarShape& shape) {
-  if (const auto fault = taut::car::fault_of(leg, shape)) return DriveFault{index, *fault};
+std::optional<DriveFault> verify_leg(const Leg& leg, std::size_t index, const FreeSpace& space,
+                                     const taut::WallIndex& walls, const CarShape& shape) {
+  if (const auto fault = validate(leg, shape)) return DriveFault{index, *fault};
   for (const Point p : {leg.from.at, leg.to.at})
     if (space.locate(p).kind == Location::Kind::outside)
       return DriveFault{index, "leaves free space at " + taut::text(p)};
@@ -222,11 +222,11 @@ std::optional<DriveFault> fault_of(const Leg& leg, std::size_t index, const Free
 
 }  // namespace
 
-std::optional<DriveFault> fault_of(std::span<const Leg> legs, const FreeSpace& space, const CarShape& shape) {
+std::optional<DriveFault> verify_drive(std::span<const Leg> legs, const FreeSpace& space, const CarShape& shape) {
   const taut::WallIndex walls(space);
   for (std::size_t i = 0; i < legs.size(); ++i) {
     if (i > 0 && legs[i].from != legs[i - 1].to) return DriveFault{i, "does not begin where the one before ends"};
-    if (auto fault = fault_of(legs[i], i, space, walls, shape)) return fault;
+    if (auto fault = verify_leg(legs[i], i, space, walls, shape)) return fault;
   }
   return std::nullopt;
 }

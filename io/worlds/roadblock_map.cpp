@@ -1,4 +1,4 @@
-#include <taut/io/worlds/road_map.h>
+#include <taut/io/worlds/roadblock_map.h>
 
 #include <algorithm>
 #include <array>
@@ -19,8 +19,8 @@ using detail::quoted;
 using roadblocks::Course;
 using roadblocks::kLargestSide;
 using roadblocks::Roadblock;
+using roadblocks::RoadblockMap;
 using roadblocks::RoadblockSet;
-using roadblocks::RoadMap;
 using roadblocks::Sample;
 
 /// A roadblock's line.
@@ -35,7 +35,7 @@ class Reader {
  public:
   Reader(std::string_view bytes, const std::string& source) : lines_(bytes), place_{source} {}
 
-  RoadMap read() {
+  RoadblockMap read() {
     read_header();
     read_grid();
     gather_roadblocks();
@@ -214,14 +214,16 @@ class Reader {
   detail::Lines lines_;
   detail::Place place_;
   std::optional<detail::Fields> words_;
-  RoadMap map_;
+  RoadblockMap map_;
   std::array<std::optional<Declared>, 26> declared_;
   int start_line_ = 0, goal_line_ = 0, grid_line_ = 0;
 };
 
 }  // namespace
 
-RoadMap read_road_map(std::string_view bytes, const std::string& source) { return Reader(bytes, source).read(); }
+RoadblockMap read_roadblock_map(std::string_view bytes, const std::string& source) {
+  return Reader(bytes, source).read();
+}
 
 RoadblockSet roadblocks_of(std::string_view bits, const Course& course, const std::string& source, int line) {
   if (bits.size() != course.roadblocks.size())
@@ -242,7 +244,7 @@ std::string bits_of(RoadblockSet open, const Course& course) {
   return bits;
 }
 
-std::string road_map_text(const RoadMap& map, const std::string& remark) {
+std::string roadblock_map_text(const RoadblockMap& map, const std::string& remark) {
   const Course& course = map.course;
   std::vector<std::string> rows(static_cast<std::size_t>(course.height),
                                 std::string(static_cast<std::size_t>(course.width), '.'));

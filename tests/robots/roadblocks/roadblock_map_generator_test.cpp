@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <taut/geometry/errors.h>
-#include <taut/io/worlds/road_map.h>
+#include <taut/io/worlds/roadblock_map.h>
 #include <taut/robots/roadblocks/drivers.h>
-#include <taut/robots/roadblocks/road_map_generator.h>
+#include <taut/robots/roadblocks/roadblock_map_generator.h>
 
 #include "support/second_car.h"
 
@@ -16,7 +16,7 @@ namespace taut::roadblocks {
 namespace {
 
 /// Different samples of the map.
-std::vector<RoadblockSet> outcomes(const RoadMap& map) {
+std::vector<RoadblockSet> outcomes(const RoadblockMap& map) {
   std::vector<RoadblockSet> sets;
   for (const Sample& sample : map.samples) sets.push_back(sample.open);
   std::ranges::sort(sets);
@@ -28,7 +28,7 @@ Drive driven(LatticePlanner& planner, RoadblockSet open, DriverKind kind, Aim ai
   return drive(planner.course(), open, *make_driver(kind, planner, open, aim), planner.reading());
 }
 
-void expect_same_in_second_car(const RoadMap& map, const Drive& run, WallReading reading) {
+void expect_same_in_second_car(const RoadblockMap& map, const Drive& run, WallReading reading) {
   const test::Replay again = test::replay(map.course, run.open, run.controls, reading);
   EXPECT_EQ(again.reached, run.outcome == Outcome::reached);
   EXPECT_FALSE(again.collided);
@@ -36,33 +36,33 @@ void expect_same_in_second_car(const RoadMap& map, const Drive& run, WallReading
 }
 
 /// Samples with a way for the clairvoyant are reached, the others end with no route.
-void expect_none_lost(const RoadMap& map, WallReading reading) {
+void expect_none_lost(const RoadblockMap& map, WallReading reading) {
   LatticePlanner planner(map.course, reading);
   for (const RoadblockSet open : outcomes(map)) {
     const Drive bound = driven(planner, open, DriverKind::clairvoyant);
     const Drive run = driven(planner, open, DriverKind::policy);
-    EXPECT_EQ(run.outcome, bound.outcome) << bits_of(open, map.course) << "\n" << road_map_text(map);
+    EXPECT_EQ(run.outcome, bound.outcome) << bits_of(open, map.course) << "\n" << roadblock_map_text(map);
     expect_same_in_second_car(map, bound, reading);
     expect_same_in_second_car(map, run, reading);
   }
 }
 
 TEST(RoadMapGenerator, MakesTheSameMapForTheSameSeedAndReadsItBack) {
-  const RoadMapRecipe recipe{40, 36, 4, 7, 11};
-  const RoadMap map = generate_road_map(recipe);
-  const std::string text = road_map_text(map, "remark");
-  EXPECT_EQ(text, road_map_text(generate_road_map(recipe), "remark"));
-  EXPECT_EQ(road_map_text(read_road_map(text), "remark"), text);
+  const RoadblockMapRecipe recipe{40, 36, 4, 7, 11};
+  const RoadblockMap map = generate_roadblock_map(recipe);
+  const std::string text = roadblock_map_text(map, "remark");
+  EXPECT_EQ(text, roadblock_map_text(generate_roadblock_map(recipe), "remark"));
+  EXPECT_EQ(roadblock_map_text(read_roadblock_map(text), "remark"), text);
   EXPECT_EQ(map.samples.size(), 7U);
-  EXPECT_NE(text, road_map_text(generate_road_map({40, 36, 4, 7, 12}), "remark"));
-  EXPECT_THROW(generate_road_map({23, 36, 4, 7, 11}), InputError);
-  EXPECT_THROW(generate_road_map({40, 36, 27, 7, 11}), InputError);
+  EXPECT_NE(text, roadblock_map_text(generate_roadblock_map({40, 36, 4, 7, 12}), "remark"));
+  EXPECT_THROW(generate_roadblock_map({23, 36, 4, 7, 11}), InputError);
+  EXPECT_THROW(generate_roadblock_map({40, 36, 27, 7, 11}), InputError);
 }
 
 TEST(RoadMapGenerator, LeavesRoomAtTheStartAndHasBothKindsOfSamples) {
   int reached = 0, none = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-    const RoadMap map = generate_road_map({24, 24, 26, 1, seed});
+    const RoadblockMap map = generate_roadblock_map({24, 24, 26, 1, seed});
     EXPECT_NO_THROW(require_start_free(map.course, WallReading::squares)) << seed;
     if (seed > 10) continue;
     LatticePlanner planner(map.course, WallReading::points);
@@ -78,7 +78,7 @@ TEST(Drive, LosesNoSampleOfGeneratedMazesThatAKnowingDriverReaches) {
   const int mazes = many ? std::atoi(many) : 40, side = many ? 50 : 31, blocks = many ? 5 : 3;
   for (int seed = 1; seed <= mazes; ++seed) {
     SCOPED_TRACE(seed);
-    expect_none_lost(generate_road_map({side, side, blocks, many ? 10 : 2, static_cast<std::uint64_t>(seed)}),
+    expect_none_lost(generate_roadblock_map({side, side, blocks, many ? 10 : 2, static_cast<std::uint64_t>(seed)}),
                      WallReading::points);
   }
 }
@@ -86,13 +86,13 @@ TEST(Drive, LosesNoSampleOfGeneratedMazesThatAKnowingDriverReaches) {
 TEST(Drive, LosesNoSampleWhereWallsAreSquares) {
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {
     SCOPED_TRACE(seed);
-    expect_none_lost(generate_road_map({31, 31, 3, 2, seed}), WallReading::squares);
+    expect_none_lost(generate_roadblock_map({31, 31, 3, 2, seed}), WallReading::squares);
   }
 }
 
 TEST(Drive, OfEveryDriverReplaysInTheSecondCar) {
   for (std::uint64_t seed = 41; seed <= 44; ++seed) {
-    const RoadMap map = generate_road_map({31, 31, 3, 4, seed});
+    const RoadblockMap map = generate_roadblock_map({31, 31, 3, 4, seed});
     LatticePlanner planner(map.course, WallReading::points);
     for (const RoadblockSet open : outcomes(map)) {
       for (const DriverKind kind : {DriverKind::optimist, DriverKind::pessimist})

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include <taut/robots/roadblocks/road_map.h>
+#include <taut/robots/roadblocks/roadblock_map.h>
 
 namespace taut {
 
@@ -24,10 +24,10 @@ namespace taut {
 ///  2. Strict otherwise. X Y of a roadblock lie within the box around its cells; sides are at most kLargestSide; start
 ///     and goal lie within the grid.
 /// Throws InputError with the line.
-roadblocks::RoadMap read_road_map(std::string_view bytes, const std::string& source = {});
+roadblocks::RoadblockMap read_roadblock_map(std::string_view bytes, const std::string& source = {});
 
-/// The file of a map, as read_road_map takes it; `remark` becomes its first line.
-std::string road_map_text(const roadblocks::RoadMap& map, const std::string& remark = {});
+/// The file of a map, as read_roadblock_map takes it; `remark` becomes its first line.
+std::string roadblock_map_text(const roadblocks::RoadblockMap& map, const std::string& remark = {});
 
 /// The set that the bits, as in a file, name. Throws InputError for a wrong number of bits or another character.
 roadblocks::RoadblockSet roadblocks_of(std::string_view bits, const roadblocks::Course& course,

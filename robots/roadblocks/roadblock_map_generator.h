@@ -3,11 +3,11 @@
 
 #include <cstdint>
 
-#include <taut/robots/roadblocks/road_map.h>
+#include <taut/robots/roadblocks/roadblock_map.h>
 
 namespace taut::roadblocks {
 
-struct RoadMapRecipe {
+struct RoadblockMapRecipe {
   int width = 50;  ///< cells, kLeastMazeSide .. kLargestSide
   int height = 50;
   int roadblocks = 4;  ///< at most Course::kMostRoadblocks; fewer where the maze has fewer lanes
@@ -22,6 +22,6 @@ inline constexpr int kLeastMazeSide = 24;
 /// to turn, some have pillars. Roadblocks stand in lanes, mostly as one cell, anywhere from mouth to mouth: many show
 /// only from inside, and behind some there is but a dead end. A sample may leave no way to the goal. Start and goal lie
 /// in rooms at opposite corners. Same recipe, same map, everywhere. Throws InputError when the recipe is out of range.
-RoadMap generate_road_map(const RoadMapRecipe& recipe);
+RoadblockMap generate_roadblock_map(const RoadblockMapRecipe& recipe);
 
 }  // namespace taut::roadblocks
