@@ -86,7 +86,7 @@ struct Journey {
 ///     m-line between hit and goal (at the same point as the hit it may be too: the other side of a wall) and from
 ///     which the way leads off the contour. Each hit is strictly nearer than the last. The place of the contour that is
 ///     last on the m-line would do if the goal could be reached; so a whole turn without leaving proves that it cannot.
-///  5. Tangent Bug. Rules, bound and proofs: detail/tangent.h. Length <= D + sum over contours of 1.5 * hits *
+///  5. Tangent Bug. Rules, bound and proofs: docs/bug-algorithms.md. Length <= D + sum over contours of 1.5 * hits *
 ///     perimeter + what the legs to corners cost at most. It senses where it decides, not all along: at the start,
 ///     where an obstacle comes into range, at corners, and at places of a contour nearest the goal.
 ///  6. A start on an obstacle may have several sides or corners to stand in: they are tried in turn, those open to the

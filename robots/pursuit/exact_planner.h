@@ -15,10 +15,10 @@ namespace taut::pursuit {
 ///     per second.
 ///
 /// The method. All waiting of a best way is at its cheapest cell, of cost m, so the way costs sum(w) + (t - k) m: k
-/// moves, t seconds. For u <= m this is at least t u + sum(w - u) (detail/reduced.h): one search in the plane, with u =
+/// moves, t seconds. For u <= m this is at least t u + sum(w - u): one search in the plane, with u =
 /// lo, bounds all ways whose cheapest cell costs lo..hi. Ranges of m are split, best bound first, where the bound's own
 /// way costs more than the bound; m <= cost of the start leaves few. Seconds come in only by k <= t: where the way of a
-/// meeting's bound is too slow for it, u < lo makes moves dearer and raises that bound (detail/range_search.h). Only
+/// meeting's bound is too slow for it, u < lo makes moves dearer and raises that bound. Only
 /// for meetings that this does not settle a search with two criteria (reduced cost, moves) is run, pruned by the latest
 /// departure in time and by the cost to meet, for u = lo and for a second, Lagrangian u. Two searches run side by side:
 /// the two breadth-first ones it begins with, two values of u for the first range, then two ranges at a time.

@@ -29,13 +29,13 @@ bool crosses(const Pose& from, const DrivePlan& plan, const Roadblock& block, Wa
 ///     of 1/4 at first, so that the car can get out of where it got in; only when this gives no way, kMargin (that
 ///     another simulator's rounding agrees) with bins of 1/10, twice as many headings and shorter primitives.
 ///  3. The heuristic is the greater of the way of a disc of radius 1 on a raster of 1/4, and 1.05 times the cost by a
-///     coarse lattice of poses (detail/pose_distance.h). Neither is strictly a lower bound: plans are not proven to be
+///     coarse lattice of poses. Neither is strictly a lower bound: plans are not proven to be
 ///     the shortest of the lattice; they are mostly within 3 % of it. Where even the disc cannot pass (between centres
 ///     at most 2 apart in points) there is no way, and none is searched for.
-///  4. Plans are then shortened by continuous controls (detail/shortcuts.h), which brings them below what the lattice
+///  4. Plans are then shortened by continuous controls, which brings them below what the lattice
 ///     has.
 ///  5. An absent plan is sure (gave_up() is false) only when cells of poses prove that no controls whatever lead to the
-///     goal (detail/pose_cells.h). Else the planner gave up, also where the finest lattice (1/10 and 64 headings) was
+///     goal. Else the planner gave up, also where the finest lattice (1/10 and 64 headings) was
 ///     searched without a rest: it leaves out ways that give the car less play than it needs. Otherwise it is left
 ///     after 600 000 expansions. Precondition: the car can have come to `from` from the course's start; where that has
 ///     no way, `from` is not searched in the finest lattice.
