@@ -22,7 +22,8 @@ Input read_input(const WorldOptions& options, const QueryOptions& query) {
   if (options.wall_thickness) world = world.with_wall_thickness(*options.wall_thickness);
   if (query.from || query.to) world = world.with_ends(query.from, query.to);
   std::string name = world.source();
-  for (const std::string& remark : notes.remarks) note("taut: " + name + ": " + remark);
+  const std::string from = "taut: " + name + ": ";
+  for (const std::string& remark : notes.remarks) note(from + remark);
   return {std::move(world), notes, std::move(name)};
 }
 

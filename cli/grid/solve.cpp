@@ -66,9 +66,9 @@ std::vector<std::string> facts(const GridResult& result) {
   if (result.status == SearchStatus::found) {
     all.push_back("cost " + cost_text(result.cost));
     all.push_back(count_text(result.path.size(), "cell"));
-    all.push_back(result.optimal ? "proven least" : "not proven least");
+    all.emplace_back(result.optimal ? "proven least" : "not proven least");
   } else {
-    all.push_back(result.status == SearchStatus::none ? "no path" : "stopped: out of steps, --max-steps allows more");
+    all.emplace_back(result.status == SearchStatus::none ? "no path" : "stopped: out of steps, --max-steps allows more");
   }
   return all;
 }

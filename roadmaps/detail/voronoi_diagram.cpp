@@ -71,10 +71,10 @@ class Builder {
     ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
     for (const Constraint& c : pieces) {
       result_.sites.push_back({c.a, c.b});
-      pairs_.push_back({std::min(end_index(c.a), end_index(c.b)), std::max(end_index(c.a), end_index(c.b))});
+      pairs_.emplace_back(std::min(end_index(c.a), end_index(c.b)), std::max(end_index(c.a), end_index(c.b)));
     }
     for (const Point p : ends_) result_.sites.push_back({p, p});
-    for (std::uint32_t i = 0; i < pairs_.size(); ++i) piece_of_.push_back({pairs_[i], i});
+    for (std::uint32_t i = 0; i < pairs_.size(); ++i) piece_of_.emplace_back(pairs_[i], i);
     std::sort(piece_of_.begin(), piece_of_.end());
   }
 
@@ -93,7 +93,7 @@ class Builder {
 
   void insert() {
     std::vector<Kernel::Point_2> points;
-    for (const Point p : ends_) points.push_back({p.x, p.y});
+    for (const Point p : ends_) points.emplace_back(p.x, p.y);
     graph_.insert_segments(points, pairs_.begin(), pairs_.end());
   }
 
