@@ -67,7 +67,7 @@ class Outlines {
         const std::int64_t u = x + step.x, v = y + step.y;
         if (!blocked(u, v) || piece_of_[cell(u, v)] != kNowhere) continue;
         piece_of_[cell(u, v)] = piece;
-        open_.push_back({u, v});
+        open_.emplace_back(u, v);
       }
     }
   }

@@ -45,6 +45,7 @@ class Cover {
  public:
   explicit Cover(const std::vector<Segment>& sides) : sides_(sides), pieces_(sides.size()) {
     std::vector<Box> boxes;
+    boxes.reserve(sides.size());
     for (const Segment& s : sides) boxes.push_back(box_around(s.a, s.b));
     index_ = BoxIndex(std::move(boxes));
   }

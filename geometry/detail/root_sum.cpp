@@ -8,7 +8,7 @@ namespace taut::detail {
 
 namespace {
 
-__extension__ typedef __int128 Wide;
+__extension__ typedef __int128 Wide;  // NOLINT(modernize-use-using): pedantic compilers take no other
 
 auto key(const RootTerm& t) {
   const twofold::Square& s = t.square;

@@ -97,6 +97,7 @@ std::vector<Point> surroundings(const ExactPoint& exact, Point centre, Step step
     }
   std::sort(by_distance.begin(), by_distance.end());
   std::vector<Point> points;
+  points.reserve(by_distance.size());
   for (const auto& [distance, p] : by_distance) points.push_back(p);
   return points;
 }

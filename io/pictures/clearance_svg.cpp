@@ -85,7 +85,7 @@ std::string passage_svg(const Passage& passage, const FreeSpace& space, const st
     picture.facts.push_back(fmt::format("a disc of radius {} {}", number_text(*passage.radius),
                                         passage.gets_through() ? "gets through" : "does not get through"));
   else if (!passage.widest)
-    picture.facts.push_back("no path");
+    picture.facts.emplace_back("no path");
   if (passage.widest) picture.facts.push_back("largest radius " + number_text(passage.widest->radius));
   if (!passage.barrier.gates.empty())
     picture.facts.push_back(count_text(passage.barrier.gates.size(), "gate") + " in the barrier, the widest " +
