@@ -47,6 +47,7 @@ Gate gate_of(const detail::FoundGate& found, const WallIndex& walls) {
 /// The order of the gates: widths exactly, then by place.
 std::vector<std::uint32_t> order_of(const std::vector<mpq_class>& squares, const std::vector<Gate>& gates) {
   std::vector<double> rough;
+  rough.reserve(squares.size());
   for (const mpq_class& q : squares) rough.push_back(q.get_d());
   std::vector<std::uint32_t> order(gates.size());
   std::iota(order.begin(), order.end(), 0u);

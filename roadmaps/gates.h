@@ -49,7 +49,7 @@ struct Gate {
 /// Precondition: the space's footprint is Footprint::point().
 class Gates {
  public:
-  explicit Gates(FreeSpace space);
+  explicit Gates(const FreeSpace& space);
 
   const FreeSpace& space() const;
 

@@ -117,8 +117,8 @@ void TangentParts::find_legs() {
       for (TangentPair& pair : free_tangents(walls, r, sites[i], sites[j])) {
         const auto from = static_cast<std::uint32_t>(points.size());
         const int s = pair.from.here.side, t = -pair.to.here.side;
-        points.push_back(std::move(pair.from));
-        points.push_back(std::move(pair.to));
+        points.push_back(pair.from);
+        points.push_back(pair.to);
         site_of.insert(site_of.end(), {i, j});
         legs.push_back({from, from + 1, s, t, pair.length});
         legs.push_back({from + 1, from, -t, -s, pair.length});

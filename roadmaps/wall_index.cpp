@@ -77,6 +77,7 @@ void WallIndex::find_ends() {
 void WallIndex::find_openings() {
   const std::vector<Segment> openings = openings_of(space_.world());
   std::vector<Box> boxes;
+  boxes.reserve(openings.size());
   for (const Segment& s : openings) boxes.push_back(box_around(s.a, s.b));
   const BoxIndex index(std::move(boxes));
   opening_.assign(ends_.size(), 0);

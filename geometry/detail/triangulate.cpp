@@ -20,7 +20,7 @@ namespace taut::detail {
 namespace {
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
-__extension__ typedef __int128 Int128;
+__extension__ typedef __int128 Int128;  // NOLINT(modernize-use-using): pedantic compilers take no other
 
 /// Epick, but for the two predicates that a triangulation of integers below 2^29 asks all the time: CGAL's filters fail
 /// on every cocircular quadruple, and a grid consists of them.

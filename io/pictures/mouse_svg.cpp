@@ -111,6 +111,7 @@ std::string flood_text(const MouseSheet& sheet, const Record& record) {
 MouseSheet sheet_of(const GridMaze& maze, const MousePicture& picture) {
   using enum detail::SvgKey::Sample;
   std::vector<std::string> colours;
+  colours.reserve(kShades);
   for (int i = 0; i < kShades; ++i) colours.push_back(shade_name(i));
   std::vector<detail::SvgKey> keys{
       {"run1", "run 1", line, {}},       {"run2", "run 2", line, {}},

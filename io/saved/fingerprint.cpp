@@ -47,7 +47,8 @@ void add(detail::Fnv& hash, const std::vector<Area>& areas) {
 
 void add(detail::Fnv& hash, const std::vector<Wall>& walls) {
   std::vector<std::pair<std::pair<Point, Point>, double>> all;
-  for (const Wall& wall : walls) all.push_back({std::minmax(wall.a, wall.b), wall.thickness});
+  all.reserve(walls.size());
+  for (const Wall& wall : walls) all.emplace_back(std::minmax(wall.a, wall.b), wall.thickness);
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());
   hash.add(std::uint64_t{all.size()});

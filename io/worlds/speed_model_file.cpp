@@ -71,6 +71,7 @@ class ModelReader {
     const JsonTree* const turns = json_.find("turns");
     if (!turns) return;
     std::vector<std::string_view> names;
+    names.reserve(std::size(kAllTurns));
     for (const Turn turn : kAllTurns) names.push_back(name(turn));
     allow(*turns, "'turns'", names);
     for (const Turn turn : kAllTurns) {

@@ -75,7 +75,7 @@ class Wkt {
     skip_space();
     std::size_t end = 0;
     while (end < rest_.size() && is_letter(rest_[end])) ++end;
-    const std::string result = upper(rest_.substr(0, end));
+    std::string result = upper(rest_.substr(0, end));
     rest_.remove_prefix(end);
     return result;
   }

@@ -44,7 +44,7 @@ bool to_integers(std::initializer_list<double> values, std::int64_t* out, double
 
 /// disc_meets for an exact foot, in integers: all coordinates relative to the gate's end.
 bool disc_meets_integer(const std::int64_t* v) {
-  __extension__ typedef __int128 Wide;
+  __extension__ typedef __int128 Wide;  // NOLINT(modernize-use-using): pedantic compilers take no other
   const std::int64_t qx = v[0], qy = v[1], ax = 2 * v[2] - qx, ay = 2 * v[3] - qy, bx = 2 * v[4] - qx,
                      by = 2 * v[5] - qy;
   const std::int64_t ux = bx - ax, uy = by - ay;
@@ -94,7 +94,8 @@ std::optional<GateShape> gate_to_inside(Point p, const Segment& c) {
 }
 
 ExactPoint exact_foot(const GateShape& shape) {
-  const ExactPoint a(shape.facing.a), b(shape.facing.b), end(shape.end);
+  ExactPoint a(shape.facing.a);
+  const ExactPoint b(shape.facing.b), end(shape.end);
   if (shape.exact()) return a;
   const mpq_class ux = b.x - a.x, uy = b.y - a.y;
   const mpq_class t = dot(ux, uy, end.x - a.x, end.y - a.y) / dot(ux, uy, ux, uy);

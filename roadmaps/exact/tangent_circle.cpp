@@ -104,7 +104,7 @@ std::optional<PlainDirection> direction_forbidden(Point c, double r, Point w, Po
       using Number = decltype(zero);
       const Number fx = meant<Number>(q.x) - meant<Number>(p.x), fy = meant<Number>(q.y) - meant<Number>(p.y);
       const Number x = meant<Number>(c.x) - meant<Number>(p.x), y = meant<Number>(c.y) - meant<Number>(p.y);
-      const Number result = fx * x + fy * y;
+      Number result = fx * x + fy * y;
       return result;
     });
   };
@@ -113,7 +113,7 @@ std::optional<PlainDirection> direction_forbidden(Point c, double r, Point w, Po
       using Number = decltype(zero);
       const Number x = meant<Number>(p.x) - meant<Number>(c.x), y = meant<Number>(p.y) - meant<Number>(c.y),
                    reach = Number(2.0) * meant<Number>(r);
-      const Number result = x * x + y * y - reach * reach;
+      Number result = x * x + y * y - reach * reach;
       return result;
     });
     if (order >= 0) return std::nullopt;
@@ -127,7 +127,7 @@ std::optional<PlainDirection> direction_forbidden(Point c, double r, Point w, Po
     const Number x = meant<Number>(c.x) - meant<Number>(w.x), y = meant<Number>(c.y) - meant<Number>(w.y),
                  reach = Number(2.0) * meant<Number>(r);
     const Number off = fx * y - fy * x;
-    const Number result = off * off - reach * reach * (fx * fx + fy * fy);
+    Number result = off * off - reach * reach * (fx * fx + fy * fy);
     return result;
   });
   if (order >= 0) return std::nullopt;

@@ -248,6 +248,7 @@ constexpr std::array<Named, 9> kNames{{{Explorer::random, "random"},
 const std::vector<Explorer>& all_explorers() {
   static const std::vector<Explorer> all = [] {
     std::vector<Explorer> list;
+    list.reserve(std::size(kNames));
     for (const Named& n : kNames) list.push_back(n.explorer);
     return list;
   }();

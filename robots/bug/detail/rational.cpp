@@ -59,7 +59,7 @@ ExactPoint crossing(const Spot& p, const Spot& q, Point a, Point b) {
 }
 
 ExactPoint nearest_on(Point a, Point b, const ExactPoint& p) {
-  const ExactPoint from(a), to(b);
+  ExactPoint from(a), to(b);
   const mpq_class dx = to.x - from.x, dy = to.y - from.y, along = dx * (p.x - from.x) + dy * (p.y - from.y);
   const mpq_class whole = dx * dx + dy * dy;
   if (along <= 0) return from;

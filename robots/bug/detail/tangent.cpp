@@ -237,7 +237,7 @@ class Tangent {
     const std::optional<Walk> walk = way_to(x_, front_);
     if (!walk) throw std::logic_error("Tangent Bug has lost the contour that it follows");
     log_.walk(*walk, front_.stand);
-    const Pass pass = look_over(front_, places_.next_vertex(front_, turn_));
+    Pass pass = look_over(front_, places_.next_vertex(front_, turn_));
     log_.follow(front_, pass.at, turn_);
     front_ = pass.at;
     x_ = pass.at.stand;

@@ -124,6 +124,7 @@ std::vector<std::vector<Primitive>> primitives(const LegLattice& lattice, const 
     add_straights(lattice, shape, heading, legs);
     add_turns(lattice, shape, {{0, 0}, heading}, kLegsATurn, false, legs);
     std::vector<Primitive> of_heading;
+    of_heading.reserve(legs.size());
     for (const Leg& leg : legs)
       of_heading.push_back({PreparedLeg(leg, shape), static_cast<int>(leg.to.at.x / lattice.step),
                             static_cast<int>(leg.to.at.y / lattice.step)});
