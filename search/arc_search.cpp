@@ -78,7 +78,7 @@ class ArcQuery {
       for (TangentPair& pair : free_tangents(graph_.walls, graph_.r, end, graph_.sites[j])) {
         const int side = to ? pair.to.here.side : -pair.to.here.side;
         result.push_back({static_cast<std::uint32_t>(points_.size()), side, pair.length});
-        points_.push_back(std::move(pair.to));
+        points_.push_back(pair.to);
         site_of_.push_back(j);
       }
     }

@@ -48,7 +48,7 @@ Point doubled(Point p) { return {2 * p.x, 2 * p.y}; }
 }  // namespace
 
 struct ClearanceSearch::Impl {
-  Impl(VoronoiRoadmap map_, Point start, Point goal) : map(std::move(map_)) {
+  Impl(VoronoiRoadmap diagram, Point start, Point goal) : map(std::move(diagram)) {
     start_node = static_cast<std::uint32_t>(map.vertices().size());
     goal_node = start_node + 1;
     net.nodes = start_node + 2;

@@ -35,7 +35,7 @@ NearestWall nearest_wall(const Gates& gates, Point p) {
     const Interval distance = segment_distance_interval({p, p}, walls.segment(c));
     if (distance.lo > least.hi) continue;
     if (distance.hi < least.hi) least = distance;
-    near.push_back({distance, c});
+    near.emplace_back(distance, c);
   }
   for (const auto& [distance, c] : near) {
     if (distance.lo > least.hi) continue;

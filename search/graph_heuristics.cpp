@@ -80,7 +80,8 @@ class WitnessSearch {
     add(0, start_cost().length);
     for (Vertex v = 0; v < roadmap_.vertex_count(); ++v) add(v + 1, distances_.length[v]);
     std::sort(excess.begin(), excess.end());
-    for (const auto& [more, place] : excess) {
+    for (const auto& candidate : excess) {
+      const auto place = candidate.second;
       const Legs legs = way(place);
       const bool above = std::all_of(query_.goals.begin(), query_.goals.end(), [&](const Terminal& goal) {
         return is_above(heuristic_, point(place), goal.point, legs);

@@ -60,7 +60,7 @@ RoadmapKind cells(const char* name, const char* title, const char* what, CellNei
 PlannedRoadmap prm_alone(const FreeSpace& space, const PrmOptions& options) {
   PrmCounts counts;
   auto roadmap = std::make_shared<const Roadmap>(prm(space, options, &counts));
-  PlannedRoadmap planned = planned_prm(space, std::move(roadmap), options.clearance);
+  PlannedRoadmap planned = planned_prm(space, roadmap, options.clearance);
   planned.counts = counts;
   return planned;
 }
@@ -183,7 +183,7 @@ const RoadmapKind* roadmap_kind(const std::string& name) {
   return nullptr;
 }
 
-PlannedRoadmap planned_prm(const FreeSpace& space, std::shared_ptr<const Roadmap> roadmap, double clearance) {
+PlannedRoadmap planned_prm(const FreeSpace& space, const std::shared_ptr<const Roadmap>& roadmap, double clearance) {
   return {roadmap,
           [space, roadmap, clearance](Point from, const Goal& to, GraphMethod method) {
             return graph_search(*roadmap, prm_query(space, *roadmap, from, to, clearance), method);

@@ -71,6 +71,6 @@ std::string roadmap_kind_names();
 const RoadmapKind* roadmap_kind(const std::string& name);
 
 /// A PRM that came from elsewhere, say from a file, ready to be asked; ends are joined with that clearance.
-PlannedRoadmap planned_prm(const FreeSpace& space, std::shared_ptr<const Roadmap> roadmap, double clearance = 0);
+PlannedRoadmap planned_prm(const FreeSpace& space, const std::shared_ptr<const Roadmap>& roadmap, double clearance = 0);
 
 }  // namespace taut

@@ -35,7 +35,7 @@ void ForwardSearch::begin(Query& query) {
   near_ = Keys(work_.map().index_count());
   if (!touched) far_ = Keys(work_.map().index_count());
   queue_.clear();
-  for (std::size_t i = 0; i < query.meetings.size(); ++i) query.by_cell.push_back({query.meetings[i], i});
+  for (std::size_t i = 0; i < query.meetings.size(); ++i) query.by_cell.emplace_back(query.meetings[i], i);
   std::sort(query.by_cell.begin(), query.by_cell.end(),
             [](const auto& a, const auto& b) { return detail::by_cell(a.first, b.first); });
   ++worker_.effort.searches;
@@ -124,7 +124,7 @@ void ForwardSearch::offer_the_best(const Query& query) {
     const int seconds = work_.seconds(query.meetings[i]);
     if (!query.settled[i] || reach.moves > seconds) continue;
     const Cost estimate = reach.moves_cost + (seconds - reach.moves) * Cost{range_.lo};
-    if (estimate < worker_.upper()) promising.push_back({estimate, i});
+    if (estimate < worker_.upper()) promising.emplace_back(estimate, i);
   }
   std::sort(promising.begin(), promising.end());
   int traces = 0;

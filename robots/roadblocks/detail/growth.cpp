@@ -9,7 +9,7 @@ namespace {
 
 std::vector<std::vector<double>> motions() {
   std::vector<std::vector<double>> all{std::vector(8, 0.0), std::vector(12, kReverse)};
-  for (const double control : {1.0, -1.0, 0.5, -0.5}) all.push_back(std::vector(8, control));
+  for (const double control : {1.0, -1.0, 0.5, -0.5}) all.emplace_back(8, control);
   for (const double angle : {0.2, -0.2}) Turn{angle, true, false}.append_to(all.emplace_back());
   return all;
 }
