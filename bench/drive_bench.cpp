@@ -17,7 +17,7 @@ namespace {
 
 constexpr WallReading kPoints = WallReading::points;
 
-/// 1, 2, 4: the course's maps, where they are; else a generated one of the same size.
+/// 1, 2, 4: the shared maps of these numbers, where they are; else a generated one of the same size.
 std::optional<RoadblockMap> map_of(std::int64_t which) {
   if (which > 10) return generate_roadblock_map({50, 50, 4, 10, static_cast<std::uint64_t>(which - 10)});
   const auto file = bench::shared_data("car/map_" + std::to_string(which) + ".txt");

@@ -1,4 +1,4 @@
-// Walls with a thickness, united: ours against CGAL's Polygon_set_2::join on the same rectangles; and the whole free
+// Walls with a thickness, united: against CGAL's Polygon_set_2::join on the same rectangles; and the whole free
 // space, by size.
 #include <benchmark/benchmark.h>
 

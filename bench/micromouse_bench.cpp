@@ -48,7 +48,7 @@ std::vector<Named> generated_set(int count, std::uint64_t first) {
   return set;
 }
 
-/// As many steps as in the course's mazes: 17, 22, 25.
+/// Routes of 17, 22 and 25 steps.
 std::vector<Named> long_set(int count, std::uint64_t first) {
   std::vector<Named> set;
   for (std::uint64_t seed = first; static_cast<int>(set.size()) < count; ++seed) {

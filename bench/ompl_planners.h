@@ -62,7 +62,7 @@ struct Row {
   int largest = 1'000'000;  // side
 };
 
-// ---- ours -----------------------------------------------------------------------------------------------------------
+// ---- taut -----------------------------------------------------------------------------------------------------------
 
 inline Run our_prm(const Task& task, std::uint64_t seed, double limit, PrmConnection::Rule rule, bool pull) {
   PrmPlan plan;

@@ -7,7 +7,7 @@
 
 namespace taut {
 
-/// The perfect maze of the mobile-robotics homework: a spanning tree grown under a checkerboard of biases.
+/// A perfect maze: a spanning tree grown under a checkerboard of biases.
 ///
 ///  1. Cell (row, col) of the source, both from 1, is Cell{col - 1, row - 1}: row 1 is the bottom row, the source's
 ///     "up" (row - 1) leads towards smaller y.

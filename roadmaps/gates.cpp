@@ -74,7 +74,7 @@ std::optional<std::string> printed_distance(Point p, Point q, int times) {
 
 }  // namespace
 
-Gates::Gates(FreeSpace space) {
+Gates::Gates(const FreeSpace& space) {
   auto exact = std::make_shared<ExactGates>(ExactGates{WallIndex(space), {}, {}, {}, {}});
   const std::vector<detail::FoundGate> found = find_gates(exact->walls);
   std::vector<Gate> gates;

@@ -114,7 +114,7 @@ void TangentParts::find_legs() {
     for (const std::uint32_t v : walls.seen_from_vertex(sites[i].vertex)) {
       const std::uint32_t j = site_at[v];
       if (j == kNone || j <= i || sites[j].vertex == sites[i].vertex) continue;
-      for (TangentPair& pair : free_tangents(walls, r, sites[i], sites[j])) {
+      for (const TangentPair& pair : free_tangents(walls, r, sites[i], sites[j])) {
         const auto from = static_cast<std::uint32_t>(points.size());
         const int s = pair.from.here.side, t = -pair.to.here.side;
         points.push_back(pair.from);

@@ -32,7 +32,7 @@ struct TangentParts;
 /// R-tree. O(k log n) for k visible pairs on worlds whose walls are spread evenly. 45 x 45 cells:
 /// bench/tangent_graph_bench.cpp.
 /// Source: Liu and Arimoto, "Path planning using a tangent graph for mobile robots among polygonal and curved
-/// obstacles" (1992); the exact decisions are ours.
+/// obstacles" (1992), without the exact decisions.
 /// Preconditions: the space's footprint is Footprint::point(); 0 < r <= World::kLargest.
 class TangentGraph {
  public:

@@ -75,7 +75,7 @@ class ArcQuery {
     for (const std::uint32_t v : graph_.walls.seen_from(end.at)) {
       const std::uint32_t j = graph_.site_at[v];
       if (j == kNone || graph_.sites[j].at == end.at) continue;
-      for (TangentPair& pair : free_tangents(graph_.walls, graph_.r, end, graph_.sites[j])) {
+      for (const TangentPair& pair : free_tangents(graph_.walls, graph_.r, end, graph_.sites[j])) {
         const int side = to ? pair.to.here.side : -pair.to.here.side;
         result.push_back({static_cast<std::uint32_t>(points_.size()), side, pair.length});
         points_.push_back(pair.to);

@@ -47,7 +47,7 @@ class Polyanya {
 
 /// One query after the other in the same memory: once that has grown nothing is allocated. One thread at a time.
 ///
-///  1. Shortest among all paths of definition 2 of the design: a path may touch walls, run along them and turn around
+///  1. Shortest among all paths (docs/definitions.md, 2): a path may touch walls, run along them and turn around
 ///     their free ends, and passes no point where two obstacles touch. Lengths are compared exactly; of paths equally
 ///     long one is chosen, always the same.
 ///  2. Ends may lie anywhere a robot can be: on walls, corners, portals. A start on a thin wall may leave to both

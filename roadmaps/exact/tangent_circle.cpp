@@ -49,8 +49,8 @@ int rational_sign(F f) {
 
 }  // namespace
 
-TangentPoint::TangentPoint(const TangentEnd& here_, const TangentEnd& there, double radius)
-    : here(here_), other(there), r(radius) {
+TangentPoint::TangentPoint(const TangentEnd& this_end, const TangentEnd& there, double radius)
+    : here(this_end), other(there), r(radius) {
   const TangentFrame<Interval> frame(here, other, r);
   const Interval S = root(frame.R), side = -double(here.side);
   x = side * (frame.k * frame.dx - S * frame.dy) / frame.D;

@@ -150,8 +150,8 @@ Finding verify_certificate(const Certificate& certificate, const GridMaze& maze)
 }
 
 Finding verify_certificate(const Certificate& certificate, const GridMaze& maze, const Record& record) {
-  if (const Finding finding = verify_certificate(certificate, maze); !finding) return finding;
-  if (const Finding finding = verify_record(record, maze); !finding) return finding;
+  if (Finding finding = verify_certificate(certificate, maze); !finding) return finding;
+  if (Finding finding = verify_record(record, maze); !finding) return finding;
   if (record.task != certificate.task) return fault("the record is of another task");
   for (const auto* list : {&certificate.openings, &certificate.walls})
     for (const Witness& w : *list) {

@@ -44,7 +44,7 @@ std::string fault_of(std::string_view xml) {
   return open.empty() ? "" : "<" + std::string(open.back()) + "> is not closed";
 }
 
-/// The first rule of a style that would colour more than pictures of ours; empty when none does.
+/// The first rule of a style that would colour more than these pictures; empty when none does.
 std::string far_rule(const std::string& picture) {
   std::size_t from = picture.find("<style>");
   std::stringstream style(picture.substr(from + 7, picture.find("</style>") - from - 7));

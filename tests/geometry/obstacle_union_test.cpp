@@ -52,7 +52,7 @@ TEST(FreeSpacePolygons, NeverClaimWhatCgalCallsSolidAndMissAlmostNothing) {
     const FreeSpace space(world, messy.footprint);
     const auto opinion =
         test::opinion_of_cgal(detail::obstacles_of(world, messy.footprint).pieces, world.box(), space.polygons());
-    // CGAL takes doubles as they are; ours mean decimals of 15 digits.
+    // CGAL takes doubles as they are; here they mean decimals of 15 digits.
     EXPECT_NEAR(opinion.stolen_area, 0, 1e-15) << "seed " << seed;
     EXPECT_NEAR(opinion.claimed_area, opinion.free_area, 1e-11) << "seed " << seed;
     EXPECT_LE(space.report().displacement, 1e-11) << "seed " << seed;

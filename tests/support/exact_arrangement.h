@@ -20,7 +20,7 @@ struct RationalWall {
   RationalPoint a, b;
 };
 
-/// The length of the shortest path (definition 2 of the design) in the closed box [0, width] x [0, height] between two
+/// The length of the shortest path (docs/definitions.md, 2) in the closed box [0, width] x [0, height] between two
 /// points in it, among walls of no thickness in it. Walls are not split: what a leg meets, and on which side, is decided
 /// at each point where it touches one. Nothing when there is no path. O(n^4) or so.
 std::optional<double> arrangement_path(const mpq_class& width, const mpq_class& height,

@@ -19,7 +19,7 @@ namespace taut::micromouse {
 
 inline GridMaze drawn(const std::string& drawing) { return *read_world(drawing).grid(); }
 
-/// As in the course: of the interior cell sides 38 % are walls.
+/// Of the interior cell sides 38 % are walls.
 inline GridMaze generated(int n, std::uint64_t seed) {
   GridMaze maze = generate_backtracker(n, n, seed);
   open_walls(maze, 1 - 0.38 * 2 * n / (n - 1.0), seed);
@@ -27,7 +27,7 @@ inline GridMaze generated(int n, std::uint64_t seed) {
   return maze;
 }
 
-/// Sides of 12, 14 and 16 in turn, with routes as long as in the course.
+/// Sides of 12, 14 and 16 in turn, with routes of 17 to 25 steps.
 inline std::vector<GridMaze> contest_mazes(int count, std::uint64_t first) {
   std::vector<GridMaze> mazes;
   for (std::uint64_t seed = first; static_cast<int>(mazes.size()) < count; ++seed) {
@@ -39,7 +39,7 @@ inline std::vector<GridMaze> contest_mazes(int count, std::uint64_t first) {
 
 inline GridMaze maze_in(const std::filesystem::path& file) { return *read_world_file(file.string()).grid(); }
 
-/// The first maze of the course, where the shared data are.
+/// A maze of 12 x 12 by others, where the shared data are.
 inline std::optional<GridMaze> first_of_the_course() {
   if (const auto shared = test::shared_data_dir()) return maze_in(*shared / "micromouse" / "test_maze_01.txt");
   return std::nullopt;

@@ -72,7 +72,7 @@ TEST(RoadMapGenerator, LeavesRoomAtTheStartAndHasBothKindsOfSamples) {
   EXPECT_GT(none, 0);
 }
 
-// TAUT_CAR_MAZES=200 drives as many of the size of the course's maps.
+// TAUT_CAR_MAZES=200 drives as many of 47 x 47 cells.
 TEST(Drive, LosesNoSampleOfGeneratedMazesThatAKnowingDriverReaches) {
   const char* many = std::getenv("TAUT_CAR_MAZES");
   const int mazes = many ? std::atoi(many) : 40, side = many ? 50 : 31, blocks = many ? 5 : 3;

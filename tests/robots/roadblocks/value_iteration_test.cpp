@@ -1,4 +1,4 @@
-// The report's value iteration against Dijkstra on the same graph.
+// Value iteration against Dijkstra on the same graph.
 #include <gtest/gtest.h>
 
 #include <numbers>
