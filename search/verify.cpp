@@ -164,8 +164,7 @@ bool Verification::enters_room(const Sectors& sectors) {
   if (goal_.point == end) return true;
   const Star star = star_at(end, constraints_, contacts_.touching.back());
   for (const Box& box : goal_.room)
-    if (box.contains(end) && (lies_inside(box, end) || star.leave(sectors, middle_of(box)) != kNoSide))
-      return true;
+    if (box.contains(end) && (lies_inside(box, end) || star.leave(sectors, middle_of(box)) != kNoSide)) return true;
   return refuse(last_leg(),
                 "the path ends at " + text(end) + ", on the rim of the goal room, but cannot enter it from there");
 }

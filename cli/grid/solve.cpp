@@ -68,7 +68,8 @@ std::vector<std::string> facts(const GridResult& result) {
     all.push_back(count_text(result.path.size(), "cell"));
     all.emplace_back(result.optimal ? "proven least" : "not proven least");
   } else {
-    all.emplace_back(result.status == SearchStatus::none ? "no path" : "stopped: out of steps, --max-steps allows more");
+    const bool none = result.status == SearchStatus::none;
+    all.emplace_back(none ? "no path" : "stopped: out of steps, --max-steps allows more");
   }
   return all;
 }

@@ -16,11 +16,11 @@ namespace taut::pursuit {
 ///     its second or before, where the robot then waits. States that were seen are kept in a hash table, never a layer
 ///     a second; beyond PlanLimits::most_labels of them the way of step 1 is taken instead.
 ///
-/// The plan keeps what ChasePlan says; it ends where it meets the target first. Never optimal by proof: it waits at the goal
-/// instead of the cheapest cell on the way, and the best meeting can be another one. `none` is proven; `stopped` also
-/// when no way of least cost is in time although others are. With weight 1 the cost is at most that of step 2, with a
-/// greater one at most `weight` times its moves and the waiting. Deterministic unless stopped by time. O(cells log
-/// cost) and the states; 16 bytes a cell.
+/// The plan keeps what ChasePlan says; it ends where it meets the target first. Never optimal by proof: it waits at the
+/// goal instead of the cheapest cell on the way, and the best meeting can be another one. `none` is proven; `stopped`
+/// also when no way of least cost is in time although others are. With weight 1 the cost is at most that of step 2,
+/// with a greater one at most `weight` times its moves and the waiting. Deterministic unless stopped by time. O(cells
+/// log cost) and the states; 16 bytes a cell.
 /// Preconditions: chase.from is free; 1 <= weight <= 1000.
 ChasePlan entry_plan(const Chase& chase, std::uint32_t weight = 1, const PlanLimits& limits = {},
                      PlanEffort* effort = nullptr);

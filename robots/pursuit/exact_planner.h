@@ -7,8 +7,8 @@ namespace taut::pursuit {
 
 /// The least path cost over all meetings, waiting wherever it is cheapest.
 ///
-///  1. found: the plan keeps what ChasePlan says; optimal unless stopped. none: proven, with reason_of_failure. stopped: no
-///     plan was found in time.
+///  1. found: the plan keeps what ChasePlan says; optimal unless stopped. none: proven, with reason_of_failure.
+///     stopped: no plan was found in time.
 ///  2. When limits stop it after a first plan was found: found, not optimal, with a bound below the cost.
 ///  3. Deterministic when it is not stopped, on however many cores.
 ///  4. Memory: about 35 bytes a cell for most maps, 80 at worst, and what PlanLimits allows for labels; never a layer

@@ -63,8 +63,8 @@ struct PlanLimits {
   std::function<void(const ChasePlan&)> better{};
 };
 
-/// Why nobody can meet the target, for ChasePlan::reason: the trajectory lies in obstacles, apart from the robot, or ends
-/// too soon.
+/// Why nobody can meet the target, for ChasePlan::reason: the trajectory lies in obstacles, apart from the robot, or
+/// ends too soon.
 std::string reason_of_failure(const Chase& chase);
 
 /// An independent check. Empty when `plan` is a legal way that keeps what ChasePlan says (but optimality), else what is

@@ -162,7 +162,7 @@ TEST(Sizes, OfMarkdownFitAPage) {
     for (std::string line; std::getline(in, line);) {
       ++number;
       if (line.starts_with("```")) code = !code;
-      if (!code && !line.starts_with("|") && columns_of(line) > 120)
+      if (!code && line.find_first_not_of(' ') != line.find('|') && columns_of(line) > 120)
         wide.push_back(name + ":" + std::to_string(number));
     }
   }

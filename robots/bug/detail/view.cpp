@@ -25,9 +25,7 @@ class SpotCoordinates {
 
   explicit SpotCoordinates(const Tri& tri) : points_(tri.points.data()) {}
   Place at(std::uint32_t v) const { return {points_[v]}; }
-  static int side(const Place& origin, const Place& b, const Place& c) {
-    return orientation(*origin.spot, b.at, c.at);
-  }
+  static int side(const Place& origin, const Place& b, const Place& c) { return orientation(*origin.spot, b.at, c.at); }
 
  private:
   const Point* points_;

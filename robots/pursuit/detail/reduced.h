@@ -7,8 +7,8 @@
 //
 // and the sum has no negative term. So each u gives a bound by one search with Dijkstra's algorithm in the plane,
 // without any clock: the seconds enter by t u and by k <= t. u need not be whole: it is counted in parts,
-// Workspace::parts to a unit. A `CostRange` lo..hi of m is searched with u = lo, over cells of cost >= lo, along ways that
-// visit a cell of cost <= hi.
+// Workspace::parts to a unit. A `CostRange` lo..hi of m is searched with u = lo, over cells of cost >= lo, along ways
+// that visit a cell of cost <= hi.
 #pragma once
 
 #include <cstdint>
