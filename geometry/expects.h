@@ -18,7 +18,7 @@ class PreconditionError : public std::logic_error {
 #define TAUT_EXPECTS(condition) \
   ((condition)                  \
        ? static_cast<void>(0)   \
-       : throw ::taut::detail::PreconditionError(std::string(__func__) + ": precondition broken: " #condition))
+       : throw ::taut::PreconditionError(std::string(__func__) + ": precondition broken: " #condition))
 #else
 #define TAUT_EXPECTS(condition) static_cast<void>(0)
 #endif

@@ -6,6 +6,7 @@
 #include <taut/geometry/detail/free_space_impl.h>
 #include <taut/geometry/detail/noding.h>
 #include <taut/geometry/detail/obstacles.h>
+#include <taut/geometry/detail/outline.h>
 #include <taut/geometry/detail/outline_rings.h>
 #include <taut/geometry/detail/triangulate.h>
 #include <taut/geometry/exact/exact_point.h>
@@ -28,16 +29,30 @@ std::vector<Point> ends_of(const World& world, std::span<const Point> places) {
   return ends;
 }
 
+/// Of a point robot: the sides of the solids, of the one area with `area`, and the walls without thickness. Where
+/// polygons overlap winding numbers tell what is solid.
+void add_rings_and_walls(const World& world, bool area, std::vector<detail::Edge>& edges) {
+  const auto add = [&](const Polygon& polygon, int turn) {
+    for (const Segment& side : detail::outline(polygon)) edges.push_back({side.a, side.b, turn, kNone});
+  };
+  for (const Area& solid : world.solids()) add(solid.polygon, 1);
+  if (area) add(world.areas().front().polygon, -1);
+  for (std::uint32_t i = 0; i < world.walls().size(); ++i)
+    if (const Wall& wall = world.walls()[i]; wall.thickness == 0) edges.push_back({wall.a, wall.b, 0, i});
+}
+
 /// The outlines of the obstacles and the zero-thickness walls, split where they meet.
 detail::Noded noded_edges(const World& world, const Footprint& footprint, std::span<const Point> places) try {
   const std::vector<Point> ends = ends_of(world, places);
-  const detail::Obstacles obstacles = detail::obstacles_of(world, footprint, ends);
+  const bool point = footprint.kind() == Footprint::Kind::point;
+  const detail::Obstacles obstacles =
+      point ? detail::obstacles_beside_rings(world, ends) : detail::obstacles_of(world, footprint, ends);
   detail::Outline outline = detail::outline_of_union(obstacles.pieces, world.box(), ends);
   std::vector<detail::Edge> edges = std::move(outline.edges);
-  if (footprint.kind() == Footprint::Kind::point)
-    for (std::uint32_t i = 0; i < world.walls().size(); ++i)
-      if (const Wall& wall = world.walls()[i]; wall.thickness == 0) edges.push_back({wall.a, wall.b, 0, i});
+  if (point) add_rings_and_walls(world, obstacles.pieces.empty(), edges);
   detail::Noded noded = detail::node(std::move(edges), DecimalUnit(world.box()), ends);
+  // The seam of two blocks is no obstacle.
+  std::erase_if(noded.edges, [](const detail::Edge& e) { return e.turn == 0 && e.wall == kNone; });
   noded.crossings += outline.crossings;
   noded.displacement = std::max({noded.displacement, outline.displacement, obstacles.excess});
   return noded;

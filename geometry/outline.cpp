@@ -96,11 +96,18 @@ class Cover {
 
 }  // namespace
 
+std::vector<Segment> outline(const Polygon& polygon) {
+  std::vector<Segment> sides;
+  add_sides(polygon.outer, sides);
+  for (const Ring& hole : polygon.holes) add_sides(hole, sides);
+  return sides;
+}
+
 std::vector<Segment> outline(const std::vector<Area>& areas) {
   std::vector<Segment> sides;
   for (const Area& area : areas) {
-    add_sides(area.polygon.outer, sides);
-    for (const Ring& hole : area.polygon.holes) add_sides(hole, sides);
+    const std::vector<Segment> more = outline(area.polygon);
+    sides.insert(sides.end(), more.begin(), more.end());
   }
   return sides;
 }

@@ -65,14 +65,24 @@ class Builder {
   }
 
   Obstacles run() {
-    for (std::uint32_t i = 0; i < world_.walls().size(); ++i) add_wall(i);
+    add_walls();
     for (const Area& solid : world_.solids()) add_polygon(solid.polygon);
     add_outside();
     return std::move(result_);
   }
 
+  Obstacles run_beside_rings() {
+    add_walls();
+    if (world_.areas().size() > 1 || !result_.pieces.empty()) add_outside();
+    return std::move(result_);
+  }
+
  private:
   bool is_point() const { return reflected_.empty(); }
+
+  void add_walls() {
+    for (std::uint32_t i = 0; i < world_.walls().size(); ++i) add_wall(i);
+  }
 
   void add_wall(std::uint32_t i) {
     const Wall& wall = world_.walls()[i];
@@ -220,6 +230,10 @@ Ring convex_hull(std::vector<Point> points) {
 
 Obstacles obstacles_of(const World& world, const Footprint& footprint, std::span<const Point> fixed) {
   return Builder(world, footprint, fixed).run();
+}
+
+Obstacles obstacles_beside_rings(const World& world, std::span<const Point> fixed) {
+  return Builder(world, Footprint::point(), fixed).run_beside_rings();
 }
 
 }  // namespace taut::detail

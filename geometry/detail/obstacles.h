@@ -24,6 +24,11 @@ struct Obstacles {
 /// on them, as in node(). O(n log n).
 Obstacles obstacles_of(const World& world, const Footprint& footprint, std::span<const Point> fixed = {});
 
+/// The same for a point, without what the rings of polygons say themselves (winding numbers settle their overlaps): the
+/// walls with a thickness and, where there are any or several areas, which may overlap, what lies outside of the areas.
+/// No pieces: the ring of the one area says that, too.
+Obstacles obstacles_beside_rings(const World& world, std::span<const Point> fixed = {});
+
 /// The convex hull, strictly convex and counter-clockwise. Exact. O(n log n).
 Ring convex_hull(std::vector<Point> points);
 
