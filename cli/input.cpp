@@ -18,9 +18,10 @@ World read_world_of(const std::string& file, ReadOptions read, ReadNotes& notes)
 
 Input read_input(const WorldOptions& options, const QueryOptions& query) {
   ReadNotes notes;
-  World world = read_world_of(options.file, options.read, notes);
-  if (options.wall_thickness) world = world.with_wall_thickness(*options.wall_thickness);
-  if (query.from || query.to) world = world.with_ends(query.from, query.to);
+  ReadOptions read = options.read;
+  read.start = query.from;
+  read.goal = query.to;
+  World world = read_world_of(options.file, read, notes);
   std::string name = world.source();
   const std::string from = "taut: " + name + ": ";
   for (const std::string& remark : notes.remarks) note(from + remark);

@@ -52,6 +52,13 @@ double thickness_of(const std::string& text) {
   return value;
 }
 
+Snap snap_of(const std::string& text) {
+  if (text == "auto") return {Snap::What::automatic, 0};
+  const std::optional<double> value = number_in(text);
+  if (!value || *value < 0) refuse(text, "a distance of 0 or more, or auto");
+  return {*value > 0 ? Snap::What::within : Snap::What::nothing, *value};
+}
+
 template <typename Number>
 Number whole_of(const std::string& text, const char* wanted) {
   Number value = 0;
@@ -161,7 +168,7 @@ Option add_world_options(CommandLine& app, WorldOptions& options) {
       .type_name("WHAT")
       .group("World");
   const auto parse_thickness = [](const std::string& text) { return std::optional(thickness_of(text)); };
-  add(app, "--wall-thickness", options.wall_thickness, parse_thickness,
+  add(app, "--wall-thickness", options.read.wall_thickness, parse_thickness,
       "Give every wall this thickness, half of it on each side")
       .type_name("T")
       .group("World");
@@ -173,6 +180,11 @@ Option add_world_options(CommandLine& app, WorldOptions& options) {
   add(app, "--resolution", options.read.resolution, parse_resolution,
       "Metres a pixel: of a PNG or PGM picture, or instead of what a ROS map says")
       .type_name("R")
+      .group("World");
+  add(app, "--snap", options.read.snap, snap_of,
+      "Join ends and walls that are no farther apart than T, or than the greatest gap among small distances (auto); 0: "
+      "not even those that only rounding keeps apart")
+      .type_name("T|auto|0")
       .group("World");
   app.add_flag("--unknown-free", options.read.unknown_is_free, "Cells of a ROS map that nobody knows are free")
       .group("World");

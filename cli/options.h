@@ -19,7 +19,6 @@ namespace taut::cli {
 struct WorldOptions {
   std::string file;
   ReadOptions read;
-  std::optional<double> wall_thickness;
 };
 
 /// Who goes where.

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include <taut/geometry/detail/implied_area.h>
 #include <taut/geometry/detail/outline.h>
 #include <taut/geometry/detail/polygon_validation.h>
 #include <taut/geometry/detail/room_cut.h>
@@ -57,29 +57,10 @@ class Gate {
   int line_;
 };
 
-// An axis-parallel box that grows.
-class Bounds {
- public:
-  void add(Point p) {
-    box_.min = {std::min(box_.min.x, p.x), std::min(box_.min.y, p.y)};
-    box_.max = {std::max(box_.max.x, p.x), std::max(box_.max.y, p.y)};
-  }
-  void add(Point p, double margin) {
-    add({p.x - margin, p.y - margin});
-    add({p.x + margin, p.y + margin});
-  }
-  bool empty() const { return box_.min.x > box_.max.x; }
-  const Box& box() const { return box_; }
-
- private:
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Box box_{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
-};
-
 Ring ring_of(const Box& b) { return {b.min, {b.max.x, b.min.y}, b.max, {b.min.x, b.max.y}}; }
 
 Box box_of(const std::vector<Area>& areas) {
-  Bounds bounds;
+  detail::Bounds bounds;
   for (const Area& area : areas)
     for (Point p : area.polygon.outer) bounds.add(p);
   return bounds.box();
@@ -118,87 +99,31 @@ std::size_t drop_points(std::vector<Wall>& walls) {
   return std::erase_if(walls, is_point);
 }
 
-Bounds bounds_of_everything(const WorldParts& parts) {
-  Bounds bounds;
-  for (const Wall& wall : parts.walls) {
-    bounds.add(wall.a, wall.thickness);
-    bounds.add(wall.b, wall.thickness);
+// Bends the sides of `areas` on which the opening lies to p, where p is not on them exactly.
+void bend(std::vector<Area>& areas, const Segment& opening, Point p) {
+  if (written::on_segment(p, opening.a, opening.b)) return;
+  for (Area& area : areas) {
+    std::vector<Ring*> rings{&area.polygon.outer};
+    for (Ring& hole : area.polygon.holes) rings.push_back(&hole);
+    for (Ring* ring : rings)
+      for (std::size_t i = 0; i < ring->size(); ++i) {
+        const Point a = (*ring)[i], b = (*ring)[(i + 1) % ring->size()];
+        const bool holds = written::on_segment(opening.a, a, b) && written::on_segment(opening.b, a, b);
+        if (holds) ring->insert(ring->begin() + static_cast<std::ptrdiff_t>(++i), p);
+      }
   }
-  for (const Area& solid : parts.solids)
-    for (Point p : solid.polygon.outer) bounds.add(p);
-  if (parts.start) bounds.add(*parts.start);
-  if (parts.goal.point) bounds.add(*parts.goal.point);
-  for (const Box& box : parts.goal.room) {
-    bounds.add(box.min);
-    bounds.add(box.max);
-  }
-  return bounds;
 }
 
-// One coordinate of the widened box: away from `value` by at least `margin`, a multiple of `step` where doubles allow
-// it.
-double widened(double value, double margin, double step, int direction) {
-  const double steps = std::floor((direction * value + margin) / step) + 1;
-  const double aim = std::abs(steps) < 1e15 ? written::times(static_cast<std::int64_t>(steps), step) : steps * step;
-  const double result = direction * aim;
-  const double least = std::nextafter(value, direction * std::numeric_limits<double>::infinity());
-  return direction * result < direction * least ? least : result;
-}
-
-// Wide enough to go around everything; a shortest path stays within the convex hull of what it goes around.
-Box roomy_box(const WorldParts& parts) {
-  const Box b = bounds_of_everything(parts).box();
-  const double extent = std::max(b.max.x - b.min.x, b.max.y - b.min.y);
-  const double margin = extent > 0 ? extent / 4 : 0.5;
-  // Of small worlds a decimal, so that the box lies on the lattice of what it is around.
-  const double step = margin >= 0.01 ? std::exp2(std::floor(std::log2(margin)))
-                                     : written::number(1, -static_cast<int>(std::floor(std::log10(margin))));
-  const Box wide{{widened(b.min.x, margin, step, -1), widened(b.min.y, margin, step, -1)},
-                 {widened(b.max.x, margin, step, 1), widened(b.max.y, margin, step, 1)}};
-  for (double v : {wide.min.x, wide.min.y, wide.max.x, wide.max.y})
-    if (std::abs(v) > World::kLargest)
-      throw InputError(parts.source, 0,
-                       "no boundary is given, and one around everything would reach beyond " + text(World::kLargest));
-  return wide;
-}
-
-// Does an end lie beyond the box, or a part of a room?
-bool ends_beyond(const WorldParts& parts, const Box& box) {
-  const auto beyond = [&](const std::optional<Point>& p) { return p && !box.contains(*p); };
-  const std::vector<Box>& room = parts.goal.room;
-  return beyond(parts.start) || beyond(parts.goal.point) ||
-         !std::all_of(room.begin(), room.end(), [&](const Box& b) { return detail::is_within(b, box); });
-}
-
-// The bounding box of the walls, when walls cover at least half its outline and no end lies beyond.
-std::optional<Box> walled_box(const WorldParts& parts) {
-  Bounds bounds;
-  for (const Wall& wall : parts.walls) {
-    bounds.add(wall.a);
-    bounds.add(wall.b);
-  }
-  const Box& b = bounds.box();
-  if (bounds.empty() || !(b.min.x < b.max.x && b.min.y < b.max.y)) return std::nullopt;
-  if (ends_beyond(parts, b)) return std::nullopt;
-  double open = 0;
-  const std::vector<Area> areas{{{ring_of(b), {}}, 0}};
-  for (const Segment& s : detail::open_pieces(detail::outline(areas), parts.walls, false))
-    open += std::abs(s.b.x - s.a.x) + std::abs(s.b.y - s.a.y);
-  if (open > b.max.x - b.min.x + (b.max.y - b.min.y)) return std::nullopt;
-  return b;
-}
-
-void imply_area(WorldParts& parts) {
-  const std::optional<Box> walled = walled_box(parts);
-  parts.boundary = walled ? Boundary::limit : Boundary::open;
-  parts.areas = {{{ring_of(walled ? *walled : roomy_box(parts)), {}}, 0}};
-}
-
-void end_at_openings(WorldParts& parts, const std::vector<Segment>& openings) {
-  if (parts.start || parts.goal.point || !parts.goal.room.empty() || openings.size() != 2) return;
-  const auto [first, second] = std::minmax({written::middle(openings[0]), written::middle(openings[1])});
+// Says whether an outline had to bend.
+bool end_at_openings(WorldParts& parts, const std::vector<Segment>& openings) {
+  if (parts.start || parts.goal.point || !parts.goal.room.empty() || openings.size() != 2) return false;
+  const std::vector<Segment> two = openings;
+  const Point ends[] = {written::middle(two[0]), written::middle(two[1])};
+  const auto [first, second] = std::minmax(ends[0], ends[1]);
   parts.start = first;
   parts.goal.point = second;
+  for (const int i : {0, 1}) bend(parts.areas, two[static_cast<std::size_t>(i)], ends[i]);
+  return !written::on_segment(ends[0], two[0].a, two[0].b) || !written::on_segment(ends[1], two[1].a, two[1].b);
 }
 
 }  // namespace
@@ -214,12 +139,22 @@ World::World(WorldParts parts) : parts_(std::move(parts)) {
         parts_.source, 0,
         dropped_walls_ > 0 ? "all walls have length zero, and there are no areas" : "no walls and no areas");
   implied_area_ = parts_.areas.empty();
-  if (implied_area_) imply_area(parts_);
+  if (implied_area_) detail::imply_area(parts_);
   box_ = box_of(parts_.areas);
   detail::cut_room(parts_.goal.room, box_, parts_.source);  // no end can widen the box again: see ends_beyond
   if (parts_.boundary != Boundary::limit) return;
+  find_openings();
+  if (end_at_openings(parts_, openings_)) find_openings();
+}
+
+void World::find_openings() {
   openings_ = detail::open_pieces(detail::outline(parts_.areas), parts_.walls, parts_.areas.size() > 1);
-  end_at_openings(parts_, openings_);
+}
+
+WorldParts World::parts() const {
+  WorldParts parts = parts_;
+  if (implied_area_) parts.areas.clear();
+  return parts;
 }
 
 World World::with_ends(std::optional<Point> start, std::optional<Point> goal) const {
@@ -241,13 +176,16 @@ World World::with_wall_thickness(double thickness) const {
 }
 
 void World::fit_area() {
-  if (!implied_area_ || (parts_.boundary == Boundary::limit && !ends_beyond(parts_, box_))) return;
+  if (!implied_area_ || (parts_.boundary == Boundary::limit && !detail::ends_beyond(parts_))) return;
   if (parts_.boundary == Boundary::limit)
-    imply_area(parts_);
-  else if (!bounds_of_everything(parts_).empty())
-    parts_.areas.front().polygon.outer = ring_of(roomy_box(parts_));
-  if (parts_.boundary == Boundary::open) openings_.clear();
+    detail::imply_area(parts_);
+  else
+    detail::widen_area(parts_);
   box_ = box_of(parts_.areas);
+  if (parts_.boundary == Boundary::open)
+    openings_.clear();
+  else
+    find_openings();
 }
 
 World world_of(std::shared_ptr<const GridMaze> grid, double cell_size, std::string source) {

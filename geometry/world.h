@@ -51,7 +51,8 @@ struct WorldParts {
   std::optional<Point> start;
   Goal goal;
   std::shared_ptr<const GridMaze> grid;  ///< the grid it came from, when there was one
-  bool y_down = false;  ///< the format's own y grows downwards, so pictures show it that way; nothing else asks
+  bool y_down = false;     ///< the format's own y grows downwards, so pictures show it that way; nothing else asks
+  double uncertainty = 0;  ///< how far from where it was meant a place may lie: computed numbers, joined walls (snap.h)
 };
 
 /// An immutable, checked world.
@@ -60,13 +61,15 @@ struct WorldParts {
 ///  1. every coordinate and thickness is 0 or of magnitude kSmallest to kLargest, thicknesses are >= 0;
 ///  2. every ring has at least 3 distinct vertices, non-zero area, no two sides cross or overlap, no vertex lies on
 ///     another side; repeated consecutive vertices are dropped; outer rings are counter-clockwise, holes clockwise;
-///  3. `areas` is not empty. Where the input gave none it is one box: if the walls cover at least half the outline of
-///     their bounding box and no end lies beyond, that box (Boundary::limit); else a box around everything, start and
-///     goal included, widened on all sides (Boundary::open), so that a shortest path is never hindered by it;
+///  3. `areas` is not empty. Where the input gave none, no end lies beyond the outer face of the walls, and the walls
+///     cover enough of it, that face (Boundary::limit): their bounding box or a turned rectangle around them, one side
+///     along its hull, if at least half is covered; their convex hull, if three quarters are. Wall ends no farther
+///     from a turned side than `uncertainty` lie on it. Else a box around everything, start and goal included, widened
+///     on all sides (Boundary::open), so that a shortest path is never hindered by it;
 ///  4. zero-length walls of zero thickness are dropped (a path may touch a point, so they hinder nobody); count in
 ///     `dropped_walls`;
 ///  5. no start and no goal, Boundary::limit, and exactly two openings: start and goal are their midpoints, the
-///     lexicographically smaller one is the start;
+///     lexicographically smaller one is the start, and a sloped opening bends to where doubles have its midpoint;
 ///  6. no box of the goal room reaches beyond box(): what does is cut off, and a room of which nothing is left refused.
 /// Throws InputError naming source, line and culprit. Time O(n log n).
 class World {
@@ -89,6 +92,10 @@ class World {
   const std::shared_ptr<const GridMaze>& grid() const { return parts_.grid; }
 
   bool y_down() const { return parts_.y_down; }
+  double uncertainty() const { return parts_.uncertainty; }
+
+  /// As they were given, checked; without areas that are implied: World(parts()) is this world.
+  WorldParts parts() const;
 
   /// The box around `areas`.
   Box box() const { return box_; }
@@ -104,7 +111,8 @@ class World {
   World with_wall_thickness(double thickness) const;
 
  private:
-  void fit_area();  // of an implied Boundary::open, after a change
+  void fit_area();  // an implied one, after a change
+  void find_openings();
 
   WorldParts parts_;
   Box box_;

@@ -9,6 +9,7 @@
 
 #include <taut/cli/foreign.h>
 #include <taut/cli/input.h>
+#include <taut/cli/messages.h>
 #include <taut/cli/report.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/pictures/car_svg.h>
@@ -81,10 +82,12 @@ class Driver {
   World read(std::string_view bytes) const {
     ReadOptions read = options_.world.read;
     read.source = name_;
-    World world = read_world(bytes, read);
-    if (options_.world.wall_thickness) world = world.with_wall_thickness(*options_.world.wall_thickness);
     const auto point = [](const std::optional<DriveEnd>& end) { return end ? std::optional(end->at) : std::nullopt; };
-    if (options_.from || options_.to) world = world.with_ends(point(options_.from), point(options_.to));
+    read.start = point(options_.from);
+    read.goal = point(options_.to);
+    ReadNotes notes;
+    World world = read_world(bytes, read, &notes);
+    for (const std::string& remark : notes.remarks) note("taut: " + name_ + ": " + remark);
     require_ends({world, {}, name_});
     return world;
   }

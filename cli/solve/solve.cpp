@@ -66,6 +66,7 @@ class Solver {
     require_ends(input);
     result_.start = input.world.start();
     result_.goal = input.world.goal();
+    result_.uncertainty = input.world.uncertainty();
     for (const Wall& wall : input.world.walls())
       result_.wall_thickness = std::max(result_.wall_thickness, wall.thickness);
     keep();

@@ -29,6 +29,7 @@ struct PlanResult {
   bool optimal = true;                 ///< does this roadmap hold the shortest path in the plane?
   double wall_thickness = 0;           ///< the largest of the world
   double displacement = 0;             ///< FreeSpaceReport
+  double uncertainty = 0;              ///< of the world
   std::size_t expanded = 0;
   std::optional<GraphMethod> method;              ///< of a search in a graph of straight legs
   bool shortest_in_roadmap = true;                ///< is the path found the shortest there, proven?
@@ -48,7 +49,7 @@ struct PlanResult {
 ///  length_interval [lo, hi], doubles that enclose the exact length
 ///  optimal         true when this is the shortest path in the plane, false when only in the roadmap or not proven
 ///  points          [[x, y], ...] from start to goal
-///  corners         number of points between start and goal
+///  corners         how often the path bends: corner_count with the world's uncertainty
 ///  clearance       least distance of the path to an obstacle, 0 when it touches one; null when it was not verified or
 ///                  there is no obstacle
 ///  verified        true when the independent check accepted the path

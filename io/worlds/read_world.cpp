@@ -141,6 +141,28 @@ World read_ros_map(std::string_view bytes, const ReadOptions& options) {
   return ros_world(occupancy(raster, info, options.unknown_is_free), info, options.source);
 }
 
+// What the bytes say, as the options ask for it.
+World changed(World world, const ReadOptions& options) {
+  if (options.wall_thickness) world = world.with_wall_thickness(*options.wall_thickness);
+  if (options.start || options.goal) world = world.with_ends(options.start, options.goal);
+  return world;
+}
+
+// The same of walls and polygons, and what nearly touches joined.
+World joined(WorldParts parts, const ReadOptions& options, ReadNotes* notes) {
+  if (options.wall_thickness)
+    for (Wall& wall : parts.walls) wall.thickness = *options.wall_thickness;
+  if (options.start) parts.start = options.start;
+  if (options.goal) parts.goal = {options.goal, {}};
+  Snapped snapped = snapped_world(parts, options.snap);
+  if (!notes) return std::move(snapped.world);
+  notes->near = near_contacts(snapped.world);
+  for (const std::string& remark : {text(snapped.report), text(notes->near)})
+    if (!remark.empty()) notes->remarks.push_back(remark);
+  notes->snap = std::move(snapped.report);
+  return std::move(snapped.world);
+}
+
 std::string drain(std::istream& in) {
   std::string bytes;
   std::array<char, 1 << 16> block;
@@ -198,19 +220,21 @@ World read_world(std::string_view bytes, const ReadOptions& options, ReadNotes* 
   if (is_empty(detail::stripped(bytes))) throw InputError(options.source, 0, "file is empty");
   ReadNotes local;
   ReadNotes& seen = notes ? *notes : local;
-  seen = {options.format ? *options.format : detect_format(bytes, options.source), 0, {}};
+  seen = {options.format ? *options.format : detect_format(bytes, options.source)};
   switch (seen.format) {
-    case Format::segments: return World(detail::read_segments(bytes, options.source));
-    case Format::cell_values: return read_grid(detail::read_cell_values(bytes, options.source), options);
-    case Format::drawing: return read_grid(detail::read_drawing(bytes, options.source, seen.unknown_walls), options);
-    case Format::maz: return read_grid(detail::read_maz(bytes, options.source), options);
-    case Format::num: return read_grid(detail::read_num(bytes, options.source), options);
-    case Format::wkt: return World(detail::read_wkt(bytes, options, seen));
-    case Format::geojson: return World(detail::read_geojson(bytes, options, seen));
-    case Format::ros_map: return read_ros_map(bytes, options);
-    case Format::picture: return read_picture(bytes, options);
-    case Format::blocks: return World(detail::read_blocks(bytes, options.source));
-    case Format::movingai: return world_of(read_movingai_map(bytes, options.source), options.source);
+    case Format::segments: return joined(detail::read_segments(bytes, options.source), options, notes);
+    case Format::cell_values:
+      return changed(read_grid(detail::read_cell_values(bytes, options.source), options), options);
+    case Format::drawing:
+      return changed(read_grid(detail::read_drawing(bytes, options.source, seen.unknown_walls), options), options);
+    case Format::maz: return changed(read_grid(detail::read_maz(bytes, options.source), options), options);
+    case Format::num: return changed(read_grid(detail::read_num(bytes, options.source), options), options);
+    case Format::wkt: return joined(detail::read_wkt(bytes, options, seen), options, notes);
+    case Format::geojson: return joined(detail::read_geojson(bytes, options, seen), options, notes);
+    case Format::ros_map: return changed(read_ros_map(bytes, options), options);
+    case Format::picture: return changed(read_picture(bytes, options), options);
+    case Format::blocks: return joined(detail::read_blocks(bytes, options.source), options, notes);
+    case Format::movingai: return changed(world_of(read_movingai_map(bytes, options.source), options.source), options);
   }
   throw InputError(options.source, 0, "unknown format");
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <taut/geometry/snap.h>
 #include <taut/geometry/world.h>
 
 namespace taut {
@@ -73,13 +74,17 @@ struct ReadOptions {
     free,       ///< floor plans: the world is their union (Boundary::walled)
     obstacles,  ///< solids
   };
-  std::optional<Format> format{};      ///< absent: by content
-  Polygons polygons = Polygons::free;  ///< what wkt and geojson polygons without a role are
-  double cell_size = 1;                ///< of grid mazes, > 0
-  std::optional<double> resolution{};  ///< of a picture alone: metres a pixel, > 0
-  bool unknown_is_free = false;        ///< of ros_map: cells between the thresholds
-  std::string folder{};                ///< where files lie that the bytes name; read_world_file sets it
-  std::string source{};                ///< file name for messages
+  std::optional<Format> format{};          ///< absent: by content
+  Polygons polygons = Polygons::free;      ///< what wkt and geojson polygons without a role are
+  double cell_size = 1;                    ///< of grid mazes, > 0
+  std::optional<double> resolution{};      ///< of a picture alone: metres a pixel, > 0
+  bool unknown_is_free = false;            ///< of ros_map: cells between the thresholds
+  Snap snap{};                             ///< what to join; grids, maps and pictures have nothing to join
+  std::optional<double> wall_thickness{};  ///< of every wall, instead of what the bytes say
+  std::optional<Point> start{};            ///< instead of what the bytes say
+  std::optional<Point> goal{};
+  std::string folder{};  ///< where files lie that the bytes name; read_world_file sets it
+  std::string source{};  ///< file name for messages
 };
 
 /// What reading met that a World does not keep.
@@ -87,6 +92,8 @@ struct ReadNotes {
   Format format = Format::segments;
   std::size_t unknown_walls = 0;       ///< `.` in a drawing
   std::vector<std::string> remarks{};  ///< what was taken in a way that one may wish to know, a line each
+  SnapReport snap{};                   ///< what was joined; a remark says so too
+  std::vector<NearContact> near{};     ///< what still nearly touches; a remark says how many
 };
 
 /// The format of these bytes, by content alone. Throws InputError when they are empty or of no known format.

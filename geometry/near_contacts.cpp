@@ -1,0 +1,177 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <taut/geometry/detail/near_pairs.h>
+#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/number_lattice.h>
+#include <taut/geometry/snap.h>
+#include <taut/geometry/triangulation.h>
+#include <taut/geometry/written.h>
+
+namespace taut {
+
+namespace {
+
+using detail::Foot;
+using detail::NearPairs;
+using detail::Piece;
+
+constexpr double kNear = 1e-6;         // of the extent
+constexpr double kLargestUnit = 1e-4;  // of the extent
+constexpr double kShortShare = 0.1;    // of the shorter wall
+constexpr double kGapBelow = 1e-3;     // of the extent
+constexpr double kLeastRatio = 10;
+
+double length(const Segment& s) { return std::hypot(s.b.x - s.a.x, s.b.y - s.a.y); }
+
+// Finds the nearest wall of each end.
+class Contacts {
+ public:
+  Contacts(const WorldParts& parts, double reach, double share)
+      : pairs_(parts), reach_(reach), share_(share), partner_(pairs_.points().size(), kNone) {}
+
+  std::vector<NearContact> all() {
+    for (std::uint32_t p = 0; p < pairs_.points().size(); ++p) add_nearest(p);
+    return std::move(result_);
+  }
+
+ private:
+  void add_nearest(std::uint32_t p) {
+    const Point at = pairs_.points()[p];
+    Foot least{std::numeric_limits<double>::infinity(), 0};
+    std::uint32_t nearest = kNone;
+    pairs_.near(at, reach_, [&](std::uint32_t i) {
+      const Foot foot = detail::foot(at, pairs_.segment(i));
+      if (foot.distance > reach_ || foot.distance > least.distance || (foot.distance == least.distance && i > nearest))
+        return;
+      if (!is_contact(p, i, foot.distance)) return;
+      least = foot;
+      nearest = i;
+    });
+    if (nearest == kNone) return;
+    const Piece& wall = pairs_.pieces()[nearest];
+    if (least.along == 0 || least.along == 1) {
+      partner_[p] = least.along == 0 ? wall.a : wall.b;
+      if (partner_[partner_[p]] == p) return;  // listed from the other end
+    }
+    const Segment s = pairs_.segment(nearest);
+    result_.push_back(
+        {at, s, detail::segment_distance({at, at}, s), pairs_.pieces()[pairs_.around(p).front()].line, wall.line});
+  }
+
+  bool is_contact(std::uint32_t p, std::uint32_t i, double distance) const {
+    const Piece& wall = pairs_.pieces()[i];
+    if (detail::covers(std::max(wall.thickness, pairs_.thickness(p)), distance)) return false;
+    const Segment s = pairs_.segment(i);
+    double longest = 0;
+    for (const std::uint32_t own : pairs_.around(p)) {
+      const Segment t = pairs_.segment(own);
+      if (own == i || written::segments_meet(t, s)) return false;
+      longest = std::max(longest, length(t));
+    }
+    return share_ == 0 || distance < share_ * std::min(longest, length(s));
+  }
+
+  NearPairs pairs_;
+  double reach_, share_;
+  std::vector<std::uint32_t> partner_;  // the end that is nearest, where an end is
+  std::vector<NearContact> result_;
+};
+
+// Distances by their binary exponents: the greatest ratio of neighbours is one between the largest below and the
+// smallest above an empty stretch.
+class Distances {
+ public:
+  explicit Distances(double least) : least_(least) {}
+
+  void add(double d) {
+    d = std::max(d, least_);
+    Bucket& b = buckets_[static_cast<std::size_t>(std::ilogb(d) + kOffset)];
+    b.smallest = std::min(b.smallest, d);
+    b.largest = std::max(b.largest, d);
+  }
+
+  // The distance below the greatest ratio, if it is below `limit`; nothing is known beyond `searched`.
+  double gap(double limit, double searched) const {
+    double below = 0, best = 0, ratio = kLeastRatio;
+    const auto look = [&](double above) {
+      if (below > 0 && below < limit && above / below >= ratio * (best > 0 ? 1 + 1e-12 : 1)) {
+        ratio = above / below;
+        best = below;
+      }
+    };
+    for (const Bucket& b : buckets_) {
+      if (b.largest == 0) continue;
+      look(b.smallest);
+      below = b.largest;
+    }
+    look(std::max(searched, below));
+    return best;
+  }
+
+  bool any_from(double limit) const {
+    return std::any_of(buckets_.begin(), buckets_.end(), [&](const Bucket& b) { return b.largest >= limit; });
+  }
+
+ private:
+  static constexpr int kOffset = 1080;
+  struct Bucket {
+    double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  };
+  std::array<Bucket, 2200> buckets_{};
+  double least_;
+};
+
+Distances distances_within(const NearPairs& pairs, double reach, double least) {
+  Distances distances(least);
+  for (const Point p : pairs.points())
+    pairs.near(p, reach, [&](std::uint32_t i) {
+      const Segment s = pairs.segment(i);
+      const double d = detail::foot(p, s).distance;
+      if (d <= reach && !written::on_segment(p, s.a, s.b)) distances.add(d);
+    });
+  return distances;
+}
+
+bool is_axis_parallel(const WorldParts& parts) {
+  const auto parallel = [](Point a, Point b) { return a.x == b.x || a.y == b.y; };
+  bool all = std::all_of(parts.walls.begin(), parts.walls.end(), [&](const Wall& w) { return parallel(w.a, w.b); });
+  detail::for_each_ring(parts, [&](const Ring& ring, std::uint32_t, int) {
+    for (std::size_t i = 0; all && i < ring.size(); ++i) all = parallel(ring[i], ring[(i + 1) % ring.size()]);
+  });
+  return all;
+}
+
+}  // namespace
+
+std::vector<NearContact> detail::contacts_within(const WorldParts& parts, double reach, double share) {
+  return Contacts(parts, reach, share).all();
+}
+
+double auto_tolerance(const WorldParts& parts) {
+  const double extent = detail::extent(parts);
+  const NearPairs pairs(parts);
+  double largest = 0;
+  for (const Point p : pairs.points()) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
+  const double least = std::max(std::nextafter(largest, HUGE_VAL) - largest, 1e-300);
+  for (double searched = 10 * kGapBelow * extent;; searched *= 10) {
+    const Distances distances = distances_within(pairs, searched, least);
+    if (searched > 2 * extent || distances.any_from(kGapBelow * extent))
+      return distances.gap(kGapBelow * extent, searched);
+  }
+}
+
+std::vector<NearContact> near_contacts(const World& world) {
+  const WorldParts parts = world.parts();
+  const std::optional<NumberLattice> lattice = number_lattice(world);
+  if (lattice && is_axis_parallel(parts)) return {};
+  const double extent = detail::extent(parts);
+  const double unit = lattice && lattice->base == 10 ? lattice->unit() : 0;
+  return detail::contacts_within(parts, std::max(kNear * extent, unit <= kLargestUnit * extent ? unit : 0),
+                                 kShortShare);
+}
+
+}  // namespace taut

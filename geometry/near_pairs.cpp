@@ -1,0 +1,80 @@
+#include <taut/geometry/detail/near_pairs.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <taut/geometry/detail/implied_area.h>
+#include <taut/geometry/written.h>
+
+namespace taut::detail {
+
+namespace {
+
+// Whole numbers, which most are, are told at once.
+bool is_computed_number(double v) {
+  return !(v == std::floor(v) && std::abs(v) < 1e15) && !written::decimal(v).has_value();
+}
+
+}  // namespace
+
+Foot foot(Point p, const Segment& s) {
+  const double dx = s.b.x - s.a.x, dy = s.b.y - s.a.y, square = dx * dx + dy * dy;
+  const double ax = p.x - s.a.x, ay = p.y - s.a.y, bx = p.x - s.b.x, by = p.y - s.b.y;
+  const double from_a = ax * dx + ay * dy, from_b = -(bx * dx + by * dy);
+  if (!(from_a > 0)) return {std::hypot(ax, ay), 0};
+  if (!(from_b > 0)) return {std::hypot(bx, by), 1};
+  // From the nearer end: fewer digits cancel.
+  const double cross = from_a < from_b ? dx * ay - dy * ax : dx * by - dy * bx;
+  return {std::abs(cross) / std::sqrt(square), from_a < from_b ? from_a / square : 1 - from_b / square};
+}
+
+double extent(const WorldParts& parts) {
+  Bounds bounds;
+  for_each_place(parts, [&](Point p) { bounds.add(p); });
+  if (bounds.empty()) return 0;
+  const Box& b = bounds.box();
+  return std::max(b.max.x - b.min.x, b.max.y - b.min.y);
+}
+
+NearPairs::NearPairs(const WorldParts& parts, std::span<const Point> ends) {
+  for_each_place(parts, [&](Point p) { points_.push_back(p); });
+  points_.insert(points_.end(), ends.begin(), ends.end());
+  std::sort(points_.begin(), points_.end());
+  points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+  for (const Wall& wall : parts.walls)
+    pieces_.push_back({number(wall.a), number(wall.b), 0, wall.thickness, wall.line});
+  for_each_ring(parts, [&](const Ring& ring, std::uint32_t area, int line) { add_ring(ring, area, line); });
+
+  first_.assign(points_.size() + 1, 0);
+  for (const Piece& piece : pieces_)
+    for (const std::uint32_t end : {piece.a, piece.b}) ++first_[end + 1];
+  for (std::size_t i = 1; i < first_.size(); ++i) first_[i] += first_[i - 1];
+  around_.resize(2 * pieces_.size());
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  std::vector<Box> boxes;
+  for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
+    for (const std::uint32_t end : {pieces_[i].a, pieces_[i].b}) around_[next[end]++] = i;
+    boxes.push_back(box_around(points_[pieces_[i].a], points_[pieces_[i].b]));
+  }
+  index_ = BoxIndex(std::move(boxes));
+  for (const Point p : points_) computed_.push_back(is_computed_number(p.x) || is_computed_number(p.y));
+}
+
+void NearPairs::add_ring(const Ring& ring, std::uint32_t area, int line) {
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    pieces_.push_back({number(ring[i]), number(ring[(i + 1) % ring.size()]), area, 0, line});
+}
+
+std::uint32_t NearPairs::number(Point p) const {
+  return static_cast<std::uint32_t>(std::lower_bound(points_.begin(), points_.end(), p) - points_.begin());
+}
+
+bool NearPairs::any_computed() const { return std::find(computed_.begin(), computed_.end(), true) != computed_.end(); }
+
+double NearPairs::thickness(std::uint32_t point) const {
+  double most = 0;
+  for (const std::uint32_t piece : around(point)) most = std::max(most, pieces_[piece].thickness);
+  return most;
+}
+
+}  // namespace taut::detail

@@ -1,0 +1,155 @@
+#include <taut/geometry/snap.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+#include <taut/geometry/detail/near_pairs.h>
+#include <taut/geometry/detail/snapper.h>
+#include <taut/geometry/detail/text.h>
+#include <taut/geometry/errors.h>
+#include <taut/geometry/written.h>
+
+namespace taut {
+
+namespace {
+
+constexpr std::size_t kFewEnds = 16;  // that a look at every wall is less than an index of them
+
+bool is_valid(Point p) { return std::abs(p.x) <= World::kLargest && std::abs(p.y) <= World::kLargest; }
+
+bool is_valid(const WorldParts& parts) {
+  bool valid = true;
+  detail::for_each_place(parts, [&](Point p) { valid = valid && is_valid(p); });
+  return valid;
+}
+
+bool is_computed(double v) { return !(v == std::floor(v) && std::abs(v) < 1e15) && !written::decimal(v); }
+bool is_computed(Point p) { return is_computed(p.x) || is_computed(p.y); }
+
+bool any_computed(const WorldParts& parts) {
+  bool any = false;
+  detail::for_each_place(parts, [&](Point p) { any = any || is_computed(p); });
+  return any;
+}
+
+/// Is one of them near to a wall or side, but not on it?
+bool any_beside(const std::vector<Point>& ends, const WorldParts& parts, double reach) {
+  bool any = false;
+  const auto look = [&](const Segment& s) {
+    for (const Point p : ends) any = any || (detail::foot(p, s).distance <= reach && !written::on_segment(p, s.a, s.b));
+  };
+  for (const Wall& wall : parts.walls) look({wall.a, wall.b});
+  detail::for_each_ring(parts, [&](const Ring& ring, std::uint32_t, int) {
+    for (std::size_t i = 0; i < ring.size(); ++i) look({ring[i], ring[(i + 1) % ring.size()]});
+  });
+  return any;
+}
+
+std::vector<Point> all_ends(const WorldParts& parts, std::span<const Point> ends) {
+  std::vector<Point> all(ends.begin(), ends.end());
+  if (parts.start) all.push_back(*parts.start);
+  if (parts.goal.point) all.push_back(*parts.goal.point);
+  std::erase_if(all, [](Point p) { return !is_valid(p); });
+  return all;
+}
+
+/// Nothing to do for numbers that were written, which most are.
+bool is_plain(const WorldParts& parts, std::vector<Point> ends, double rounding) {
+  std::erase_if(ends, [](Point p) { return !is_computed(p); });
+  return ends.size() <= kFewEnds && !any_beside(ends, parts, rounding);
+}
+
+SnappedParts joined(WorldParts parts, const Snap& snap, std::span<const Point> given, bool polygons_apart) {
+  if (snap.what == Snap::What::nothing || !is_valid(parts)) return {std::move(parts), {}};
+  const std::vector<Point> ends = all_ends(parts, given);
+  const bool computed = any_computed(parts);
+  detail::Joining joining{rounding_tolerance(parts), 0, polygons_apart};
+  if (snap.what == Snap::What::automatic) joining.reach = auto_tolerance(parts);
+  if (snap.what == Snap::What::within) {
+    joining.reach = snap.tolerance;
+    joining.rounding = std::min(joining.rounding, snap.tolerance);
+  }
+  const double rounding = computed ? joining.rounding : 0;
+  if (joining.reach == 0 && !computed && is_plain(parts, ends, joining.rounding)) return {std::move(parts), {}};
+  SnappedParts result = detail::joined(std::move(parts), joining, ends);
+  result.report.tolerance = std::max(joining.reach, joining.rounding);
+  result.parts.uncertainty = std::max({result.parts.uncertainty, rounding, result.report.displacement});
+  if (result.report.joined > 0) result.parts.grid.reset();
+  if (joining.reach > 0) result.report.remaining = detail::contacts_within(result.parts, joining.reach, 0);
+  return result;
+}
+
+void require_joined(const Snapped& result, const WorldParts& parts, const Snap& snap) {
+  const auto& remaining = result.report.remaining;
+  if (snap.what != Snap::What::within || remaining.empty()) return;
+  throw InputError(parts.source, remaining.front().line,
+                   "joining what is no farther apart than " + detail::text(snap.tolerance) +
+                       " leaves contacts that it would have to move farther for: " + text(remaining));
+}
+
+/// `0.00082`
+std::string rounded(double value) {
+  char digits[32];
+  return {digits, std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 3).ptr};
+}
+
+std::string ends_text(std::size_t count) { return std::to_string(count) + (count == 1 ? " end" : " ends"); }
+
+}  // namespace
+
+double rounding_tolerance(const WorldParts& parts) {
+  double largest = 0;
+  detail::for_each_place(parts, [&](Point p) { largest = std::max({largest, std::abs(p.x), std::abs(p.y)}); });
+  return std::max(std::ldexp(detail::extent(parts), -40), 8 * (std::nextafter(largest, HUGE_VAL) - largest));
+}
+
+SnappedParts snapped(WorldParts parts, const Snap& snap, std::span<const Point> ends) {
+  return joined(std::move(parts), snap, ends, false);
+}
+
+Snapped snapped_world(const WorldParts& parts, const Snap& snap, std::span<const Point> ends) {
+  for (const bool polygons_apart : {false, true}) {
+    SnappedParts result = joined(parts, snap, ends, polygons_apart);
+    const bool last = result.report.joined == 0 || (polygons_apart && snap.what != Snap::What::rounding);
+    try {
+      Snapped snapped{World(std::move(result.parts)), std::move(result.report)};
+      require_joined(snapped, parts, snap);
+      return snapped;
+    } catch (const InputError&) {
+      if (last) throw;
+    }
+  }
+  return {World(parts), {}};
+}
+
+Snapped snapped(const World& world, const Snap& snap, std::span<const Point> ends) {
+  return snapped_world(world.parts(), snap, ends);
+}
+
+Snapped snapped(const World& world, double tolerance) {
+  const Snap snap = tolerance > 0 ? Snap{Snap::What::within, tolerance} : Snap{Snap::What::nothing, 0};
+  const WorldParts parts = world.parts();
+  SnappedParts result = joined(parts, snap, {}, false);
+  return {World(std::move(result.parts)), std::move(result.report)};
+}
+
+std::string text(const SnapReport& report) {
+  if (report.joined == 0) return {};
+  std::string text =
+      ends_text(report.joined) + " joined to other walls, moved by at most " + rounded(report.displacement);
+  if (!report.remaining.empty()) text += "; " + ends_text(report.remaining.size()) + " remain apart";
+  return text;
+}
+
+std::string text(const std::vector<NearContact>& contacts) {
+  if (contacts.empty()) return {};
+  const NearContact& largest = *std::max_element(contacts.begin(), contacts.end(),
+                                                 [](const auto& a, const auto& b) { return a.distance < b.distance; });
+  return ends_text(contacts.size()) + (contacts.size() == 1 ? " nearly touches" : " nearly touch") +
+         " another wall, at most " + rounded(largest.distance) + " apart: " + detail::text(largest.end) + " and " +
+         detail::text(largest.wall);
+}
+
+}  // namespace taut
