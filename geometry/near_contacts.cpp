@@ -17,6 +17,7 @@ namespace {
 
 using detail::Foot;
 using detail::NearPairs;
+using detail::NumberedContact;
 using detail::Piece;
 
 constexpr double kNear = 1e-6;         // of the extent
@@ -24,6 +25,7 @@ constexpr double kLargestUnit = 1e-4;  // of the extent
 constexpr double kShortShare = 0.1;    // of the shorter wall
 constexpr double kGapBelow = 1e-3;     // of the extent
 constexpr double kLeastRatio = 10;
+constexpr double kAlike = 1e-7;  // of the extent: ratios of smaller distances say nothing
 
 double length(const Segment& s) { return std::hypot(s.b.x - s.a.x, s.b.y - s.a.y); }
 
@@ -33,7 +35,7 @@ class Contacts {
   Contacts(const WorldParts& parts, double reach, double share)
       : pairs_(parts), reach_(reach), share_(share), partner_(pairs_.points().size(), kNone) {}
 
-  std::vector<NearContact> all() {
+  std::vector<NumberedContact> all() {
     for (std::uint32_t p = 0; p < pairs_.points().size(); ++p) add_nearest(p);
     return std::move(result_);
   }
@@ -45,9 +47,8 @@ class Contacts {
     std::uint32_t nearest = kNone;
     pairs_.near(at, reach_, [&](std::uint32_t i) {
       const Foot foot = detail::foot(at, pairs_.segment(i));
-      if (foot.distance > reach_ || foot.distance > least.distance || (foot.distance == least.distance && i > nearest))
-        return;
-      if (!is_contact(p, i, foot.distance)) return;
+      if (foot.distance > least.distance || (foot.distance == least.distance && i > nearest)) return;
+      if (!detail::is_within(foot, at, pairs_.segment(i), reach_) || !is_contact(p, i, foot.distance)) return;
       least = foot;
       nearest = i;
     });
@@ -58,8 +59,8 @@ class Contacts {
       if (partner_[partner_[p]] == p) return;  // listed from the other end
     }
     const Segment s = pairs_.segment(nearest);
-    result_.push_back(
-        {at, s, detail::segment_distance({at, at}, s), pairs_.pieces()[pairs_.around(p).front()].line, wall.line});
+    const int line = pairs_.pieces()[pairs_.around(p).front()].line;
+    result_.push_back({{at, s, detail::segment_distance({at, at}, s), line, wall.line}, nearest});
   }
 
   bool is_contact(std::uint32_t p, std::uint32_t i, double distance) const {
@@ -78,30 +79,28 @@ class Contacts {
   NearPairs pairs_;
   double reach_, share_;
   std::vector<std::uint32_t> partner_;  // the end that is nearest, where an end is
-  std::vector<NearContact> result_;
+  std::vector<NumberedContact> result_;
 };
 
 // Distances by their binary exponents: the greatest ratio of neighbours is one between the largest below and the
 // smallest above an empty stretch.
 class Distances {
  public:
-  explicit Distances(double least) : least_(least) {}
-
   void add(double d) {
-    d = std::max(d, least_);
     Bucket& b = buckets_[static_cast<std::size_t>(std::ilogb(d) + kOffset)];
     b.smallest = std::min(b.smallest, d);
     b.largest = std::max(b.largest, d);
   }
 
-  // The distance below the greatest ratio, if it is below `limit`; nothing is known beyond `searched`.
-  double gap(double limit, double searched) const {
-    double below = 0, best = 0, ratio = kLeastRatio;
+  // The distance below the greatest ratio, if it is below `limit`; nothing is known beyond `searched`. Those below
+  // `alike` are alike.
+  double gap(double limit, double searched, double alike) const {
+    double below = 0, best = 0, greatest = kLeastRatio;
     const auto look = [&](double above) {
-      if (below > 0 && below < limit && above / below >= ratio * (best > 0 ? 1 + 1e-12 : 1)) {
-        ratio = above / below;
-        best = below;
-      }
+      const double ratio = std::max(above, alike) / std::max(below, alike);
+      if (below == 0 || below >= limit || ratio < greatest || (best > 0 && ratio == greatest)) return;
+      greatest = ratio;
+      best = below;
     };
     for (const Bucket& b : buckets_) {
       if (b.largest == 0) continue;
@@ -122,16 +121,16 @@ class Distances {
     double smallest = std::numeric_limits<double>::infinity(), largest = 0;
   };
   std::array<Bucket, 2200> buckets_{};
-  double least_;
 };
 
-Distances distances_within(const NearPairs& pairs, double reach, double least) {
-  Distances distances(least);
+Distances distances_between(const NearPairs& pairs, double least, double exact, double reach) {
+  Distances distances;
   for (const Point p : pairs.points())
     pairs.near(p, reach, [&](std::uint32_t i) {
       const Segment s = pairs.segment(i);
-      const double d = detail::foot(p, s).distance;
-      if (d <= reach && !written::on_segment(p, s.a, s.b)) distances.add(d);
+      double d = detail::foot(p, s).distance;
+      if (d < exact) d = detail::segment_distance({p, p}, s);
+      if (least < d && d <= reach && !written::on_segment(p, s.a, s.b)) distances.add(d);
     });
   return distances;
 }
@@ -147,20 +146,18 @@ bool is_axis_parallel(const WorldParts& parts) {
 
 }  // namespace
 
-std::vector<NearContact> detail::contacts_within(const WorldParts& parts, double reach, double share) {
+std::vector<detail::NumberedContact> detail::contacts_within(const WorldParts& parts, double reach, double share) {
   return Contacts(parts, reach, share).all();
 }
 
 double auto_tolerance(const WorldParts& parts) {
   const double extent = detail::extent(parts);
   const NearPairs pairs(parts);
-  double largest = 0;
-  for (const Point p : pairs.points()) largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
-  const double least = std::max(std::nextafter(largest, HUGE_VAL) - largest, 1e-300);
+  const double rounding = rounding_tolerance(parts);
   for (double searched = 10 * kGapBelow * extent;; searched *= 10) {
-    const Distances distances = distances_within(pairs, searched, least);
+    const Distances distances = distances_between(pairs, rounding, kGapBelow * extent, searched);
     if (searched > 2 * extent || distances.any_from(kGapBelow * extent))
-      return distances.gap(kGapBelow * extent, searched);
+      return distances.gap(kGapBelow * extent, searched, kAlike * extent);
   }
 }
 
@@ -170,8 +167,9 @@ std::vector<NearContact> near_contacts(const World& world) {
   if (lattice && is_axis_parallel(parts)) return {};
   const double extent = detail::extent(parts);
   const double unit = lattice && lattice->base == 10 ? lattice->unit() : 0;
-  return detail::contacts_within(parts, std::max(kNear * extent, unit <= kLargestUnit * extent ? unit : 0),
-                                 kShortShare);
+  const auto found =
+      detail::contacts_within(parts, std::max(kNear * extent, unit <= kLargestUnit * extent ? unit : 0), kShortShare);
+  return {found.begin(), found.end()};
 }
 
 }  // namespace taut

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <taut/geometry/detail/implied_area.h>
+#include <taut/geometry/detail/segment_distance.h>
 #include <taut/geometry/written.h>
 
 namespace taut::detail {
@@ -26,6 +27,13 @@ Foot foot(Point p, const Segment& s) {
   // From the nearer end: fewer digits cancel.
   const double cross = from_a < from_b ? dx * ay - dy * ax : dx * by - dy * bx;
   return {std::abs(cross) / std::sqrt(square), from_a < from_b ? from_a / square : 1 - from_b / square};
+}
+
+bool is_within(const Foot& foot, Point p, const Segment& s, double reach) {
+  const auto size = [](Point q) { return std::abs(q.x) + std::abs(q.y); };
+  const double slack = 0x1p-50 * (size(p) + size(s.a) + size(s.b));
+  if (foot.distance <= reach - slack) return true;
+  return foot.distance <= reach + slack && segment_distance({p, p}, s) <= reach;
 }
 
 double extent(const WorldParts& parts) {

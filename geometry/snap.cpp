@@ -61,6 +61,19 @@ bool is_plain(const WorldParts& parts, std::vector<Point> ends, double rounding)
   return ends.size() <= kFewEnds && !any_beside(ends, parts, rounding);
 }
 
+/// Of the ends that could not be joined those that still touch nothing there, no farther than all may have moved; and
+/// what came to be near by moving.
+std::vector<NearContact> remaining(const SnappedParts& joined, double reach) {
+  const std::vector<NearContact>& apart = joined.report.remaining;
+  const auto is_apart = [&](Point p) {
+    return std::any_of(apart.begin(), apart.end(), [&](const NearContact& c) { return c.end == p; });
+  };
+  std::vector<NearContact> result;
+  for (const NearContact& c : detail::contacts_within(joined.parts, 3 * reach, 0))
+    if (c.distance <= reach || is_apart(c.end) || is_apart(c.wall.a) || is_apart(c.wall.b)) result.push_back(c);
+  return result;
+}
+
 SnappedParts joined(WorldParts parts, const Snap& snap, std::span<const Point> given, bool polygons_apart) {
   if (snap.what == Snap::What::nothing || !is_valid(parts)) return {std::move(parts), {}};
   const std::vector<Point> ends = all_ends(parts, given);
@@ -77,7 +90,7 @@ SnappedParts joined(WorldParts parts, const Snap& snap, std::span<const Point> g
   result.report.tolerance = std::max(joining.reach, joining.rounding);
   result.parts.uncertainty = std::max({result.parts.uncertainty, rounding, result.report.displacement});
   if (result.report.joined > 0) result.parts.grid.reset();
-  if (joining.reach > 0) result.report.remaining = detail::contacts_within(result.parts, joining.reach, 0);
+  if (joining.reach > 0) result.report.remaining = remaining(result, joining.reach);
   return result;
 }
 

@@ -38,7 +38,8 @@ struct SnapReport {
   double tolerance = 0;                ///< nothing moved farther
   std::size_t joined = 0;              ///< contacts: ends that became one, ends that a wall now passes through
   double displacement = 0;             ///< the largest distance that an end moved, or a wall bent
-  std::vector<NearContact> remaining;  ///< still no farther apart than the tolerance; not listed of `rounding`
+  std::vector<NearContact> remaining;  ///< what was, or came to be, within the tolerance and does not touch; none of
+                                       ///< `rounding`
 };
 
 /// Joins the walls and rings of a world.
@@ -77,8 +78,9 @@ Snapped snapped(const World& world, const Snap& snap, std::span<const Point> end
 /// of the largest coordinate.
 double rounding_tolerance(const WorldParts& parts);
 
-/// Of all distances d between an end and a wall or side that it does not touch, in order, the greatest ratio from one
-/// to the next, the first below 10^-3 of the extent: that first one. 0 when no ratio is at least 10.
+/// Of all distances above rounding_tolerance between an end and a wall or side that it does not touch, in order, the
+/// greatest ratio from one to the next, the first below 10^-3 of the extent: that first one. 0 when no ratio is at least
+/// 10. Distances below 10^-7 of the extent count as that much: the smallest of many are far apart by chance.
 double auto_tolerance(const WorldParts& parts);
 
 /// All ends nearer to another wall than a tenth of the shorter of the two, and than 10^-6 of the extent or, where that

@@ -1,19 +1,17 @@
 #include <taut/geometry/detail/snapper.h>
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 #include <utility>
 
 #include <taut/geometry/detail/near_pairs.h>
+#include <taut/geometry/detail/segment_distance.h>
 #include <taut/geometry/triangulation.h>
 #include <taut/geometry/written.h>
 
 namespace taut::detail {
 
 namespace {
-
-double distance(Point p, Point q) { return std::hypot(p.x - q.x, p.y - q.y); }
 
 class Snapper {
  public:
@@ -22,21 +20,23 @@ class Snapper {
         pairs_(parts, ends),
         fixed_(pairs_.points().size(), false),
         target_(pairs_.points().size(), kNone) {
-    for (const Point p : ends)
-      fixed_[static_cast<std::size_t>(std::lower_bound(points().begin(), points().end(), p) - points().begin())] = true;
+    for (const Point p : ends) fixed_[number(p)] = true;
   }
 
   SnappedParts run(WorldParts parts) {
     join_ends();
     gather();
     pass_through();
-    if (report_.joined == 0) return {std::move(parts), report_};
-    rebuild(parts);
-    return {std::move(parts), report_};
+    if (joining_.reach > 0) list_remaining(parts);
+    if (report_.joined > 0) rebuild(parts);
+    return {std::move(parts), std::move(report_)};
   }
 
  private:
   const std::vector<Point>& points() const { return pairs_.points(); }
+  std::uint32_t number(Point p) const {
+    return static_cast<std::uint32_t>(std::lower_bound(points().begin(), points().end(), p) - points().begin());
+  }
   Point moved(std::uint32_t p) const { return points()[target_[p]]; }
 
   /// The reach of an end: walls do not come to start and goal from farther than rounding.
@@ -44,19 +44,30 @@ class Snapper {
     return fixed_[p] ? joining_.rounding : std::max(joining_.reach, joining_.rounding);
   }
 
-  /// May what is so far apart be joined? `computed`: is there such a number among the ends?
-  bool is_within(std::uint32_t p, double distance, bool computed) const {
-    if (computed && distance <= joining_.rounding) return true;
-    return !fixed_[p] && distance <= joining_.reach;
+  /// May p be joined to s? `computed`: is there such a number among their ends?
+  bool is_near(std::uint32_t p, const Foot& foot, const Segment& s, bool computed) const {
+    const double reach = fixed_[p] ? 0 : joining_.reach;
+    const double most = computed ? std::max(reach, joining_.rounding) : reach;
+    return most > 0 && is_within(foot, points()[p], s, most);
   }
 
-  /// Every end gets a target: itself or an end within reach that is its own target. Fixed ones first, then what was
-  /// written: those stay.
+  void count(std::uint32_t p, const Segment& s) {
+    ++report_.joined;
+    report_.displacement = std::max(report_.displacement, segment_distance({points()[p], points()[p]}, s));
+  }
+
+  /// Every end gets a target: itself or an end within reach that is its own target. Fixed ones first, then those with
+  /// the most others within reach, then what was written: those stay.
   void join_ends() {
     std::vector<std::uint32_t> order(points().size());
-    for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-    const auto rank = [&](std::uint32_t p) { return fixed_[p] ? 0 : pairs_.is_computed(p) ? 2 : 1; };
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t p, std::uint32_t q) { return rank(p) < rank(q); });
+    std::vector<std::tuple<bool, std::size_t, bool>> rank(points().size());
+    for (std::uint32_t p = 0; p < order.size(); ++p) {
+      order[p] = p;
+      std::size_t others = 0;
+      if (joining_.reach > 0 && !fixed_[p]) others = count_near(p);
+      rank[p] = {!fixed_[p], points().size() - others, pairs_.is_computed(p)};
+    }
+    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t p, std::uint32_t q) { return rank[p] < rank[q]; });
     for (const std::uint32_t p : order) {
       if (target_[p] != kNone) continue;
       target_[p] = p;
@@ -66,15 +77,27 @@ class Snapper {
     }
   }
 
+  /// Ends of walls and sides, each as often as one ends there.
+  std::size_t count_near(std::uint32_t p) const {
+    std::size_t count = 0;
+    pairs_.near(points()[p], joining_.reach, [&](std::uint32_t i) {
+      const Segment s = pairs_.segment(i);
+      for (const Point q : {s.a, s.b})
+        count += is_within(detail::foot(points()[p], {q, q}), points()[p], {q, q}, joining_.reach);
+    });
+    return count;
+  }
+
   void join(std::uint32_t p, std::uint32_t q) {
     if (target_[q] != kNone || fixed_[q]) return;
-    const double d = distance(points()[p], points()[q]);
-    if (!is_within(p, d, pairs_.is_computed(p) || pairs_.is_computed(q))) return;
-    if (covers(std::max(pairs_.thickness(p), pairs_.thickness(q)), d) || are_joined_by_a_piece(p, q)) return;
+    const Segment at{points()[q], points()[q]};
+    const Foot foot = detail::foot(points()[p], at);
+    if (!is_near(p, foot, at, pairs_.is_computed(p) || pairs_.is_computed(q))) return;
+    if (covers(std::max(pairs_.thickness(p), pairs_.thickness(q)), foot.distance) || are_joined_by_a_piece(p, q))
+      return;
     if (joining_.polygons_apart && share_a_polygon(pairs_.around(p), pairs_.around(q))) return;
     target_[q] = p;
-    ++report_.joined;
-    report_.displacement = std::max(report_.displacement, d);
+    count(p, at);
   }
 
   bool are_joined_by_a_piece(std::uint32_t p, std::uint32_t q) const {
@@ -131,13 +154,27 @@ class Snapper {
     if (!exact) {
       if (foot.along == 0 || foot.along == 1) return;
       const bool computed = computed_[p] || pairs_.is_computed(piece.a) || pairs_.is_computed(piece.b);
-      if (!is_within(p, foot.distance, computed)) return;
+      if (!is_near(p, foot, s, computed)) return;
       if (covers(std::max(piece.thickness, thickness_[p]), foot.distance)) return;
       if (joining_.polygons_apart && share_a_polygon(members_[p], {&i, 1})) return;
-      ++report_.joined;
-      report_.displacement = std::max(report_.displacement, foot.distance);
+      count(p, s);
     }
     bends_.push_back({i, foot.along, p, exact});
+  }
+
+  /// What was near enough, but would have had to move farther; where its end is now.
+  void list_remaining(const WorldParts& parts) {
+    for (const NumberedContact& contact : contacts_within(parts, joining_.reach, 0)) {
+      const std::uint32_t to = target_[number(contact.end)];
+      const Piece& piece = pairs_.pieces()[contact.piece];
+      const auto [first, last] = std::equal_range(bends_.begin(), bends_.end(), Bend{contact.piece, 0, 0, false},
+                                                  [](const Bend& a, const Bend& b) { return a.piece < b.piece; });
+      const bool passes = std::any_of(first, last, [&](const Bend& bend) { return bend.through == to; });
+      if (!passes && target_[piece.a] != to && target_[piece.b] != to) {
+        report_.remaining.push_back(contact);
+        report_.remaining.back().end = points()[to];
+      }
+    }
   }
 
   /// Calls emit(p) for every point of piece i from its first end to its last. Ends that lie on it exactly are among

@@ -14,6 +14,7 @@
 #include <taut/cli/solve/batch_answers.h>
 #include <taut/cli/solve/query_source.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/written.h>
 #include <taut/geometry/written_places.h>
 #include <taut/io/worlds/query_lines.h>
 #include <taut/search/no_path.h>
@@ -75,6 +76,7 @@ class Batch {
     const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
     Polyanya polyanya = run_.stage("mesh", [&] { return Polyanya(space); });
     const NoPath no_path(space);
+    rounding_ = rounding_tolerance(input.world.parts());
     answers_.prepared_in(run_.seconds());
     run_.stage("search", [&] { answer_all(source, input, space, polyanya, no_path); });
     note(answers_.totals());
@@ -95,8 +97,10 @@ class Batch {
     for (int number = 1; source.next(line); ++number) {
       const std::optional<QueryLine> query = read(reader, line, number, source, input);
       if (!query) continue;
-      const bool on_bent_walls = places.is_moved(query->from) || places.is_moved(query->to);
-      answers_.add(*query, on_bent_walls ? ask_on_walls(input.world, *query) : ask(space, search, no_path, *query),
+      bool on_walls = false;
+      for (const Point p : {query->from, query->to})
+        on_walls = on_walls || places.is_moved(p) || is_beside_a_wall(space, p);
+      answers_.add(*query, on_walls ? ask_on_walls(input.world, *query) : ask(space, search, no_path, *query),
                    source.name());
       answers_.flush(source.may_wait());
       if (!is_worth_landmarks(polyanya)) continue;
@@ -124,10 +128,21 @@ class Batch {
     }
   }
 
-  /// Ends on sloped walls that bend nearby: a space of their own keeps them there.
+  /// Within rounding, with a computed number among theirs: then snapped() puts it on the wall.
+  bool is_beside_a_wall(const FreeSpace& space, Point p) const {
+    const bool written = written::decimal(p.x) && written::decimal(p.y) && space.world().uncertainty() == 0;
+    if (written || options_.world.read.snap.what == Snap::What::nothing) return false;
+    if (space.footprint().kind() != Footprint::Kind::point) return false;
+    if (space.locate(p).kind == Location::Kind::outside) return true;
+    const double distance = space.clearance(p).distance;
+    return distance > 0 && distance <= rounding_;
+  }
+
+  /// Ends on sloped walls that bend nearby, or beside a wall within rounding: a space of their own has them there.
   QueryAnswer ask_on_walls(const World& world, const QueryLine& query) {
     const Point ends[] = {query.from, query.to};
-    const FreeSpace space(world, options_.query.robot, ends);
+    const bool joins = options_.world.read.snap.what != Snap::What::nothing;
+    const FreeSpace space(joins ? snapped(world, Snap{}, ends).world : world, options_.query.robot, ends);
     PolyanyaSearch search{Polyanya(space)};
     return ask(space, search, NoPath(space), query);
   }
@@ -165,6 +180,7 @@ class Batch {
   const BatchOptions& options_;
   Run& run_;
   BatchAnswers answers_;
+  double rounding_ = 0;
   std::size_t nodes_ = 0;
   double lengths_ = 0, straight_ = 0;
 };

@@ -19,6 +19,7 @@
 #include <taut/io/pictures/svg.h>
 #include <taut/io/results/barrier_words.h>
 #include <taut/io/results/result_json.h>
+#include <taut/io/results/snap_json.h>
 #include <taut/io/results/words.h>
 #include <taut/io/saved/planned_roadmap.h>
 #include <taut/search/funnel.h>
@@ -188,13 +189,20 @@ class Solver {
     answer.outcome = answer_.outcome;
     answer.reason = answer_.reason;
     answer.line = solve_line(answer_, run_.seconds());
-    if (run_.wants_json()) answer.result = result_json(result_);
+    if (run_.wants_json()) answer.result = json(input);
     if (options_.path) answer.listing = points_text(result_.path.points);
     answer.stats = solve_stats(answer_, options_, space, input);
     if (!options_.save.empty())
       answer.files.push_back({options_.save, saved_text(*answer_.kind, answer_.planned, space)});
     if (!options_.svg.empty()) answer.files.push_back({options_.svg, svg(space, solve_picture(answer_))});
     return run_.end(std::move(answer));
+  }
+
+  Json json(const Input& input) const {
+    Json json = result_json(result_);
+    json["snap"] = snap_json(input.notes.snap);
+    json["near"] = near_json(input.notes.near);
+    return json;
   }
 
   const SolveOptions& options_;

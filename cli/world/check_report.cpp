@@ -7,6 +7,7 @@
 #include <taut/cli/report.h>
 #include <taut/geometry/number_lattice.h>
 #include <taut/geometry/predicates.h>
+#include <taut/io/results/snap_json.h>
 
 namespace taut::cli {
 
@@ -35,6 +36,13 @@ std::string text_of(const Goal& goal) {
   const std::string box = point_text(first.min) + " to " + point_text(first.max);
   return goal.room.size() == 1 ? "the room " + box
                                : fmt::format("a room of {} boxes, the first {}", goal.room.size(), box);
+}
+
+std::string line_text(int line) { return line > 0 ? fmt::format(" (line {})", line) : ""; }
+
+std::string text_of(const NearContact& c) {
+  return fmt::format("{}{} is {:.3g} from {}-{}{}", point_text(c.end), line_text(c.line), c.distance,
+                     point_text(c.wall.a), point_text(c.wall.b), line_text(c.wall_line));
 }
 
 }  // namespace
@@ -75,6 +83,11 @@ std::string CheckReport::text() const {
       fmt::format("{}, {} to {}", name_of(world.boundary()), point_text(world.box().min), point_text(world.box().max)));
   const std::optional<NumberLattice> lattice = number_lattice(world);
   row("numbers", lattice ? taut::text(*lattice) : "computed, or too many digits for a lattice");
+  const SnapReport& snap = input_.notes.snap;
+  if (snap.joined > 0)
+    row("joined", fmt::format("{}, moved by at most {:.3g}; nothing by more than {:.3g}",
+                              count_text(snap.joined, "contact"), snap.displacement, snap.tolerance));
+  for (const NearContact& c : input_.notes.near) row("near", text_of(c));
   if (world.boundary() == Boundary::limit)
     row("openings", world.openings().empty() ? "none"
                                              : fmt::format("{}: {}", world.openings().size(),
@@ -101,6 +114,8 @@ Json CheckReport::json() const {
   json["box"] = json_of(world.box());
   const std::optional<NumberLattice> lattice = number_lattice(world);
   json["numbers"] = lattice ? Json(taut::text(*lattice)) : Json(nullptr);
+  json["snap"] = snap_json(input_.notes.snap);
+  json["near"] = near_json(input_.notes.near);
   json["openings"] = world.openings();
   json["start"] = world.start();
   json["goal"] = json_of(world.goal());

@@ -21,6 +21,8 @@ namespace taut::cli {
 ///  solids, areas     numbers of obstacle polygons, and of polygons the world is made of
 ///  boundary          "walled", "limit" or "open" (world.h)
 ///  box               [xmin, ymin, xmax, ymax]
+///  snap              what was joined: {"tolerance", "joined", "displacement", "remaining"} (snap_json.h)
+///  near              [{"end", "wall", "distance", "line", "wall_line"}, ...] what nearly touches
 ///  openings          [[[x1, y1], [x2, y2]], ...]
 ///  start, goal       [x, y] or null; {"point": ...}, {"room": ...} or null
 ///  free_space        {"area", "components", "polygons", "holes", "corners", "reflex_corners", "triangles",

@@ -18,6 +18,7 @@ struct ConvertOptions {
 };
 
 void add_options(CommandLine& app, ConvertOptions& options) {
+  options.world.read.snap.what = Snap::What::nothing;  // a copy, unless told otherwise
   add_world_options(app, options.world);
   app.add_option("OUT", options.target, "The file to write; - is standard output (default)");
   app.add_option_function(

@@ -1,6 +1,7 @@
 // Ends and walls, and which are near to which. Private: the ground of snap.h.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -18,6 +19,9 @@ struct Foot {
   double along = 0;  ///< 0 at a, 1 at b
 };
 Foot foot(Point p, const Segment& s);
+
+/// Is p no farther from s than `reach`? By what the numbers mean where doubles are not sure.
+bool is_within(const Foot& foot, Point p, const Segment& s, double reach);
 
 /// Does a wall that thick reach so far from its middle line?
 inline bool covers(double thickness, double distance) { return thickness > 0 && thickness >= 2 * distance; }
@@ -54,7 +58,8 @@ class NearPairs {
   /// Calls visit(piece) for all pieces whose box is no farther than `reach` from p's.
   template <typename Visit>
   void near(Point p, double reach, Visit&& visit) const {
-    index_.meeting({{p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}}, visit);
+    const double wide = reach + 0x1p-50 * (std::abs(p.x) + std::abs(p.y));  // what a number means may lie beside it
+    index_.meeting({{p.x - wide, p.y - wide}, {p.x + wide, p.y + wide}}, visit);
   }
 
  private:
@@ -94,8 +99,13 @@ void for_each_place(const WorldParts& parts, Visit&& visit) {
 /// The longer side of the box around all places.
 double extent(const WorldParts& parts);
 
+/// A contact and the number of the other piece.
+struct NumberedContact : NearContact {
+  std::uint32_t piece = 0;
+};
+
 /// All contacts no farther apart than `reach` and, with a `share` above 0, nearer than that of the shorter wall; see
 /// near_contacts.
-std::vector<NearContact> contacts_within(const WorldParts& parts, double reach, double share);
+std::vector<NumberedContact> contacts_within(const WorldParts& parts, double reach, double share);
 
 }  // namespace taut::detail

@@ -12,6 +12,7 @@ WorldParts parts_of(const World& world) {
   parts.solids = world.solids();
   parts.start = world.start();
   parts.goal = world.goal();
+  parts.uncertainty = world.uncertainty();
   return parts;
 }
 
