@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 #include <taut/geometry/detail/near_pairs.h>
 #include <taut/geometry/detail/segment_distance.h>
@@ -135,13 +136,19 @@ Distances distances_between(const NearPairs& pairs, double least, double exact, 
   return distances;
 }
 
-bool is_axis_parallel(const WorldParts& parts) {
+bool is_axis_parallel(const World& world) {
   const auto parallel = [](Point a, Point b) { return a.x == b.x || a.y == b.y; };
-  bool all = std::all_of(parts.walls.begin(), parts.walls.end(), [&](const Wall& w) { return parallel(w.a, w.b); });
-  detail::for_each_ring(parts, [&](const Ring& ring, std::uint32_t, int) {
-    for (std::size_t i = 0; all && i < ring.size(); ++i) all = parallel(ring[i], ring[(i + 1) % ring.size()]);
-  });
-  return all;
+  const auto ring_is = [&](const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      if (!parallel(ring[i], ring[(i + 1) % ring.size()])) return false;
+    return true;
+  };
+  const auto area_is = [&](const Area& area) {
+    return ring_is(area.polygon.outer) && std::all_of(area.polygon.holes.begin(), area.polygon.holes.end(), ring_is);
+  };
+  const auto& [walls, areas, solids] = std::tie(world.walls(), world.areas(), world.solids());
+  return std::all_of(walls.begin(), walls.end(), [&](const Wall& w) { return parallel(w.a, w.b); }) &&
+         std::all_of(areas.begin(), areas.end(), area_is) && std::all_of(solids.begin(), solids.end(), area_is);
 }
 
 }  // namespace
@@ -162,9 +169,10 @@ double auto_tolerance(const WorldParts& parts) {
 }
 
 std::vector<NearContact> near_contacts(const World& world) {
-  const WorldParts parts = world.parts();
+  if (world.grid()) return {};
   const std::optional<NumberLattice> lattice = number_lattice(world);
-  if (lattice && is_axis_parallel(parts)) return {};
+  if (lattice && is_axis_parallel(world)) return {};
+  const WorldParts parts = world.parts();
   const double extent = detail::extent(parts);
   const double unit = lattice && lattice->base == 10 ? lattice->unit() : 0;
   const auto found =

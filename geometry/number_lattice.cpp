@@ -31,6 +31,7 @@ class Places {
   explicit Places(int base) : base_(base) {}
 
   void add(double v) {
+    if (v == std::floor(v) && std::abs(v) < 1e15) return;  // needs none
     if (base_ == 10) {
       const auto d = written::decimal(v);
       if (!d && v != std::floor(v)) exists_ = false;
