@@ -22,6 +22,7 @@ struct HardWorld {
   const char* text;
   const char* query;
   double radius;
+  const char* said = "";  // on stderr
 };
 
 void PrintTo(const HardWorld& world, std::ostream* out) { *out << world.file << " " << world.query; }
@@ -33,14 +34,16 @@ constexpr HardWorld kSliver{"two.wkt",
                             "--wall-thickness 0.00025 --from 1000000.001,1000000.001 --to 999999.996,1000000.003",
                             0.0010818729167804122};
 // A wall that ends one unit in the last place from the corner of two others.
-constexpr HardWorld kNearMiss{"three.txt", "5 42 6 42\n5 41 4.999999999999999 42\n5 47 5 48\n", "--from 1,1 --to 9,60",
-                              10.5};
+constexpr HardWorld kNearMiss{"three.txt", "5 42 6 42\n5 41 4.999999999999999 42\n5 47 5 48\n",
+                              "--snap 0 --from 1,1 --to 9,60", 10.5,
+                              "taut: three.txt: 1 end nearly touches another wall, at most 8.88e-16 apart: "
+                              "(4.999999999999999, 42) and (5, 42)-(6, 42)\n"};
 
 class Silence : public ProgramTest, public testing::WithParamInterface<HardWorld> {
  protected:
   void expect_answer(const Outcome& run) {
     EXPECT_EQ(run.code, 0);
-    EXPECT_EQ(run.err, "");
+    EXPECT_EQ(run.err, GetParam().said);
     const json answer = json::parse(run.out, nullptr, false);
     ASSERT_FALSE(answer.is_discarded()) << run.out;
     EXPECT_EQ(answer["status"], "found");

@@ -8,7 +8,7 @@
 #include <list>
 #include <random>
 #include <set>
-#include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -43,16 +43,20 @@ class Lattice {
   Turn back_;
 };
 
+/// No two along one line have more than a point in common: turned, those cross anywhere along it.
 std::vector<Wall> walls(unsigned seed) {
   std::mt19937 engine(seed);
   const auto upto = [&](int n) { return static_cast<int>(engine() % static_cast<unsigned>(n + 1)); };
+  std::set<std::tuple<bool, int, int>> taken;  // units
   std::vector<Wall> walls;
-  for (int i = 0; i < 40; ++i) {
-    const double x = upto(kSize - 1), y = upto(kSize - 1);
-    if (upto(1) == 0)
-      walls.push_back({{x, y}, {std::min<double>(kSize, x + 1 + upto(6)), y}});
-    else
-      walls.push_back({{x, y}, {x, std::min<double>(kSize, y + 1 + upto(6))}});
+  for (int i = 0; i < 60; ++i) {
+    const bool upright = upto(1) == 0;
+    const int x = upto(kSize - 1), y = upto(kSize - 1), from = upright ? y : x, line = upright ? x : y;
+    int to = from;
+    for (const int end = std::min(kSize, from + 1 + upto(6)); to < end; ++to)
+      if (!taken.emplace(upright, line, to).second) break;
+    const double a = from, b = to, at = line;
+    if (to > from) walls.push_back(upright ? Wall{{at, a}, {at, b}} : Wall{{a, at}, {b, at}});
   }
   return walls;
 }
