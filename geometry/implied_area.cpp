@@ -7,8 +7,8 @@
 #include <utility>
 
 #include <taut/geometry/detail/outline.h>
-#include <taut/geometry/detail/text.h>
 #include <taut/geometry/snap.h>
+#include <taut/geometry/text.h>
 #include <taut/geometry/written.h>
 
 namespace taut::detail {

@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include <taut/geometry/detail/near_pairs.h>
-#include <taut/geometry/detail/segment_distance.h>
 #include <taut/geometry/number_lattice.h>
+#include <taut/geometry/segment_distance.h>
 #include <taut/geometry/snap.h>
 #include <taut/geometry/triangulation.h>
 #include <taut/geometry/written.h>
@@ -61,7 +61,7 @@ class Contacts {
     }
     const Segment s = pairs_.segment(nearest);
     const int line = pairs_.pieces()[pairs_.around(p).front()].line;
-    result_.push_back({{at, s, detail::segment_distance({at, at}, s), line, wall.line}, nearest});
+    result_.push_back({{at, s, segment_distance({at, at}, s), line, wall.line}, nearest});
   }
 
   bool is_contact(std::uint32_t p, std::uint32_t i, double distance) const {
@@ -130,7 +130,7 @@ Distances distances_between(const NearPairs& pairs, double least, double exact, 
     pairs.near(p, reach, [&](std::uint32_t i) {
       const Segment s = pairs.segment(i);
       double d = detail::foot(p, s).distance;
-      if (d < exact) d = detail::segment_distance({p, p}, s);
+      if (d < exact) d = segment_distance({p, p}, s);
       if (least < d && d <= reach && !written::on_segment(p, s.a, s.b)) distances.add(d);
     });
   return distances;

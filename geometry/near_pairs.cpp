@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include <taut/geometry/detail/implied_area.h>
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/segment_distance.h>
 #include <taut/geometry/written.h>
 
 namespace taut::detail {

@@ -7,8 +7,8 @@
 
 #include <taut/geometry/detail/near_pairs.h>
 #include <taut/geometry/detail/snapper.h>
-#include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/text.h>
 #include <taut/geometry/written.h>
 
 namespace taut {
@@ -98,7 +98,7 @@ void require_joined(const Snapped& result, const WorldParts& parts, const Snap& 
   const auto& remaining = result.report.remaining;
   if (snap.what != Snap::What::within || remaining.empty()) return;
   throw InputError(parts.source, remaining.front().line,
-                   "joining what is no farther apart than " + detail::text(snap.tolerance) +
+                   "joining what is no farther apart than " + taut::text(snap.tolerance) +
                        " leaves contacts that it would have to move farther for: " + text(remaining));
 }
 
@@ -161,8 +161,8 @@ std::string text(const std::vector<NearContact>& contacts) {
   const NearContact& largest = *std::max_element(contacts.begin(), contacts.end(),
                                                  [](const auto& a, const auto& b) { return a.distance < b.distance; });
   return ends_text(contacts.size()) + (contacts.size() == 1 ? " nearly touches" : " nearly touch") +
-         " another wall, at most " + rounded(largest.distance) + " apart: " + detail::text(largest.end) + " and " +
-         detail::text(largest.wall);
+         " another wall, at most " + rounded(largest.distance) + " apart: " + taut::text(largest.end) + " and " +
+         taut::text(largest.wall);
 }
 
 }  // namespace taut

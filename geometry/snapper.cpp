@@ -5,7 +5,7 @@
 #include <utility>
 
 #include <taut/geometry/detail/near_pairs.h>
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/segment_distance.h>
 #include <taut/geometry/triangulation.h>
 #include <taut/geometry/written.h>
 

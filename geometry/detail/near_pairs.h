@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include <taut/geometry/detail/box_index.h>
+#include <taut/geometry/box_index.h>
 #include <taut/geometry/point.h>
 #include <taut/geometry/snap.h>
 #include <taut/geometry/world.h>

@@ -8,7 +8,7 @@
 
 #include "support/program_test.h"
 #include "support/turned.h"
-#include "taut/geometry/detail/text.h"
+#include "taut/geometry/text.h"
 
 namespace taut::test {
 namespace {
@@ -28,8 +28,8 @@ std::string turned(double x = 3) {
   const auto line = [&](const char* head, std::vector<Point> points) {
     file += head;
     for (const Point p : points) {
-      detail::append(file += ' ', turn(p).x);
-      detail::append(file += ' ', turn(p).y);
+      append(file += ' ', turn(p).x);
+      append(file += ' ', turn(p).y);
     }
     file += '\n';
   };
@@ -108,7 +108,7 @@ TEST_F(SnapProgram, CopiesAWorldAsItIsUnlessToldOtherwise) {
 
 TEST_F(SnapProgram, PutsQueriesOnTheWallThatTheyAreWithinRoundingOf) {
   const Turn turn(20);
-  const auto place = [&](Point p) { return detail::text(turn(p).x) + " " + detail::text(turn(p).y); };
+  const auto place = [&](Point p) { return text(turn(p).x) + " " + text(turn(p).y); };
   const std::string file = folder.file("turned.txt", turned());
   // From a point on the first wall to both of its sides.
   for (const Point to : {Point{1, 9}, Point{1, 1}}) {
