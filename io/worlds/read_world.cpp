@@ -152,9 +152,11 @@ World changed(World world, const ReadOptions& options) {
 World joined(WorldParts parts, const ReadOptions& options, ReadNotes* notes) {
   if (options.wall_thickness)
     for (Wall& wall : parts.walls) wall.thickness = *options.wall_thickness;
-  if (options.start) parts.start = options.start;
-  if (options.goal) parts.goal = {options.goal, {}};
-  Snapped snapped = snapped_world(parts, options.snap);
+  std::vector<Point> ends;
+  for (const std::optional<Point>& end : {options.start, options.goal})
+    if (end) ends.push_back(*end);
+  Snapped snapped = snapped_world(parts, options.snap, ends);
+  if (!ends.empty()) snapped.world = snapped.world.with_ends(options.start, options.goal);
   if (!notes) return std::move(snapped.world);
   notes->near = near_contacts(snapped.world);
   for (const std::string& remark : {text(snapped.report), text(notes->near)})
