@@ -55,7 +55,8 @@ struct SnapReport {
 ///     and, where there is a computed number, rounding_tolerance.
 ///  6. Same input, same output. O((n + k) log n) for n walls and sides with k pairs whose boxes are near. A world of
 ///     written numbers is passed through by Snap::What::rounding in O(n).
-/// A grid that the world came from is forgotten when something was joined. Coordinates need not be valid: what no World can have is passed through.
+/// A grid that the world came from is forgotten when something was joined. Coordinates need not be valid: what no World
+/// can have is passed through.
 struct SnappedParts {
   WorldParts parts;
   SnapReport report;
@@ -79,8 +80,8 @@ Snapped snapped(const World& world, const Snap& snap, std::span<const Point> end
 double rounding_tolerance(const WorldParts& parts);
 
 /// Of all distances above rounding_tolerance between an end and a wall or side that it does not touch, in order, the
-/// greatest ratio from one to the next, the first below 10^-3 of the extent: that first one. 0 when no ratio is at least
-/// 10. Distances below 10^-7 of the extent count as that much: the smallest of many are far apart by chance.
+/// greatest ratio from one to the next, the first below 10^-3 of the extent: that first one. 0 when no ratio is at
+/// least 10. Distances below 10^-7 of the extent count as that much: the smallest of many are far apart by chance.
 double auto_tolerance(const WorldParts& parts);
 
 /// All ends nearer to another wall than a tenth of the shorter of the two, and than 10^-6 of the extent or, where that

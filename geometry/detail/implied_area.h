@@ -37,8 +37,8 @@ void widen_area(WorldParts& parts);
 bool ends_beyond(const WorldParts& parts);
 
 /// The rings that could be the outer face of the walls when they are not axis-parallel: rectangles with a side along
-/// the convex hull, then the hull itself if it has at most 64 corners. A side passes through those of `points` that are no farther from it than
-/// `reach`, so what lies on it but for rounding lies on it.
+/// the convex hull, then the hull itself if it has at most 64 corners. A side passes through those of `points` that are
+/// no farther from it than `reach`, so what lies on it but for rounding lies on it.
 struct TurnedFaces {
   std::vector<Ring> rectangles;
   Ring hull;
