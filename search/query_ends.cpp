@@ -11,8 +11,7 @@ namespace taut {
 namespace {
 
 /// `0.03 inside the wall from (1, 2) to (4, 2)`
-std::string place_of(const FreeSpace& space, Point p, const std::optional<FreePlace>& nearest) {
-  const World& world = space.world();
+std::string place_of(const World& world, Point p, const std::optional<FreePlace>& nearest) {
   const NearObstacle near = nearest_obstacle(world, p);
   const std::string depth = nearest ? fmt::format("{:.6g} ", nearest->distance) : "";
   if (!is_in_world(world, p)) return fmt::format("lies {}outside the world", depth);
@@ -31,12 +30,16 @@ void require_free(const FreeSpace& space, Point p, std::string_view role) {
     throw InputError(world.source(), 0,
                      fmt::format("{} ({}, {}) has a coordinate nearer to 0 than {}", role, p.x, p.y, World::kSmallest));
   if (space.locate(p).kind != Location::Kind::outside) return;
-  throw InputError(world.source(), 0, blocked_text(space, p, role));
+  throw InputError(world.source(), 0, blocked_text(world, p, role, nearest_free(space, p)));
 }
 
-std::string blocked_text(const FreeSpace& space, Point p, std::string_view role) {
-  const std::optional<FreePlace> nearest = nearest_free(space, p);
-  return fmt::format("{} ({}, {}) {}; {}", role, p.x, p.y, place_of(space, p, nearest),
+void require_free(const DiscPlaces& places, Point p, std::string_view role) {
+  const World& world = places.space().world();
+  if (!places.is_free(p)) throw InputError(world.source(), 0, blocked_text(world, p, role, places.nearest(p)));
+}
+
+std::string blocked_text(const World& world, Point p, std::string_view role, const std::optional<FreePlace>& nearest) {
+  return fmt::format("{} ({}, {}) {}; {}", role, p.x, p.y, place_of(world, p, nearest),
                      nearest ? fmt::format("nearest free point ({}, {})", nearest->point.x, nearest->point.y)
                              : "the robot fits nowhere");
 }

@@ -10,6 +10,7 @@
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
+#include <taut/cli/snap_ends.h>
 #include <taut/cli/solve/anytime.h>
 #include <taut/cli/solve/arcs.h>
 #include <taut/cli/solve/clearance.h>
@@ -36,12 +37,13 @@ class Solver {
 
   int solve() {
     run_.promise(options_.svg);
+    promise(run_, options_.files);
     run_.promise(options_.save);
     answer_.source = options_.world.file == "-" ? "<stdin>" : options_.world.file;
     result_.status = SearchStatus::stopped;
     result_.robot = options_.query.robot;
     keep();
-    const Input input = run_.stage("read", [&] { return read_input(options_.world, options_.query); });
+    const Input input = read_input(options_.world, options_.query, run_);
     read_ends(input);
     const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
     result_.displacement = space.report().displacement;
@@ -64,6 +66,7 @@ class Solver {
 
   void read_ends(const Input& input) {
     require_ends(input);
+    answer_.moves = input.moves;
     result_.start = input.world.start();
     result_.goal = input.world.goal();
     for (const Wall& wall : input.world.walls())
@@ -182,6 +185,10 @@ class Solver {
     return goals;
   }
 
+  PathToWrite written_path() const {
+    return {.name = result_.roadmap, .points = result_.path.points, .length = result_.path.length.value()};
+  }
+
   int end(const FreeSpace& space, const Input& input) {
     Answer answer;
     answer.outcome = answer_.outcome;
@@ -193,6 +200,7 @@ class Solver {
     if (!options_.save.empty())
       answer.files.push_back({options_.save, saved_text(*answer_.kind, answer_.planned, space)});
     if (!options_.svg.empty()) answer.files.push_back({options_.svg, svg(space, solve_picture(answer_))});
+    if (result_.status == SearchStatus::found) add_path_files(answer.files, options_.files, {written_path()});
     return run_.end(std::move(answer));
   }
 

@@ -5,6 +5,7 @@
 #include <taut/cli/report.h>
 #include <taut/cli/solve/prm_options.h>
 #include <taut/cli/solve/roadmap_option.h>
+#include <taut/search/corner_count.h>
 
 namespace taut::cli {
 
@@ -38,10 +39,9 @@ std::vector<std::string> facts(const SolveAnswer& answer) {
   const PlanResult& result = answer.result;
   if (answer.outcome == Outcome::none) return {"no path"};
   if (answer.outcome != Outcome::found) return {answer.reason};
-  const std::size_t points = result.path.points.size();
   std::vector<std::string> facts{"length " + length_text(result.path.length) + claim_of(answer)};
   if (result.bound) facts.push_back("bound " + bound_text(*result.bound));
-  facts.push_back(count_text(points > 2 ? points - 2 : 0, "corner"));
+  facts.push_back(count_text(corner_count(result.path.points), "corner"));
   return facts;
 }
 
@@ -90,6 +90,7 @@ SvgPicture solve_picture(const SolveAnswer& answer) {
   picture.separation = result.separation;
   picture.gates = answer.narrow;
   picture.start = result.start;
+  picture.moves = answer.moves;
   picture.goal = result.goal;
   return picture;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <taut/io/results/plane_json.h>
+#include <taut/search/corner_count.h>
 
 namespace taut {
 
@@ -26,7 +27,7 @@ void add_path(Json& json, const PlanResult& result) {
   json["length_interval"] = {length.interval().lo, length.interval().hi};
   json["optimal"] = result.optimal;
   json["points"] = result.path.points;
-  json["corners"] = result.path.points.size() > 2 ? result.path.points.size() - 2 : 0;
+  json["corners"] = corner_count(result.path.points);
   json["clearance"] = result.clearance && std::isfinite(*result.clearance) ? Json(*result.clearance) : Json();
   json["verified"] = result.verified;
 }

@@ -48,7 +48,7 @@ struct PlanResult {
 ///  length_interval [lo, hi], doubles that enclose the exact length
 ///  optimal         true when this is the shortest path in the plane, false when only in the roadmap or not proven
 ///  points          [[x, y], ...] from start to goal
-///  corners         number of points between start and goal
+///  corners         how often the path bends (corner_count), whatever points it is made of
 ///  clearance       least distance of the path to an obstacle, 0 when it touches one; null when it was not verified or
 ///                  there is no obstacle
 ///  verified        true when the independent check accepted the path

@@ -1,59 +1,86 @@
 #include <taut/io/worlds/read_path.h>
 
-#include <cmath>
+#include <algorithm>
+#include <cctype>
 
-#include <taut/geometry/world.h>
-#include <taut/io/worlds/detail/json_tree.h>
+#include <taut/geometry/errors.h>
+
+#include <taut/io/worlds/detail/path_json.h>
 #include <taut/io/worlds/detail/text_input.h>
 
 namespace taut {
 
 namespace {
 
-using detail::JsonTree;
 using detail::Place;
 
-double coordinate_of(const JsonTree& json, const std::string& source) {
-  const Place place{source, json.line};
-  if (json.kind != JsonTree::Kind::number) place.fail("a coordinate is no number");
-  if (!(std::abs(json.number) <= World::kLargest)) place.fail("a coordinate is beyond 1e+75");
-  return json.number;
+/// The text of a line before a comment.
+std::string_view said(const detail::Lines& lines) {
+  return detail::trimmed(lines.line().substr(0, lines.line().find('#')));
 }
 
-Point point_of(const JsonTree& json, const std::string& source) {
-  if (json.kind != JsonTree::Kind::array || json.items.size() != 2)
-    Place{source, json.line}.fail("a point is not written as [x, y]");
-  return {coordinate_of(json.items[0], source), coordinate_of(json.items[1], source)};
+bool begins_with(std::string_view text, std::string_view word) {
+  return text.size() >= word.size() && std::equal(word.begin(), word.end(), text.begin(), [](char wanted, char c) {
+           return wanted == std::toupper(static_cast<unsigned char>(c));
+         });
 }
 
-ClaimedPath read_json(std::string_view bytes, const std::string& source) {
-  const JsonTree file = detail::parse_json(bytes, source);
-  const JsonTree* const result = file.kind == JsonTree::Kind::object ? file.find("result") : nullptr;
-  const JsonTree& json = result ? *result : file;
-  const JsonTree* points = json.kind == JsonTree::Kind::object ? json.find("points") : &json;
-  if (!points || points->kind == JsonTree::Kind::null)
-    Place{source, json.line}.fail("holds no path: there are no \"points\"");
-  if (points->kind != JsonTree::Kind::array) Place{source, points->line}.fail("the points are not a list");
-  ClaimedPath path;
-  for (const JsonTree& item : points->items) path.points.push_back(point_of(item, source));
-  if (const JsonTree* length = json.find("length"); length && length->kind == JsonTree::Kind::number)
-    path.length = length->number;
-  return path;
-}
-
+/// Of CSV the columns behind x and y are left out.
 ClaimedPath read_lines(std::string_view bytes, const std::string& source) {
   ClaimedPath path;
+  bool table = false;
   for (detail::Lines lines(bytes); lines.next();) {
-    const std::string_view line = detail::trimmed(lines.line().substr(0, lines.line().find('#')));
+    const std::string_view line = said(lines);
     if (line.empty()) continue;
     const Place place{source, lines.number()};
+    if (path.points.empty() && !table && begins_with(line, "PATH,X,Y")) place.fail("holds several paths");
+    if (path.points.empty() && !table && (table = begins_with(line, "X,Y"))) continue;
     std::vector<double> values;
     detail::Fields fields(line, place);
     for (std::string_view field; fields.next(field);) values.push_back(detail::coordinate(field, place));
-    if (values.size() != 2) place.fail("a point is two numbers, not " + std::to_string(values.size()));
+    if (values.size() < 2 || (!table && values.size() != 2))
+      place.fail("a point is two numbers, not " + std::to_string(values.size()));
     path.points.push_back({values[0], values[1]});
   }
   return path;
+}
+
+/// `LINESTRING (0 0, 1 1)` or `POINT (0 0)`, over several lines if need be.
+ClaimedPath read_wkt(std::string_view bytes, const std::string& source) {
+  std::string text;
+  int number = 0;
+  ClaimedPath path;
+  for (detail::Lines lines(bytes); lines.next();) {
+    path.approximate = path.approximate || lines.line().find('#') != std::string_view::npos;
+    if (said(lines).empty()) continue;
+    if (number == 0) number = lines.number();
+    text.append(text.empty() ? "" : " ").append(said(lines));
+  }
+  const Place place{source, number};
+  if (begins_with(text, "COMPOUNDCURVE"))
+    place.fail("holds arcs, which WKT rounds: check what `taut solve --arcs --json` writes");
+  const std::size_t open = text.find('('), close = text.find(')');
+  if (open == std::string::npos || close == std::string::npos || close < open) place.fail("holds no path");
+  if (!detail::trimmed(std::string_view(text).substr(close + 1)).empty()) place.fail("holds several paths");
+  std::string_view rest = std::string_view(text).substr(open + 1, close - open - 1);
+  while (!rest.empty()) {
+    const std::size_t comma = std::min(rest.find(','), rest.size());
+    const std::string_view pair = detail::trimmed(rest.substr(0, comma));
+    std::vector<double> values;
+    detail::Fields fields(pair, place);
+    for (std::string_view field; fields.next(field);) values.push_back(detail::coordinate(field, place));
+    if (values.size() < 2) place.fail("a point is two numbers, not " + std::to_string(values.size()));
+    path.points.push_back({values[0], values[1]});
+    rest.remove_prefix(std::min(comma + 1, rest.size()));
+  }
+  return path;
+}
+
+/// The first line that says something.
+std::string_view first_words(std::string_view bytes) {
+  for (detail::Lines lines(bytes); lines.next();)
+    if (!said(lines).empty()) return said(lines);
+  return {};
 }
 
 }  // namespace
@@ -62,7 +89,11 @@ ClaimedPath read_path(std::string_view bytes, const std::string& source) {
   const std::string_view text = detail::trimmed(detail::stripped(bytes));
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) throw InputError(source, 0, "file is empty");
-  return text[first] == '{' || text[first] == '[' ? read_json(bytes, source) : read_lines(bytes, source);
+  if (text[first] == '{' || text[first] == '[') return detail::read_path_json(bytes, source);
+  const std::string_view words = first_words(bytes);
+  for (const char* word : {"LINESTRING", "POINT", "COMPOUNDCURVE"})
+    if (begins_with(words, word)) return read_wkt(bytes, source);
+  return read_lines(bytes, source);
 }
 
 }  // namespace taut

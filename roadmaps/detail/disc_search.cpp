@@ -219,9 +219,18 @@ Offset<double> DiscSearch::outwards(const Offset<double>& q, const std::vector<s
   return size > 0 ? Offset<double>{sum.x / size, sum.y / size} : sum;
 }
 
+/// Beyond a wall, in an obstacle or outside the world. On an opening doubles may not tell.
+bool DiscSearch::is_outside(const Offset<double>& q, const std::vector<std::uint32_t>& pieces) const {
+  const double slack = 1e-12 * reach_ + 1e-6 * r_;
+  const bool at_opening = std::ranges::any_of(pieces, [&](std::uint32_t i) {
+    return pieces_[i].opening && distance_to(pieces_[i].a, pieces_[i].b, q) <= slack;
+  });
+  return !at_opening && walls_.space().locate({p_.x + q.x, p_.y + q.y}).kind == Location::Kind::outside;
+}
+
 void DiscSearch::offer(const Offset<mpf_class>& q, const std::vector<std::uint32_t>& pieces) {
   const double distance = rounded_down(length(q));
-  if (distance > best_) return;
+  if (distance > best_ || is_outside({q.x.get_d(), q.y.get_d()}, pieces)) return;
   best_ = (*offer_)({q, distance, outwards({q.x.get_d(), q.y.get_d()}, pieces)});
 }
 

@@ -66,6 +66,7 @@ class DiscSearch {
   void take_free(const Square& square);
   bool keeps_distance(const Offset<mpf_class>& q, const std::vector<std::uint32_t>& pieces) const;
   Offset<double> outwards(const Offset<double>& q, const std::vector<std::uint32_t>& pieces) const;
+  bool is_outside(const Offset<double>& q, const std::vector<std::uint32_t>& pieces) const;
   void offer(const Offset<mpf_class>& q, const std::vector<std::uint32_t>& pieces);
 
   template <class T>
