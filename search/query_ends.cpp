@@ -15,7 +15,7 @@ std::string place_of(const World& world, Point p, const std::optional<FreePlace>
   const NearObstacle near = nearest_obstacle(world, p);
   const std::string depth = nearest ? fmt::format("{:.6g} ", nearest->distance) : "";
   if (!is_in_world(world, p)) return fmt::format("lies {}outside the world", depth);
-  if (near.distance <= 0) return fmt::format("lies {}inside {}", depth, text(near));
+  if (near.distance < 0) return fmt::format("lies {}inside {}", depth, text(near));
   return fmt::format("is {}too near for the robot to {}", depth, text(near));
 }
 

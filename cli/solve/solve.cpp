@@ -17,6 +17,7 @@
 #include <taut/cli/solve/solve_options.h>
 #include <taut/cli/solve/solve_report.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/rounding.h>
 #include <taut/io/pictures/svg.h>
 #include <taut/io/results/barrier_words.h>
 #include <taut/io/results/result_json.h>
@@ -47,6 +48,9 @@ class Solver {
     read_ends(input);
     const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
     result_.displacement = space.report().displacement;
+    // Of a disc the claim is about the polygon around it, which is larger by far more than any rounding.
+    if (rounding_bound(space) > 0 && options_.query.robot.kind() != Footprint::Kind::disc)
+      result_.within = rounding_bound(space);
     require_free(space, *result_.start, "start");
     if (result_.goal.point) require_free(space, *result_.goal.point, "goal");
     answer_.planned = run_.stage("roadmap", [&] { return build_or_load(space); });
@@ -152,6 +156,10 @@ class Solver {
     answer_.outcome = Outcome::unproven;
     answer_.reason =
         fmt::format("no path in the roadmap {}, which does not prove that there is none", answer_.kind->name);
+    if (answer_.kind->optimal && result_.within)
+      answer_.reason = fmt::format(
+          "no path, but an end is so near a wall ({:.3g}) that rounded crossings may have put it on its other side",
+          *result_.within);
     if (answer_.kind->optimal && options_.query.robot.kind() == Footprint::Kind::disc)
       answer_.reason = "no path for the polygon around the disc, which does not prove that there is none for the disc";
     if (answer_.planned.prm)

@@ -45,33 +45,35 @@ ClaimedPath read_lines(std::string_view bytes, const std::string& source) {
   return path;
 }
 
-/// `LINESTRING (0 0, 1 1)` or `POINT (0 0)`, over several lines if need be.
+/// A word outside of parentheses, or CIRCULARSTRING; else a point, Z and M left out.
+void add_wkt(ClaimedPath& path, std::string_view text, int depth, const Place& place) {
+  if (text.empty()) return;
+  if (begins_with(text, "CIRCULARSTRING") || begins_with(text, "COMPOUNDCURVE")) path.approximate = true;
+  if (std::isalpha(static_cast<unsigned char>(text.front())) != 0) return;
+  if (depth == 0) place.fail("a point stands outside of parentheses");
+  std::vector<double> values;
+  detail::Fields fields(text, place);
+  for (std::string_view field; fields.next(field);) values.push_back(detail::coordinate(field, place));
+  if (values.size() < 2) place.fail("a point is two numbers, not " + std::to_string(values.size()));
+  const Point p{values[0], values[1]};
+  if (path.points.empty() || path.points.back() != p) path.points.push_back(p);
+}
+
+/// Of `LINESTRING (0 0, 1 1)`, `POINT (0 0)` or a COMPOUNDCURVE: everything is a point but words and parentheses.
 ClaimedPath read_wkt(std::string_view bytes, const std::string& source) {
-  std::string text;
-  int number = 0;
   ClaimedPath path;
+  int geometries = 0, depth = 0;
   for (detail::Lines lines(bytes); lines.next();) {
     path.approximate = path.approximate || lines.line().find('#') != std::string_view::npos;
-    if (said(lines).empty()) continue;
-    if (number == 0) number = lines.number();
-    text.append(text.empty() ? "" : " ").append(said(lines));
-  }
-  const Place place{source, number};
-  if (begins_with(text, "COMPOUNDCURVE"))
-    place.fail("holds arcs, which WKT rounds: check what `taut solve --arcs --json` writes");
-  const std::size_t open = text.find('('), close = text.find(')');
-  if (open == std::string::npos || close == std::string::npos || close < open) place.fail("holds no path");
-  if (!detail::trimmed(std::string_view(text).substr(close + 1)).empty()) place.fail("holds several paths");
-  std::string_view rest = std::string_view(text).substr(open + 1, close - open - 1);
-  while (!rest.empty()) {
-    const std::size_t comma = std::min(rest.find(','), rest.size());
-    const std::string_view pair = detail::trimmed(rest.substr(0, comma));
-    std::vector<double> values;
-    detail::Fields fields(pair, place);
-    for (std::string_view field; fields.next(field);) values.push_back(detail::coordinate(field, place));
-    if (values.size() < 2) place.fail("a point is two numbers, not " + std::to_string(values.size()));
-    path.points.push_back({values[0], values[1]});
-    rest.remove_prefix(std::min(comma + 1, rest.size()));
+    const Place place{source, lines.number()};
+    for (std::string_view rest = said(lines); !rest.empty();) {
+      const std::size_t length = std::min(rest.find_first_of(",()"), rest.size());
+      add_wkt(path, detail::trimmed(rest.substr(0, length)), depth, place);
+      if (length < rest.size() && rest[length] == '(' && depth++ == 0 && ++geometries > 1)
+        place.fail("holds several paths");
+      if (length < rest.size() && rest[length] == ')' && depth-- == 0) place.fail("a ) without its (");
+      rest.remove_prefix(std::min(length + 1, rest.size()));
+    }
   }
   return path;
 }

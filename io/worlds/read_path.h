@@ -24,7 +24,7 @@ struct ClaimedPath {
 ///    list under `points` or `path` and perhaps a number under `length`; with `bends`, `start`, `goal` and the `robot`'s
 ///    radius it is a disc's path of arcs; with `curves` one along the Voronoi diagram, taken as 64 legs a curve;
 ///  - GeoJSON: one LineString or Point, or a collection with one;
-///  - WKT: one LINESTRING or POINT. Not COMPOUNDCURVE: its arcs are rounded;
+///  - WKT: one LINESTRING or POINT; a COMPOUNDCURVE as legs between the ends and middles of its arcs;
 ///  - text: a point `x y` or `x,y` a line, or CSV below a heading that begins with `x,y`, further columns left out.
 /// `#` starts a comment in the last two. Any number of points.
 /// Throws InputError with the line; on a JSON result without a path (its status is not "found") too.
