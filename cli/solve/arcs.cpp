@@ -11,6 +11,7 @@
 #include <taut/cli/report.h>
 #include <taut/cli/snap_ends.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/rounding.h>
 #include <taut/io/pictures/arc_svg.h>
 #include <taut/io/results/arc_json.h>
 #include <taut/io/results/barrier_words.h>
@@ -40,6 +41,7 @@ class ArcSolver {
     const Input input = read_input(options_.world, options_.query, run_, {options_.query.robot.radius()});
     read_ends(input);
     const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world); });
+    if (rounding_bound(space) > 0) answer_.within = rounding_bound(space);
     const TangentGraph graph = run_.stage("roadmap", [&] { return TangentGraph(space, answer_.radius); });
     answer_.result = run_.stage("search", [&] { return arc_search(graph, answer_.start, answer_.goal); });
     require_places(answer_, space);
