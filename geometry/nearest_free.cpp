@@ -6,15 +6,13 @@
 #include <cmath>
 #include <utility>
 
-#include <taut/geometry/detail/exact.h>
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/exact/exact_point.h>
+#include <taut/geometry/segment_distance.h>
 #include <taut/geometry/written.h>
 
 namespace taut {
 
 namespace {
-
-using detail::ExactPoint;
 
 /// The constraint nearest to p of those that border an obstacle: who is inside one leaves it there.
 std::uint32_t nearest_side(const FreeSpace& space, Point p) {
@@ -24,10 +22,10 @@ std::uint32_t nearest_side(const FreeSpace& space, Point p) {
   for (std::uint32_t i = 0; i < pieces.size(); ++i) {
     if (pieces[i].is_wall()) continue;
     const Segment side{pieces[i].a, pieces[i].b};
-    const Interval distance = detail::segment_distance_interval({p, p}, side);
+    const Interval distance = segment_distance_interval({p, p}, side);
     if (best != kNone && distance.lo >= least.hi) continue;
     if (best != kNone && distance.hi >= least.lo &&
-        detail::compare_segment_distances({p, p}, side, {p, p}, {pieces[best].a, pieces[best].b}) >= 0)
+        compare_segment_distances({p, p}, side, {p, p}, {pieces[best].a, pieces[best].b}) >= 0)
       continue;
     best = i;
     least = distance;
@@ -59,9 +57,9 @@ class SolidSide {
     const int end = foot * 2 < 1 ? 0 : 1;
     mpq_class step = mpq_class(1) / (mpz_class(1) << 60);
     for (mpq_class t = foot; t > 0 && t < 1; t = end == 0 ? mpq_class(foot - step) : mpq_class(foot + step), step *= 2)
-      if (const auto q = beside(t)) return {*q, detail::displacement(exact, *q)};
+      if (const auto q = beside(t)) return {*q, displacement(exact, *q)};
     const Point corner = end == 0 ? side_.a : side_.b;
-    return {corner, detail::displacement(exact, corner)};
+    return {corner, displacement(exact, corner)};
   }
 
  private:
@@ -69,8 +67,8 @@ class SolidSide {
 
   std::optional<Point> beside(const mpq_class& t) const {
     const ExactPoint place = at(t);
-    if (const auto q = detail::exactly(place); q && is_free(*q)) return q;
-    const Point q = detail::round_outward(place, std::span(&side_, 1), unit_);
+    if (const auto q = exactly(place); q && is_free(*q)) return q;
+    const Point q = round_outward(place, std::span(&side_, 1), unit_);
     return is_free(q) ? std::optional(q) : std::nullopt;
   }
 
@@ -80,7 +78,7 @@ class SolidSide {
   Segment side_;
   ExactPoint a_;
   mpq_class ux_, uy_;
-  detail::Unit unit_;
+  DecimalUnit unit_;
 };
 
 }  // namespace
@@ -91,7 +89,7 @@ std::optional<FreePlace> nearest_free(const FreeSpace& space, Point p) {
   if (piece == kNone) return std::nullopt;
   const SolidSide side(space, space.constraints()[piece]);
   const auto [place, rounding] = side.free_beside(side.foot_of(p));
-  return FreePlace{place, detail::segment_distance({p, p}, {place, place}), rounding, piece};
+  return FreePlace{place, segment_distance({p, p}, {place, place}), rounding, piece};
 }
 
 }  // namespace taut

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/segment_distance.h>
 #include <taut/geometry/written.h>
 
 namespace taut {
@@ -31,7 +31,7 @@ NearObstacle nearest_side(const Area& area, Point p) {
   const auto consider = [&](const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Segment side{ring[i], ring[(i + 1) % ring.size()]};
-      const double distance = detail::segment_distance_interval({p, p}, side).lo;
+      const double distance = segment_distance_interval({p, p}, side).lo;
       if (distance >= found.distance) continue;
       found.distance = distance;
       found.side = side;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/segment_distance.h>
 #include <taut/geometry/written.h>
 
 namespace taut {
@@ -27,7 +27,7 @@ bool is_sure(const FreeSpace& space, Point p) {
   if (near == 0) return true;
   return std::ranges::all_of(space.constraints(), [&](const Constraint& c) {
     return is_far(p, c, reach) || written::on_segment(p, c.a, c.b) ||
-           detail::segment_distance_interval({p, p}, {c.a, c.b}).lo > near;
+           segment_distance_interval({p, p}, {c.a, c.b}).lo > near;
   });
 }
 

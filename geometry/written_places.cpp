@@ -3,7 +3,7 @@
 #include <vector>
 
 #include <taut/geometry/box_index.h>
-#include <taut/geometry/exact/exact.h>
+#include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/written.h>
 
 namespace taut {
@@ -11,20 +11,20 @@ namespace taut {
 namespace {
 
 /// Sloped ones do where crossings are rounded, and those whose line is no multiple of the unit.
-bool may_bend(const Segment& s, const detail::Unit& unit) {
+bool may_bend(const Segment& s, const DecimalUnit& unit) {
   if (s.a.x != s.b.x && s.a.y != s.b.y) return true;
   const double line = s.a.x == s.b.x ? s.a.x : s.a.y;
-  return unit.nearest(detail::meaning(line)) != line;
+  return unit.nearest(meaning(line)) != line;
 }
 
-void add_ring(const Ring& ring, const detail::Unit& unit, std::vector<Segment>& to) {
+void add_ring(const Ring& ring, const DecimalUnit& unit, std::vector<Segment>& to) {
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
     if (const Segment side{ring[j], ring[i]}; may_bend(side, unit)) to.push_back(side);
 }
 
 /// Walls of no thickness and sides: what a point can stand on as written.
 std::vector<Segment> bending_sides(const World& world) {
-  const detail::Unit unit(world.box());
+  const DecimalUnit unit(world.box());
   std::vector<Segment> result;
   for (const Wall& wall : world.walls())
     if (const Segment s{wall.a, wall.b}; wall.thickness == 0 && may_bend(s, unit)) result.push_back(s);

@@ -6,41 +6,40 @@
 #include <cmath>
 #include <limits>
 
-#include <taut/geometry/detail/exact.h>
-#include <taut/geometry/detail/expects.h>
-#include <taut/geometry/detail/segment_distance.h>
+#include <taut/geometry/exact/exact_point.h>
+#include <taut/geometry/expects.h>
+#include <taut/geometry/segment_distance.h>
 #include <taut/geometry/written.h>
 #include <taut/roadmaps/detail/disc_search.h>
-#include <taut/roadmaps/detail/gate_walls.h>
+#include <taut/roadmaps/wall_index.h>
 
 namespace taut {
 
 namespace {
 
 using detail::DiscCandidate;
-using detail::ExactPoint;
 using detail::Offset;
 
 bool is_nearer(Point p, const Segment& s, double r) {
-  const Interval distance = detail::segment_distance_interval({p, p}, s), wanted = written::enclosure(r);
+  const Interval distance = segment_distance_interval({p, p}, s), wanted = written::enclosure(r);
   if (distance.lo >= wanted.hi) return false;
   if (distance.hi < wanted.lo) return true;
   const ExactPoint a(s.a), b(s.b), q(p);
   const mpq_class ux = b.x - a.x, uy = b.y - a.y, vx = q.x - a.x, vy = q.y - a.y, uu = ux * ux + uy * uy;
-  const mpq_class along = vx * ux + vy * uy, off = ux * vy - uy * vx, r2 = detail::meaning(r) * detail::meaning(r);
+  const mpq_class along = vx * ux + vy * uy, off = ux * vy - uy * vx, r2 = meaning(r) * meaning(r);
   if (along <= 0) return vx * vx + vy * vy < r2;
   if (along < uu) return off * off < r2 * uu;
   return (vx - ux) * (vx - ux) + (vy - uy) * (vy - uy) < r2;
 }
 
-double distance_of(Point p, Point q) { return detail::segment_distance({p, p}, {q, q}); }
+double distance_of(Point p, Point q) { return segment_distance({p, p}, {q, q}); }
 
 }  // namespace
 
 struct DiscPlaces::Impl {
-  detail::GateWalls walls;
+  WallIndex walls;
   double r;
-  detail::Unit unit;
+  DecimalUnit unit;
 
   bool is_free(Point p) const {
     if (walls.space().locate(p).kind == Location::Kind::outside) return false;
@@ -54,8 +53,7 @@ struct DiscPlaces::Impl {
 
   /// The free decimals beside a candidate: those around it, the nearest first, then further and further outwards.
   std::optional<Point> free_beside(Point p, const DiscCandidate& candidate) const {
-    const mpq_class x = detail::meaning(p.x) + mpq_class(candidate.at.x),
-                    y = detail::meaning(p.y) + mpq_class(candidate.at.y);
+    const mpq_class x = meaning(p.x) + mpq_class(candidate.at.x), y = meaning(p.y) + mpq_class(candidate.at.y);
     const Point centre{unit.nearest(x), unit.nearest(y)};
     if (is_free(centre)) return centre;
     if (const auto q = free_around(centre, {x, y})) return q;
@@ -73,7 +71,7 @@ struct DiscPlaces::Impl {
     for (int i = -2; i <= 2; ++i)
       for (int j = -2; j <= 2; ++j) {
         const Point q{unit.step(centre.x, i), unit.step(centre.y, j)};
-        around.emplace_back(detail::displacement(exact, q), q);
+        around.emplace_back(displacement(exact, q), q);
       }
     std::sort(around.begin(), around.end());
     for (const auto& [distance, q] : around)
@@ -85,7 +83,7 @@ struct DiscPlaces::Impl {
 };
 
 DiscPlaces::DiscPlaces(const FreeSpace& space, double r)
-    : impl_(std::make_shared<const Impl>(Impl{detail::GateWalls(space), r, detail::Unit(space.world().box())})) {
+    : impl_(std::make_shared<const Impl>(Impl{WallIndex(space), r, DecimalUnit(space.world().box())})) {
   TAUT_EXPECTS(space.footprint().kind() == Footprint::Kind::point && r > 0);
 }
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/text.h>
 #include <taut/geometry/written.h>
 #include <taut/io/worlds/detail/implied.h>
 

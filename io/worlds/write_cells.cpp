@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include <taut/geometry/detail/text.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/text.h>
 #include <taut/io/worlds/detail/cells_of_world.h>
 #include <taut/io/worlds/movingai.h>
 #include <taut/io/worlds/write_world.h>
@@ -26,8 +26,7 @@ std::string write_blocks(const World& world) {
     if (!p) return;
     const double x = std::floor(p->x), y = std::floor(p->y);
     if (*p != Point{x + 0.5, y + 0.5} || !grid.free(static_cast<std::int64_t>(x), static_cast<std::int64_t>(y)))
-      throw InputError("", 0,
-                       "blocks cannot hold an end at " + detail::text(*p) + ", which is no middle of a free cell");
+      throw InputError("", 0, "blocks cannot hold an end at " + text(*p) + ", which is no middle of a free cell");
     char& cell = rows[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)];
     if (cell != '.') throw InputError("", 0, "blocks cannot hold start and goal in one cell");
     cell = c;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <type_traits>
 
-#include <taut/geometry/detail/exact.h>
+#include <taut/geometry/exact/exact_point.h>
 
 namespace taut::detail {
 
@@ -72,7 +72,7 @@ std::vector<Offset<T>> DiscSearch::solutions(const Curve& s, const std::optional
   return crossings(piece, outline<T>(*t), tiny);
 }
 
-DiscSearch::DiscSearch(const GateWalls& walls, double r, Point p)
+DiscSearch::DiscSearch(const WallIndex& walls, double r, Point p)
     : walls_(walls), r_(r), p_(p), best_(std::numeric_limits<double>::infinity()) {
   std::vector<std::uint32_t> all;
   Offset<double> low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};

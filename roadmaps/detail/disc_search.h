@@ -10,7 +10,7 @@
 #include <vector>
 
 #include <taut/roadmaps/detail/disc_outline.h>
-#include <taut/roadmaps/detail/gate_walls.h>
+#include <taut/roadmaps/wall_index.h>
 
 namespace taut::detail {
 
@@ -25,7 +25,7 @@ struct DiscCandidate {
 /// some 40 digits, and says how far the best place is so far; squares beyond are left out.
 class DiscSearch {
  public:
-  DiscSearch(const GateWalls& walls, double r, Point p);
+  DiscSearch(const WallIndex& walls, double r, Point p);
 
   void run(const std::function<double(const DiscCandidate&)>& offer);
 
@@ -78,7 +78,7 @@ class DiscSearch {
   template <class T>
   std::vector<Offset<T>> solutions(const Curve& s, const std::optional<Curve>& t) const;
 
-  const GateWalls& walls_;
+  const WallIndex& walls_;
   double r_;
   Point p_;
   std::vector<Piece> pieces_;
