@@ -130,7 +130,7 @@ RC_GTEST_PROP(DiscPlaces, IsFreeWhereTheGatesSayThatTheDiscCanStand, ()) {
   const Gates gates(space);
   for (int n = 0; n < 20; ++n) {
     const Point p = test::any_fine_point(kind.side);
-    RC_ASSERT(places.is_free(p) == (disc_passage(gates, p, p, r).status != PassageStatus::start_blocked));
+    RC_ASSERT(places.is_free(p) == (disc_passage(gates, p, p, r).status != DiscStatus::start_blocked));
   }
 }
 
