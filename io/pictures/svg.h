@@ -76,9 +76,9 @@ struct SvgPicture {
 ///  2. Groups, bottom to top, absent when they have nothing to show: `solid` (where the reference point cannot be),
 ///     `free` (polygons with holes), `rooms` (the goal's), `views`, `roadmap`, `milestones`, `openings`, `walls` (as
 ///     the world gives them: a line, or a bar as wide as it is thick), `separation`, `gates`, `shades`, `guides`,
-///     `moves`, `discs`, `path` (a casing and the line), `start`, `goal`, `labels`, `runner`; beside them `legend`. Each is a <g> of that class under
-///     svg.taut, coloured by the <style> block alone; there are no ids, so pictures can share a page. Colours follow
-///     `prefers-color-scheme`.
+///     `moves`, `discs`, `path` (a casing and the line), `start`, `goal`, `labels`, `runner`; beside them
+///     `legend`. Each is a <g> of that class under svg.taut, coloured by the <style> block alone; there are no ids, so
+///     pictures can share a page. Colours follow `prefers-color-scheme`.
 ///  3. Each group is a few <path> elements with relative, rounded coordinates: about 4 bytes a corner. A roadmap of
 ///     more than kSvgRoadmapEdges edges is left out and the legend says so.
 ///  4. All text is escaped; bytes that are no UTF-8 become U+FFFD. Same input, same bytes.

@@ -44,8 +44,8 @@ std::string write_wkt(const World& world);
 /// Everything; one feature an area, solid, run of walls of one thickness, start and goal.
 std::string write_geojson(const World& world);
 
-/// Worlds that are nothing but unit cells from (0, 0) on, free or blocked, with a walled border; row 0 is at y = 0, as in
-/// what is read. No ends.
+/// Worlds that are nothing but unit cells from (0, 0) on, free or blocked, with a walled border; row 0 is at y = 0,
+/// as in what is read. No ends.
 std::string write_movingai(const World& world);
 
 /// The same with `#` and `.`, the last row at y = 0; start and goal in the middles of free cells.
