@@ -22,7 +22,8 @@ struct ClaimedPath {
 /// Reads a path, whatever the program wrote it as:
 ///  - JSON: a list of points `[[x, y], ...]`, or an object, by itself or as the `result` of an envelope, with such a
 ///    list under `points` or `path` and perhaps a number under `length`; with `bends`, `start`, `goal` and the
-///    `robot`'s radius it is a disc's path of arcs; with `curves` one along the Voronoi diagram, taken as 64 legs a curve;
+///    `robot`'s radius it is a disc's path of arcs; with `curves` one along the Voronoi diagram, taken as 64 legs a
+///    curve;
 ///  - GeoJSON: one LineString or Point, or a collection with one;
 ///  - WKT: one LINESTRING or POINT; a COMPOUNDCURVE as legs between the ends and middles of its arcs;
 ///  - text: a point `x y` or `x,y` a line, or CSV below a heading that begins with `x,y`, further columns left out.
