@@ -25,7 +25,7 @@ Input read_input(const WorldOptions& options, const QueryOptions& query) {
   std::string name = world.source();
   const std::string from = "taut: " + name + ": ";
   for (const std::string& remark : notes.remarks) note(from + remark);
-  return {std::move(world), notes, std::move(name)};
+  return {std::move(world), notes, std::move(name), {}};
 }
 
 void require_ends(const Input& input) {

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <taut/cli/options.h>
 #include <taut/geometry/world.h>
+#include <taut/io/results/end_moves.h>
 #include <taut/io/worlds/read_world.h>
 
 namespace taut::cli {
@@ -13,7 +15,8 @@ namespace taut::cli {
 struct Input {
   World world;
   ReadNotes notes;
-  std::string name;  ///< of the file, for messages; `<stdin>`
+  std::string name;              ///< of the file, for messages; `<stdin>`
+  std::vector<EndMove> moves{};  ///< of ends that were no places for the robot (snap_ends.h)
 };
 
 /// read_world_file; a file that another subcommand reads is refused with that one's name.

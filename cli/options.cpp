@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include <taut/cli/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/world.h>
 
@@ -197,6 +198,7 @@ void add_query_options(CommandLine& app, QueryOptions& options) {
       .type_name("X,Y")
       .group("Query");
   add(app, "--to", options.to, parse_point, "Go here instead of where FILE says").type_name("X,Y").group("Query");
+  add_snap_ends_option(app, options.snap_ends);
   app.renamed("--start", "--from");
   app.renamed("--goal", "--to");
   add_robot_option(app, options.robot);

@@ -26,6 +26,7 @@ struct QueryOptions {
   std::optional<Point> from;
   std::optional<Point> to;
   Footprint robot;
+  std::optional<double> snap_ends;  ///< how far an end may be moved to a place for the robot
 };
 
 /// On every subcommand.

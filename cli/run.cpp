@@ -45,6 +45,7 @@ struct Run::Shared {
   Envelope envelope;
   std::vector<std::string> names;  // of inputs, with and without their folders
   std::string line;
+  Json further = Json::object();  // members of the result
   std::function<std::pair<Json, std::string>()> tell;
   std::string json;    // the file, once promised
   bool prints = true;  // the line, when stopped
@@ -55,6 +56,8 @@ struct Run::Shared {
     envelope.reason = reason;
     envelope.stage = stage;
     envelope.total = watch.seconds();
+    if (outcome != Outcome::refused)
+      for (const auto& [key, value] : *further.members()) envelope.result[key] = value;
     return envelope_text(envelope);
   }
 
@@ -150,6 +153,11 @@ void Run::so_far(Json result, std::string line) {
   const std::lock_guard lock(shared_->mutex);
   std::swap(shared_->envelope.result, result);
   std::swap(shared_->line, line);
+}
+
+void Run::add_to_result(std::string_view list, Json items) {
+  const std::lock_guard lock(shared_->mutex);
+  for (const Json& item : *items.items()) shared_->further[list].push_back(item);
 }
 
 void Run::when_stopped(std::function<std::pair<Json, std::string>()> tell) {

@@ -3,28 +3,35 @@
 #include <vector>
 
 #include <taut/geometry/box_index.h>
+#include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/written.h>
 
 namespace taut {
 
 namespace {
 
-bool is_sloped(const Segment& s) { return s.a.x != s.b.x && s.a.y != s.b.y; }
+/// Sloped ones do where crossings are rounded, and those whose line is no multiple of the unit.
+bool may_bend(const Segment& s, const DecimalUnit& unit) {
+  if (s.a.x != s.b.x && s.a.y != s.b.y) return true;
+  const double line = s.a.x == s.b.x ? s.a.x : s.a.y;
+  return unit.nearest(meaning(line)) != line;
+}
 
-void add_ring(const Ring& ring, std::vector<Segment>& to) {
+void add_ring(const Ring& ring, const DecimalUnit& unit, std::vector<Segment>& to) {
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
-    if (const Segment side{ring[j], ring[i]}; is_sloped(side)) to.push_back(side);
+    if (const Segment side{ring[j], ring[i]}; may_bend(side, unit)) to.push_back(side);
 }
 
 /// Walls of no thickness and sides: what a point can stand on as written.
-std::vector<Segment> sloped_sides(const World& world) {
+std::vector<Segment> bending_sides(const World& world) {
+  const DecimalUnit unit(world.box());
   std::vector<Segment> result;
   for (const Wall& wall : world.walls())
-    if (const Segment s{wall.a, wall.b}; wall.thickness == 0 && is_sloped(s)) result.push_back(s);
+    if (const Segment s{wall.a, wall.b}; wall.thickness == 0 && may_bend(s, unit)) result.push_back(s);
   for (const auto* areas : {&world.areas(), &world.solids()})
     for (const Area& area : *areas) {
-      add_ring(area.polygon.outer, result);
-      for (const Ring& hole : area.polygon.holes) add_ring(hole, result);
+      add_ring(area.polygon.outer, unit, result);
+      for (const Ring& hole : area.polygon.holes) add_ring(hole, unit, result);
     }
   return result;
 }
@@ -41,7 +48,7 @@ std::vector<Box> boxes_around(const std::vector<Segment>& sides) {
 struct WrittenPlaces::Impl {
   explicit Impl(const FreeSpace& s)
       : space(s),
-        sides(s.report().displacement > 0 && s.footprint().kind() == Footprint::Kind::point ? sloped_sides(s.world())
+        sides(s.report().displacement > 0 && s.footprint().kind() == Footprint::Kind::point ? bending_sides(s.world())
                                                                                             : std::vector<Segment>{}),
         index(boxes_around(sides)) {}
 

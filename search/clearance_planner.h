@@ -66,6 +66,7 @@ class ClearancePlanner {
 
   /// Legs that stand for a way: no farther from it than 1/10 000 of the mean width of a corridor.
   std::vector<Point> points_of(const ClearancePath& way) const;
+  double tolerance() const;  ///< that length
 
   const VoronoiRoadmap& map() const { return map_; }
   const Gates& gates() const { return gates_; }
@@ -78,7 +79,6 @@ class ClearancePlanner {
   void name_limit(ClearanceAnswer& answer) const;
   bool is_followed(const ClearancePath& way) const;
   bool gates_agree(const ClearanceAnswer& answer) const;
-  double tolerance() const;
 
   FreeSpace space_;
   VoronoiRoadmap map_;

@@ -1,6 +1,7 @@
 #include <taut/search/corner_count.h>
 
 #include <cmath>
+#include <vector>
 
 #include <taut/geometry/written.h>
 
@@ -32,16 +33,31 @@ bool is_straight(std::span<const Point> points, double slack) {
   return true;
 }
 
-}  // namespace
+std::size_t bends(std::span<const Point> points) {
+  std::size_t count = 0;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+    count += !written::on_segment(points[i], points[i - 1], points[i + 1]);
+  return count;
+}
 
-std::size_t corner_count(std::span<const Point> points, double uncertainty) {
+/// Those that no shift of the points by half of `slack` explains.
+std::size_t certain_bends(std::span<const Point> points, double slack) {
   std::size_t count = 0, from = 0;
   for (std::size_t to = 2; to < points.size(); ++to) {
-    if (is_straight(points.subspan(from, to - from + 1), 2 * uncertainty)) continue;
+    if (is_straight(points.subspan(from, to - from + 1), slack)) continue;
     ++count;
     from = to - 1;
   }
   return count;
+}
+
+}  // namespace
+
+std::size_t corner_count(std::span<const Point> points, double uncertainty) {
+  std::vector<Point> chain;
+  for (const Point p : points)
+    if (chain.empty() || chain.back() != p) chain.push_back(p);
+  return uncertainty == 0 ? bends(chain) : certain_bends(chain, 2 * uncertainty);
 }
 
 }  // namespace taut

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include <taut/geometry/rounding.h>
 #include <taut/geometry/written.h>
 #include <taut/search/detail/room_entries.h>
 
@@ -121,7 +122,8 @@ NoPath::~NoPath() = default;
 
 bool NoPath::holds(Point from, const Goal& to) const {
   if (!are_apart(impl_->space, from, to)) return false;
-  if (impl_->space.footprint().kind() != Footprint::Kind::disc) return true;
+  if (impl_->space.footprint().kind() != Footprint::Kind::disc)
+    return is_sure(impl_->space, from) && (!to.point || is_sure(impl_->space, *to.point));
   return impl_->inner() && are_apart(*impl_->inner(), from, to);
 }
 

@@ -17,6 +17,8 @@ namespace taut {
 ///  2. A disc's free space is that of the polygon around it, so the disc may get through where that does not. Ends are
 ///     apart only if they are for a polygon inside the disc as well, roundings included; that space is built when it
 ///     is first asked for.
+///  3. Where crossings were rounded, that there is no path means none that stays rounding_bound(space) from obstacles.
+///     Of a point that is_sure() does not hold for not even that is proven.
 class NoPath {
  public:
   explicit NoPath(FreeSpace space);

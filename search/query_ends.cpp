@@ -2,41 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include <taut/geometry/written.h>
+#include <taut/geometry/nearest_free.h>
 
 namespace taut {
 
 namespace {
 
-bool in_world(const World& world, Point p) {
-  return std::any_of(world.areas().begin(), world.areas().end(), [p](const Area& area) {
-    const auto& holes = area.polygon.holes;
-    return written::side_of_ring(p, area.polygon.outer) >= 0 &&
-           std::none_of(holes.begin(), holes.end(),
-                        [p](const Ring& hole) { return written::side_of_ring(p, hole) > 0; });
-  });
-}
-
-/// The distance to the wall's centre line beyond half its thickness; good enough to name a culprit.
-double depth(const Wall& wall, Point p) {
-  const double dx = wall.b.x - wall.a.x, dy = wall.b.y - wall.a.y, length = dx * dx + dy * dy;
-  const double t = length > 0 ? std::clamp(((p.x - wall.a.x) * dx + (p.y - wall.a.y) * dy) / length, 0.0, 1.0) : 0;
-  return std::hypot(p.x - wall.a.x - t * dx, p.y - wall.a.y - t * dy) - wall.thickness / 2;
-}
-
-std::string culprit(const World& world, Point p) {
-  for (const Area& solid : world.solids())
-    if (written::side_of_ring(p, solid.polygon.outer) >= 0)
-      return fmt::format("the obstacle at ({}, {}){}", solid.polygon.outer[0].x, solid.polygon.outer[0].y,
-                         solid.line > 0 ? fmt::format(", line {}", solid.line) : "");
-  const auto nearest = std::min_element(world.walls().begin(), world.walls().end(),
-                                        [p](const Wall& a, const Wall& b) { return depth(a, p) < depth(b, p); });
-  if (nearest == world.walls().end()) return "an obstacle";
-  return fmt::format("the wall ({}, {}) to ({}, {}){}", nearest->a.x, nearest->a.y, nearest->b.x, nearest->b.y,
-                     nearest->line > 0 ? fmt::format(", line {}", nearest->line) : "");
+/// `0.03 inside the wall from (1, 2) to (4, 2)`
+std::string place_of(const World& world, Point p, const std::optional<FreePlace>& nearest) {
+  const NearObstacle near = nearest_obstacle(world, p);
+  const std::string depth = nearest ? fmt::format("{:.6g} ", nearest->distance) : "";
+  if (!is_in_world(world, p)) return fmt::format("lies {}outside the world", depth);
+  if (near.distance < 0) return fmt::format("lies {}inside {}", depth, text(near));
+  return fmt::format("is {}too near for the robot to {}", depth, text(near));
 }
 
 }  // namespace
@@ -50,11 +30,18 @@ void require_free(const FreeSpace& space, Point p, std::string_view role) {
     throw InputError(world.source(), 0,
                      fmt::format("{} ({}, {}) has a coordinate nearer to 0 than {}", role, p.x, p.y, World::kSmallest));
   if (space.locate(p).kind != Location::Kind::outside) return;
-  if (!in_world(world, p))
-    throw InputError(world.source(), 0, fmt::format("{} ({}, {}) lies outside the world", role, p.x, p.y));
-  const char* robot =
-      space.footprint().kind() == Footprint::Kind::point ? "lies inside" : "is too near for the robot to";
-  throw InputError(world.source(), 0, fmt::format("{} ({}, {}) {} {}", role, p.x, p.y, robot, culprit(world, p)));
+  throw InputError(world.source(), 0, blocked_text(world, p, role, nearest_free(space, p)));
+}
+
+void require_free(const DiscPlaces& places, Point p, std::string_view role) {
+  const World& world = places.space().world();
+  if (!places.is_free(p)) throw InputError(world.source(), 0, blocked_text(world, p, role, places.nearest(p)));
+}
+
+std::string blocked_text(const World& world, Point p, std::string_view role, const std::optional<FreePlace>& nearest) {
+  return fmt::format("{} ({}, {}) {}; {}", role, p.x, p.y, place_of(world, p, nearest),
+                     nearest ? fmt::format("nearest free point ({}, {})", nearest->point.x, nearest->point.y)
+                             : "the robot fits nowhere");
 }
 
 }  // namespace taut

@@ -4,6 +4,7 @@
 #include <taut/cli/bug/compare.h>
 #include <taut/cli/bug/journey.h>
 #include <taut/cli/command.h>
+#include <taut/cli/path_files.h>
 #include <taut/cli/report.h>
 #include <taut/io/pictures/bug_svg.h>
 #include <taut/io/results/bug_json.h>
@@ -22,6 +23,7 @@ struct BugOptions {
   bug::Options bug;
   std::string svg;
   std::string animation;
+  PathFiles files;
 };
 
 Algorithm algorithm_of(const std::string& text) {
@@ -54,6 +56,7 @@ void add_options(CommandLine& app, BugOptions& options) {
       .group("Query");
   add_turn_option(app, options.bug);
   add_svg_option(app, options.svg);
+  add_path_file_options(app, options.files);
   add_animate_option(app, options.animation, "Write a picture in which the robot moves");
   app.optional_subcommand();
   app.callback([&app, &options] {
@@ -65,8 +68,9 @@ void add_options(CommandLine& app, BugOptions& options) {
 
 // Of those that were asked for.
 std::vector<OutputFile> pictures(const BugOptions& options, const BugWorld& world, const Journey& journey) {
-  bug::BugPicture picture{title_of(world.name), bug_facts(world, options.bug, journey, false), world.start, world.goal,
-                          options.bug.algorithm};
+  bug::BugPicture picture{title_of(world.name),  bug_facts(world, options.bug, journey, false),
+                          world.start,           world.goal,
+                          options.bug.algorithm, world.moves};
   std::vector<OutputFile> files;
   for (const bool moves : {false, true}) {
     const std::string& file = moves ? options.animation : options.svg;
@@ -79,6 +83,7 @@ std::vector<OutputFile> pictures(const BugOptions& options, const BugWorld& worl
 int run(const BugOptions& options, Run& run) {
   run.source(options.world.file);
   for (const std::string& file : {options.svg, options.animation}) run.promise(file);
+  promise(run, options.files);
   const BugWorld world = read_bug_world(options.world, options.query, run);
   Json known{{"algorithm", name(options.bug.algorithm)}, {"length", nullptr}};
   if (world.shortest) known["shortest"] = world.shortest->value();
@@ -87,6 +92,10 @@ int run(const BugOptions& options, Run& run) {
   how.record_views = !options.svg.empty() || !options.animation.empty();
   const Journey journey = checked_journey(world, how, run);
   std::vector<OutputFile> files = run.stage("draw", [&] { return pictures(options, world, journey); });
+  add_path_files(files, options.files,
+                 {{.name = std::string(name(options.bug.algorithm)),
+                   .points = journey.path.points,
+                   .length = journey.path.length.value()}});
   return run.end({.outcome = outcome_of(world),
                   .reason = reason_of(world),
                   .result = bug_json(journey, how, world.start, world.goal, world.shortest),

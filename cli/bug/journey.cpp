@@ -8,6 +8,7 @@
 
 #include <taut/cli/input.h>
 #include <taut/cli/report.h>
+#include <taut/cli/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/results/bug_json.h>
 #include <taut/search/no_path.h>
@@ -47,14 +48,14 @@ void check(const BugWorld& world, const Journey& journey) {
 }  // namespace
 
 BugWorld read_bug_world(const WorldOptions& world, const QueryOptions& query, Run& run) {
-  const Input input = run.stage("read", [&] { return read_input(world, query); });
+  const Input input = read_input(world, query, run);
   require_ends(input);
   const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world, query.robot); });
   const Point start = *input.world.start(), goal = goal_of(space, input);
   return run.stage("shortest", [&]() -> BugWorld {
     const std::optional<Length> shortest = shortest_length(space, start, goal);
     const bool is_shut = !shortest && NoPath(space).walls(start, {goal, {}}).has_value();
-    return {input.name, space, start, goal, shortest, is_shut};
+    return {input.name, space, start, goal, shortest, is_shut, input.moves};
   });
 }
 

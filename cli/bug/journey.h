@@ -9,6 +9,7 @@
 #include <taut/cli/run.h>
 #include <taut/geometry/free_space.h>
 #include <taut/geometry/length.h>
+#include <taut/io/results/end_moves.h>
 #include <taut/robots/bug/bug.h>
 
 namespace taut::cli {
@@ -21,6 +22,7 @@ struct BugWorld {
   Point goal;                      ///< of a goal room the middle of its first box that is free
   std::optional<Length> shortest;  ///< of all paths; nothing when there is none
   bool is_shut = false;            ///< walls prove that there is none
+  std::vector<EndMove> moves{};    ///< --snap-ends
 };
 
 /// Throws InputError.

@@ -9,6 +9,7 @@
 #include <taut/cli/chase/options.h>
 #include <taut/cli/command.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/path_files.h>
 #include <taut/cli/report.h>
 #include <taut/cli/run.h>
 #include <taut/io/pictures/chase_svg.h>
@@ -43,6 +44,7 @@ struct ChaseOptions {
   std::string svg;
   std::string animation;
   bool path = false;
+  PathFiles files;
   CommonOptions common;
 };
 
@@ -68,6 +70,7 @@ void add_options(CommandLine& app, ChaseOptions& options) {
   add_svg_option(app, options.svg);
   add_animate_option(app, options.animation, "Write a moving picture (SVG)");
   app.add_flag("--path", options.path, "Print where the robot is at each second: `SECOND X,Y`").group("Output");
+  add_path_file_options(app, options.files);
   app.optional_subcommand();
   app.callback([&app, &options] {
     if (app.has_subcommand()) return;
@@ -110,6 +113,7 @@ std::string effort_text(const ChaseRun& run) {
 int run(const ChaseOptions& options, Run& run) {
   run.source(options.file);
   for (const std::string& file : {options.svg, options.animation}) run.promise(file);
+  promise(run, options.files);
   const ChaseMap map = run.stage("read", [&] { return read_chase_file(options.file); });
   if (map.rounded()) note(fmt::format("taut: {}: costs have more digits than fit and were rounded", map.source()));
   const ChaseRequest request = request_of(options);
@@ -120,6 +124,7 @@ int run(const ChaseOptions& options, Run& run) {
   const ChaseRun chase = run.stage("chase", [&] { return run_chase(map, request, hear); });
   Json json = checked_json(map, chase);
   std::vector<OutputFile> files = run.stage("draw", [&] { return pictures(options, map, chase); });
+  if (!chase.result.track.empty()) add_path_files(files, options.files, {track_path(map, chase)});
   return run.end({.outcome = outcome_of(chase),
                   .reason = chase.is_caught() ? "" : chase.why_not(),
                   .result = std::move(json),

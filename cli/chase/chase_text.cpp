@@ -47,6 +47,18 @@ std::string track_text(const ChaseMap& map, const ChaseRun& run) {
   return text;
 }
 
+PathToWrite track_path(const ChaseMap& map, const ChaseRun& run) {
+  PathToWrite path{.name = std::string(run.request.planner_name()), .points = {}};
+  std::vector<double> seconds;
+  for (const ChaseStep& step : run.result.track) {
+    const Cell c = map.cell(step.cell);
+    path.points.push_back({static_cast<double>(c.x), static_cast<double>(c.y)});
+    seconds.push_back(static_cast<double>(step.second));
+  }
+  path.columns = {{"second", std::move(seconds)}};
+  return path;
+}
+
 std::string plan_text(const ChaseMap& map, const ChasePlan& plan) {
   return plan.status == SearchStatus::found
              ? fmt::format("{}: stopped; the best plan so far costs {}, the least cost is at least {}\n",

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <taut/io/results/path_file.h>
 #include <taut/robots/pursuit/chase_run.h>
 
 namespace taut::cli {
@@ -12,6 +13,9 @@ std::string chase_text(const pursuit::ChaseMap& map, const pursuit::ChaseRun& ru
 
 /// `x,y` at each second that a step ends, a line each: `0 119,45`.
 std::string track_text(const pursuit::ChaseMap& map, const pursuit::ChaseRun& run);
+
+/// The same, with a column `second`; coordinates as in the map.
+PathToWrite track_path(const pursuit::ChaseMap& map, const pursuit::ChaseRun& run);
 
 /// Of the best plan when the planner is stopped; empty where there is none.
 std::string plan_text(const pursuit::ChaseMap& map, const pursuit::ChasePlan& plan);

@@ -46,8 +46,8 @@ std::string first_given(const CommandLine& app, std::initializer_list<const char
 void require_one_kind(const CommandLine& app, const DriveOptions& options) {
   const std::string for_maps = first_given(
       app, {"--sample", "--all", "--open", "--planner", "--policy", "--walls", "--show-values", "--controls"});
-  const std::string for_cars =
-      first_given(app, {"--from", "--to", "--weight", "--wall-thickness", "--polygons", "--format"});
+  const std::string for_cars = first_given(
+      app, {"--from", "--to", "--weight", "--wall-thickness", "--polygons", "--format", "--geojson", "--wkt", "--csv"});
   if (options.world.car && !for_maps.empty())
     throw UsageError("--car drives in a world of walls: not with " + for_maps);
   if (!options.world.car && !for_cars.empty())
@@ -101,6 +101,7 @@ void add_options(CommandLine& app, DriveOptions& options) {
          "What a closed cell is (default: points)")
       .type_name("NAME");
   app.add_option("--svg", options.output.svg, "Draw the drive; - is standard output").type_name("FILE").group("Output");
+  add_path_file_options(app, options.output.files);
   add_animate_option(app, options.output.animation, "Draw the car as it drives, an SVG that plays in a browser");
   app.add_flag("--show-values", options.show_values,
                "Draw the surface and the arrows of value iteration; --planner value-iteration does")
@@ -117,6 +118,7 @@ void add_options(CommandLine& app, DriveOptions& options) {
 int run(const DriveOptions& options, Run& run) {
   run.promise(options.output.svg);
   run.promise(options.output.animation);
+  promise(run, options.output.files);
   run.source(options.file);
   const std::string source = options.file == "-" ? "<stdin>" : options.file;
   const std::string bytes = run.stage("read", [&] { return read_bytes(options.file); });

@@ -15,6 +15,7 @@
 #include <taut/io/pictures/car_svg.h>
 #include <taut/io/results/barrier_words.h>
 #include <taut/io/results/drive_json.h>
+#include <taut/io/results/drive_path.h>
 #include <taut/robots/car/verify_drive.h>
 #include <taut/search/no_path.h>
 #include <taut/search/voronoi_search.h>
@@ -64,6 +65,8 @@ class Driver {
     if (drive_.status == SearchStatus::none) answer.result["barrier"] = json_of(barrier_);
     if (!output_.svg.empty()) answer.files.push_back({output_.svg, drawing(space, false)});
     if (!output_.animation.empty()) answer.files.push_back({output_.animation, drawing(space, true)});
+    if (drive_.status == SearchStatus::found)
+      add_path_files(answer.files, output_.files, {drive_path(drive_.legs, drive_.start, drive_.length)});
     return run_.end(std::move(answer));
   }
 

@@ -7,6 +7,7 @@
 
 #include <taut/cli/command_line.h>
 #include <taut/cli/options.h>
+#include <taut/cli/path_files.h>
 #include <taut/cli/run.h>
 #include <taut/robots/car/car_planner.h>
 
@@ -32,6 +33,7 @@ void add_world_drive_options(CommandLine& app, WorldDriveOptions& options);
 /// The pictures of `taut drive`, whatever it drives in.
 struct DriveOutput {
   std::string svg, animation;
+  PathFiles files;  ///< of a drive with --car
 
   bool draws() const { return !svg.empty() || !animation.empty(); }
 };

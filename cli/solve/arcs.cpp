@@ -9,25 +9,26 @@
 
 #include <taut/cli/input.h>
 #include <taut/cli/report.h>
+#include <taut/cli/snap_ends.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/rounding.h>
 #include <taut/io/pictures/arc_svg.h>
 #include <taut/io/results/arc_json.h>
 #include <taut/io/results/barrier_words.h>
+#include <taut/search/query_ends.h>
 #include <taut/search/verify_arcs.h>
 
 namespace taut::cli {
 
 namespace {
 
-void require_place(const ArcSearchResult& result, const FreeSpace& space, const std::string& source, Point s, Point g) {
-  if (result.status != DiscStatus::start_blocked && result.status != DiscStatus::goal_blocked) return;
-  const bool start = result.status == DiscStatus::start_blocked;
-  const std::string end = fmt::format("the {} {}", start ? "start" : "goal", point_text(start ? s : g));
-  if (result.wall == taut::kNone) throw InputError(source, 0, end + " is outside the world or in an obstacle");
-  const Constraint& wall = space.constraints()[result.wall];
-  throw InputError(
-      source, 0,
-      fmt::format("{} is nearer than the disc's radius to the wall {}", end, segment_text({wall.a, wall.b})));
+void require_places(const ArcAnswer& answer, const FreeSpace& space) {
+  const DiscStatus status = answer.result.status;
+  if (status != DiscStatus::start_blocked && status != DiscStatus::goal_blocked) return;
+  const DiscPlaces places(space, answer.radius);
+  require_free(places, answer.start, "start");
+  require_free(places, answer.goal, "goal");
+  throw std::logic_error("an end is no place for the disc, and yet it is");
 }
 
 class ArcSolver {
@@ -36,12 +37,14 @@ class ArcSolver {
 
   int solve() {
     run_.promise(options_.svg);
-    const Input input = run_.stage("read", [&] { return read_input(options_.world, options_.query); });
+    promise(run_, options_.files);
+    const Input input = read_input(options_.world, options_.query, run_, {options_.query.robot.radius()});
     read_ends(input);
     const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world); });
+    if (rounding_bound(space) > 0) answer_.within = rounding_bound(space);
     const TangentGraph graph = run_.stage("roadmap", [&] { return TangentGraph(space, answer_.radius); });
     answer_.result = run_.stage("search", [&] { return arc_search(graph, answer_.start, answer_.goal); });
-    require_place(answer_.result, space, input.name, answer_.start, answer_.goal);
+    require_places(answer_, space);
     const Gates gates = run_.stage("gates", [&] { return Gates(space); });
     found() ? finish(gates) : prove_none(gates);
     return end(input, space, graph);
@@ -90,6 +93,16 @@ class ArcSolver {
                        cpu_text(run_.seconds()));
   }
 
+  PathToWrite written_path() const {
+    const ArcPath& path = answer_.result.path;
+    const double tolerance = path.bends.empty() ? 0 : answer_.radius / 1000;
+    return {.name = "arcs",
+            .points = sampled(path, answer_.radius / 1000),
+            .tolerance = tolerance,
+            .arcs = pieces(path),
+            .length = path.value()};
+  }
+
   int end(const Input& input, const FreeSpace& space, const TangentGraph& graph) {
     Answer answer;
     answer.outcome = outcome_;
@@ -97,10 +110,12 @@ class ArcSolver {
     answer.result = arc_json(answer_);
     answer.line = input.name + ": " + line() + "\n";
     if (options_.path && found()) answer.listing = points_text(sampled(answer_.result.path, answer_.radius / 1000));
+    if (found()) add_path_files(answer.files, options_.files, {written_path()});
     answer.stats = {{"roadmap", fmt::format("{} corners, {} tangent points, {} tangents, {} arcs", graph.corner_count(),
                                             graph.point_count(), graph.leg_count(), graph.arc_count())},
                     {"search", fmt::format("{} expanded", answer_.result.expanded)}};
-    if (!options_.svg.empty()) answer.files.push_back({options_.svg, arc_svg(answer_, space, title_of(input.name))});
+    if (!options_.svg.empty())
+      answer.files.push_back({options_.svg, arc_svg(answer_, space, title_of(input.name), input.moves)});
     return run_.end(std::move(answer));
   }
 

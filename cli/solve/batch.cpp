@@ -11,6 +11,7 @@
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
+#include <taut/cli/snap_ends.h>
 #include <taut/cli/solve/batch_answers.h>
 #include <taut/cli/solve/query_source.h>
 #include <taut/geometry/errors.h>
@@ -48,6 +49,7 @@ void add_options(CommandLine& app, BatchOptions& options) {
          "sets have it; compared as far as its digits go")
       .required();
   add_robot_option(app, options.query.robot);
+  add_snap_ends_option(app, options.query.snap_ends);
   app.add_flag("--json-lines", options.json_lines, "Print one JSON object a line instead").group("Output");
   app.add_flag("--path", options.path,
                "The points of each path as well: ` x y x y ...` after the length, `path` in JSON")
@@ -152,15 +154,26 @@ class Batch {
            lengths_ > kWinding * straight_;
   }
 
+  /// Is p a place for the robot, or moved to one by --snap-ends?
+  bool settle(const FreeSpace& space, const char* role, Point& p, QueryAnswer& answer) const {
+    if (space.locate(p).kind != Location::Kind::outside) return true;
+    std::optional<FreePlace> nearest;
+    if (options_.query.snap_ends || options_.json_lines || run_.wants_json()) nearest = nearest_free(space, p);
+    if (nearest && options_.query.snap_ends && nearest->distance <= *options_.query.snap_ends) {
+      answer.moves.push_back({role, p, *nearest});
+      p = nearest->point;
+      return true;
+    }
+    answer.status = QueryAnswer::Status::blocked;
+    answer.blocked = role;
+    answer.nearest = nearest;
+    return false;
+  }
+
   /// A start or goal in a wall is an answer here, no reason to stop.
-  QueryAnswer ask(const FreeSpace& space, PolyanyaSearch& search, const NoPath& no_path, const QueryLine& query) {
+  QueryAnswer ask(const FreeSpace& space, PolyanyaSearch& search, const NoPath& no_path, QueryLine query) {
     QueryAnswer answer;
-    for (const Point p : {query.from, query.to})
-      if (space.locate(p).kind == Location::Kind::outside) {
-        answer.status = QueryAnswer::Status::blocked;
-        answer.blocked = p == query.from ? "start" : "goal";
-        return answer;
-      }
+    if (!settle(space, "start", query.from, answer) || !settle(space, "goal", query.to, answer)) return answer;
     const Stopwatch watch;
     const SearchStatus status = search.find(query.from, query.to);
     answer.cpu = watch.seconds().cpu;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <mutex>
@@ -39,12 +40,17 @@ std::string line_of(const QueryLine& query, const QueryAnswer& answer) {
 Json json_of(const QueryLine& query, const QueryAnswer& answer, bool with_path) {
   Json row{{"line", query.line}, {"status", name(answer.status)}};
   if (answer.status == Status::blocked) row["blocked"] = answer.blocked;
+  if (answer.nearest) {
+    row["nearest"] = answer.nearest->point;
+    row["distance"] = answer.nearest->distance;
+  }
   if (answer.status == Status::found) row["length"] = answer.length;
   if (query.expects && answer.status != Status::unproven) {
     row["expected"] = query.expected ? Json(*query.expected) : Json("none");
     row["matches"] = matches(query, answer);
   }
   if (with_path && answer.status == Status::found) row["path"] = answer.points;
+  if (!answer.moves.empty()) row["moved_ends"] = end_moves_json(answer.moves);
   return row;
 }
 
@@ -57,7 +63,8 @@ struct BatchAnswers::State {
   std::timed_mutex mutex;
   std::string out;
   Json rows = Json::array();
-  std::size_t queries = 0, unanswered = 0, unproven = 0, compared = 0, mismatches = 0;
+  std::size_t queries = 0, unanswered = 0, unproven = 0, compared = 0, mismatches = 0, moved = 0;
+  double farthest = 0;  // that an end was moved
   double cpu = 0, prepared = 0;
 
   double cpu_a_query() const { return queries == 0 ? 0 : cpu / static_cast<double>(queries); }
@@ -65,6 +72,8 @@ struct BatchAnswers::State {
   void count(const QueryLine& query, const QueryAnswer& answer) {
     const bool is_unproven = answer.status == Status::unproven;
     ++queries;
+    moved += answer.moves.size();
+    for (const EndMove& move : answer.moves) farthest = std::max(farthest, move.place.distance);
     cpu += answer.cpu;
     compared += query.expects && !is_unproven;
     unproven += is_unproven;
@@ -73,10 +82,12 @@ struct BatchAnswers::State {
   }
 
   std::string totals() const {
-    return fmt::format("{}, {} without an answer, {}{} compared, {}; {:.1f} us CPU a query, {} CPU to prepare",
-                       count_text(queries, "query", "queries"), unanswered,
-                       unproven == 0 ? "" : fmt::format("{} unproven, ", unproven), compared,
-                       count_text(mismatches, "mismatch", "mismatches"), 1e6 * cpu_a_query(), seconds_text(prepared));
+    return fmt::format(
+        "{}, {} without an answer, {}{}{} compared, {}; {:.1f} us CPU a query, {} CPU to prepare",
+        count_text(queries, "query", "queries"), unanswered,
+        unproven == 0 ? "" : fmt::format("{} unproven, ", unproven),
+        moved == 0 ? "" : fmt::format("{} moved by {:.6g} at most, ", count_text(moved, "end"), farthest), compared,
+        count_text(mismatches, "mismatch", "mismatches"), 1e6 * cpu_a_query(), seconds_text(prepared));
   }
 
   Json json() const {

@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include <taut/cli/run.h>
+#include <taut/io/results/end_moves.h>
 #include <taut/io/results/json.h>
 #include <taut/io/worlds/query_lines.h>
 
@@ -18,9 +20,11 @@ struct QueryAnswer {
   enum class Status : std::uint8_t { found, none, blocked, unproven };
   Status status = Status::none;  ///< none: proven; blocked: an end is no free place
   double length = 0;
-  double cpu = 0;               ///< seconds of the search
-  const char* blocked = "";     ///< "start" or "goal"
-  std::vector<Point> points{};  ///< where they are wanted
+  double cpu = 0;                      ///< seconds of the search
+  const char* blocked = "";            ///< "start" or "goal"
+  std::optional<FreePlace> nearest{};  ///< to the blocked end, where it is wanted
+  std::vector<EndMove> moves{};        ///< --snap-ends
+  std::vector<Point> points{};         ///< where they are wanted
 };
 
 /// How answers are written.
@@ -48,7 +52,7 @@ class BatchAnswers {
   /// `3 queries, 0 without an answer, 2 compared, 1 mismatch; 12.5 us CPU a query, 0.004 s CPU to prepare`
   std::string totals() const;
   /// {queries, unanswered, unproven, compared, mismatches, seconds_a_query, seconds_to_prepare (both CPU), answers:
-  /// [{line, status, blocked, length, expected, matches, path}, ...]}
+  /// [{line, status, blocked, nearest, distance, length, expected, matches, path, moved_ends}, ...]}
   Json json() const;
 
   /// For Run::when_stopped: the result, and what is not yet printed; says the totals.

@@ -12,6 +12,7 @@
 
 #include <taut/cli/input.h>
 #include <taut/cli/report.h>
+#include <taut/cli/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/walled_world.h>
 #include <taut/io/pictures/clearance_svg.h>
@@ -83,7 +84,9 @@ class ClearanceSolver {
 
   int solve() {
     run_.promise(options_.svg);
-    const Input input = run_.stage("read", [&] { return read_input(options_.world, options_.query); });
+    promise(run_, options_.files);
+    const double clearance = options_.clearance->clearance;  // 0 unless asked for
+    const Input input = read_input(options_.world, options_.query, run_, {clearance, true});
     require_ends(input);
     const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world); });
     read_ends(space, input);
@@ -145,6 +148,16 @@ class ClearanceSolver {
         {"verify", answer_.verified ? "walls and gates agree" : "not done"}};
   }
 
+  std::vector<PathToWrite> written_paths(const ClearancePlanner& planner) const {
+    std::vector<PathToWrite> paths;
+    for (const ClearanceTrade& way : answer_.found)
+      paths.push_back({.name = "voronoi, radius up to " + number_text(way.clearance),
+                       .points = planner.points_of(way.path),
+                       .tolerance = planner.tolerance(),
+                       .length = way.path.length});
+    return paths;
+  }
+
   int end(const Input& input, const FreeSpace& space, const ClearancePlanner& planner) {
     Answer answer;
     answer.outcome = outcome();
@@ -155,9 +168,11 @@ class ClearanceSolver {
                       : input.name + ": " + line(answer.reason, planner.walled()) + "\n";
     if (options_.path && outcome() == Outcome::found)
       answer.listing = points_text(planner.points_of(answer_.found.front().path));
+    if (outcome() == Outcome::found) add_path_files(answer.files, options_.files, written_paths(planner));
     answer.stats = stats(input, planner);
     if (!options_.svg.empty())
-      answer.files.push_back({options_.svg, clearance_svg(answer_, space, planner.map(), title_of(input.name))});
+      answer.files.push_back(
+          {options_.svg, clearance_svg(answer_, space, planner.map(), title_of(input.name), input.moves)});
     return run_.end(std::move(answer));
   }
 

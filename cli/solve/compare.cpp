@@ -12,6 +12,7 @@
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
+#include <taut/cli/snap_ends.h>
 #include <taut/cli/solve/compare_report.h>
 #include <taut/cli/solve/prm_options.h>
 #include <taut/geometry/errors.h>
@@ -161,7 +162,7 @@ void require_verified(const Comparison& comparison) {
 int run(const CompareOptions& options, Run& run) {
   run.source(options.world.file);
   run.promise(options.svg);
-  const Input input = run.stage("read", [&] { return read_input(options.world, options.query); });
+  const Input input = read_input(options.world, options.query, run);
   require_ends(input);
   const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world, options.query.robot); });
   require_free(space, *input.world.start(), "start");
@@ -176,7 +177,8 @@ int run(const CompareOptions& options, Run& run) {
   if (answer.outcome == Outcome::unproven) complain(answer.reason);
   answer.result = comparison_json(comparison);
   answer.line = comparison_table(comparison);
-  if (!options.svg.empty()) answer.files = {{options.svg, comparison_svg(comparison, space, title_of(input.name))}};
+  if (!options.svg.empty())
+    answer.files = {{options.svg, comparison_svg(comparison, space, title_of(input.name), input.moves)}};
   return run.end(std::move(answer));
 }
 

@@ -9,6 +9,7 @@
 #include <taut/cli/input.h>
 #include <taut/cli/report.h>
 #include <taut/cli/run.h>
+#include <taut/cli/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/pictures/clearance_svg.h>
 #include <taut/io/results/barrier_words.h>
@@ -83,7 +84,7 @@ std::string line(const Passage& passage, const Gates& gates, const std::string& 
 int run(const PassageOptions& options, Run& run) {
   run.source(options.world.file);
   run.promise(options.svg);
-  const Input input = run.stage("read", [&] { return read_input(options.world, options.query); });
+  const Input input = read_input(options.world, options.query, run, {options.radius().value_or(0)});
   require_ends(input);
   const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world); });
   const std::vector<Point> goals = read_goals(space, input);
@@ -96,7 +97,8 @@ int run(const PassageOptions& options, Run& run) {
   answer.result = passage_json(found, gates);
   answer.line = input.name + ": " + line(found, gates, answer.reason, run.seconds()) + "\n";
   answer.stats = {{"gates", count_text(gates.gates().size(), "gate")}};
-  if (!options.svg.empty()) answer.files = {{options.svg, passage_svg(found, space, title_of(input.name))}};
+  if (!options.svg.empty())
+    answer.files = {{options.svg, passage_svg(found, space, title_of(input.name), input.moves)}};
   return run.end(std::move(answer));
 }
 

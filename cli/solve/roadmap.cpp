@@ -10,6 +10,7 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/report.h>
 #include <taut/cli/run.h>
+#include <taut/cli/snap_ends.h>
 #include <taut/cli/solve/prm_options.h>
 #include <taut/cli/solve/roadmap_option.h>
 #include <taut/geometry/corridor_width.h>
@@ -105,7 +106,7 @@ int run(const RoadmapOptions& options, Run& run) {
   run.source(options.world.file);
   for (const std::string& file : {options.svg, options.graphml, options.geojson, options.save}) run.promise(file);
   const RoadmapKind& kind = *options.kind;
-  const Input input = run.stage("read", [&] { return read_input(options.world, options.query); });
+  const Input input = read_input(options.world, options.query, run);
   const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world, options.query.robot); });
   const PlannedRoadmap planned = run.stage("roadmap", [&] {
     return kind.build(space, {options.common.seed, input.world.start(), input.world.goal(), options.prm,

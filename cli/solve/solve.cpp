@@ -10,12 +10,14 @@
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
+#include <taut/cli/snap_ends.h>
 #include <taut/cli/solve/anytime.h>
 #include <taut/cli/solve/arcs.h>
 #include <taut/cli/solve/clearance.h>
 #include <taut/cli/solve/solve_options.h>
 #include <taut/cli/solve/solve_report.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/rounding.h>
 #include <taut/io/pictures/svg.h>
 #include <taut/io/results/barrier_words.h>
 #include <taut/io/results/result_json.h>
@@ -37,15 +39,19 @@ class Solver {
 
   int solve() {
     run_.promise(options_.svg);
+    promise(run_, options_.files);
     run_.promise(options_.save);
     answer_.source = options_.world.file == "-" ? "<stdin>" : options_.world.file;
     result_.status = SearchStatus::stopped;
     result_.robot = options_.query.robot;
     keep();
-    const Input input = run_.stage("read", [&] { return read_input(options_.world, options_.query); });
+    const Input input = read_input(options_.world, options_.query, run_);
     read_ends(input);
     const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
     result_.displacement = space.report().displacement;
+    // Of a disc the claim is about the polygon around it, which is larger by far more than any rounding.
+    if (rounding_bound(space) > 0 && options_.query.robot.kind() != Footprint::Kind::disc)
+      result_.within = rounding_bound(space);
     require_free(space, *result_.start, "start");
     if (result_.goal.point) require_free(space, *result_.goal.point, "goal");
     answer_.planned = run_.stage("roadmap", [&] { return build_or_load(space); });
@@ -65,6 +71,7 @@ class Solver {
 
   void read_ends(const Input& input) {
     require_ends(input);
+    answer_.moves = input.moves;
     result_.start = input.world.start();
     result_.goal = input.world.goal();
     result_.uncertainty = input.world.uncertainty();
@@ -151,6 +158,10 @@ class Solver {
     answer_.outcome = Outcome::unproven;
     answer_.reason =
         fmt::format("no path in the roadmap {}, which does not prove that there is none", answer_.kind->name);
+    if (answer_.kind->optimal && result_.within)
+      answer_.reason = fmt::format(
+          "no path, but an end is so near a wall ({:.3g}) that rounded crossings may have put it on its other side",
+          *result_.within);
     if (answer_.kind->optimal && options_.query.robot.kind() == Footprint::Kind::disc)
       answer_.reason = "no path for the polygon around the disc, which does not prove that there is none for the disc";
     if (answer_.planned.prm)
@@ -184,6 +195,10 @@ class Solver {
     return goals;
   }
 
+  PathToWrite written_path() const {
+    return {.name = result_.roadmap, .points = result_.path.points, .length = result_.path.length.value()};
+  }
+
   int end(const FreeSpace& space, const Input& input) {
     Answer answer;
     answer.outcome = answer_.outcome;
@@ -195,6 +210,7 @@ class Solver {
     if (!options_.save.empty())
       answer.files.push_back({options_.save, saved_text(*answer_.kind, answer_.planned, space)});
     if (!options_.svg.empty()) answer.files.push_back({options_.svg, svg(space, solve_picture(answer_))});
+    if (result_.status == SearchStatus::found) add_path_files(answer.files, options_.files, {written_path()});
     return run_.end(std::move(answer));
   }
 

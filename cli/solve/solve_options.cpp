@@ -150,6 +150,7 @@ void add_solve_options(CommandLine& app, SolveOptions& options) {
       .group("Query");
   app.add_flag("--no-verify", options.no_verify, "Do not check the answer independently").group("Query");
   app.add_flag("--path", options.path, "Print the points of the path, one `x y` a line").group("Output");
+  add_path_file_options(app, options.files);
   add_anytime_options(app, options.anytime);
   add_clearance_options(app, options.clearance);
   add_svg_option(app, options.svg);

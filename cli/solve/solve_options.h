@@ -6,6 +6,7 @@
 
 #include <taut/cli/command_line.h>
 #include <taut/cli/options.h>
+#include <taut/cli/path_files.h>
 #include <taut/cli/solve/anytime.h>
 #include <taut/cli/solve/prm_options.h>
 #include <taut/search/clearance_planner.h>
@@ -29,6 +30,7 @@ struct SolveOptions {
   bool arcs = false;
   const RoadmapKind* kind = nullptr;  // when it is given
   std::string svg;
+  PathFiles files;
   std::string save;
   std::string load;
 

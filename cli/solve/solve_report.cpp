@@ -90,6 +90,7 @@ SvgPicture solve_picture(const SolveAnswer& answer) {
   picture.separation = result.separation;
   picture.gates = answer.narrow;
   picture.start = result.start;
+  picture.moves = answer.moves;
   picture.goal = result.goal;
   return picture;
 }

@@ -21,6 +21,7 @@ struct SolveAnswer {
   PlanResult result;
   Outcome outcome = Outcome::found;
   std::string reason;  ///< why it is not found
+  std::vector<EndMove> moves;
   const RoadmapKind* kind = roadmap_kind("visibility");
   PlannedRoadmap planned;
   std::vector<Segment> narrow;  ///< when there is none for a disc: across the gates that are too narrow

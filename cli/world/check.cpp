@@ -6,10 +6,12 @@
 #include <taut/cli/input.h>
 #include <taut/cli/report.h>
 #include <taut/cli/run.h>
+#include <taut/cli/snap_ends.h>
 #include <taut/cli/world/check_report.h>
 #include <taut/io/worlds/read_path.h>
 #include <taut/search/query_ends.h>
 #include <taut/search/verify.h>
+#include <taut/search/verify_arcs.h>
 
 namespace taut::cli {
 
@@ -35,9 +37,23 @@ void add_options(CommandLine& app, CheckOptions& options) {
   });
 }
 
+// A disc's path of arcs: by its bends, against the walls of the world itself.
+Verdict judge_arcs(const ClaimedPath& claimed, const World& world) {
+  const ArcPath& path = *claimed.arcs;
+  const Gates gates{FreeSpace(world)};
+  const ArcVerdict arcs =
+      verify_arcs(path, gates, world.start().value_or(path.start), world.goal().point.value_or(path.goal));
+  Verdict verdict;
+  verdict.valid = arcs.valid;
+  verdict.reason = arcs.reason;
+  verdict.clearance = path.radius;
+  return verdict;
+}
+
 // An end that neither FILE nor an option names is where the path begins or ends.
 Verdict judge(const ClaimedPath& claimed, const FreeSpace& space) {
   const World& world = space.world();
+  if (claimed.arcs) return judge_arcs(claimed, world);
   const Path path{claimed.points, Length(claimed.points)};
   if (path.points.empty()) return {false, "the path has no points", 0, 0, kNone};
   Goal goal = world.goal();
@@ -46,7 +62,7 @@ Verdict judge(const ClaimedPath& claimed, const FreeSpace& space) {
   const Interval measured = path.length.interval();
   const double slack = 1e-12 * measured.hi;  // the claim is a rounded number
   if (verdict.valid && claimed.length &&
-      !(measured.lo - slack <= *claimed.length && *claimed.length <= measured.hi + slack)) {
+      !(measured.lo - slack <= *claimed.length && (claimed.approximate || *claimed.length <= measured.hi + slack))) {
     verdict.valid = false;
     verdict.reason = fmt::format("it claims the length {}, but measures {}", *claimed.length, length_text(path.length));
   }
@@ -61,7 +77,7 @@ void require_free_ends(const FreeSpace& space) {
 
 int run(const CheckOptions& options, Run& run) {
   run.source(options.world.file);
-  const Input input = run.stage("read", [&] { return read_input(options.world, options.query); });
+  const Input input = read_input(options.world, options.query, run);
   std::optional<ClaimedPath> claimed;
   if (!options.path.empty())
     claimed = read_path(read_bytes(options.path), options.path == "-" ? "<stdin>" : options.path);

@@ -61,11 +61,18 @@ CheckReport::CheckReport(const Input& input, const FreeSpace& space) : input_(in
 
 void CheckReport::add_path(const ClaimedPath& path, const Verdict& verdict) { path_.emplace(path, verdict); }
 
+namespace {
+
+std::string length_of(const ClaimedPath& path) {
+  return path.arcs ? fmt::format("{:.6f}", path.arcs->value()) : length_text(Length(path.points));
+}
+
+}  // namespace
+
 std::string CheckReport::path_text() const {
   const auto& [path, verdict] = *path_;
   if (!verdict.valid) return "not valid: " + verdict.reason;
-  return fmt::format("valid, length {}, {}, clearance {}", length_text(Length(path.points)),
-                     count_text(path.points.size(), "point"),
+  return fmt::format("valid, length {}, {}, clearance {}", length_of(path), count_text(path.points.size(), "point"),
                      std::isfinite(verdict.clearance) ? number_text(verdict.clearance) : "unlimited");
 }
 
@@ -134,7 +141,7 @@ Json CheckReport::json() const {
     json["path"] = {{"valid", verdict.valid},
                     {"reason", verdict.reason},
                     {"leg", verdict.valid ? Json() : Json(verdict.leg)},
-                    {"length", Length(path.points).value()},
+                    {"length", path.arcs ? path.arcs->value() : Length(path.points).value()},
                     {"points", path.points.size()},
                     {"clearance", verdict.valid && finite ? Json(verdict.clearance) : Json()}};
   }

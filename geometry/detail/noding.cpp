@@ -113,11 +113,18 @@ class Splitting {
  private:
   using Cut = std::pair<std::uint32_t, Point>;  // which piece, where
 
-  /// Pieces that may bend keep the fixed points on them. Axis-parallel ones do not bend.
+  /// Does a rounded crossing stay on the piece? On axis-parallel ones whose line is a multiple of the unit.
+  bool keeps_straight(const Edge& c) const {
+    if (!axis_parallel(c)) return false;
+    const double line = c.a.x == c.b.x ? c.a.x : c.a.y;
+    return unit_.nearest(meaning(line)) == line;
+  }
+
+  /// Pieces that may bend keep the fixed points on them.
   void hold_fixed(const BoxIndex& index) {
     for (const Point p : fixed_)
       index.meeting({p, p}, [&](std::uint32_t i) {
-        if (!axis_parallel(pieces_[i])) touch(i, p, written::orientation(pieces_[i].a, pieces_[i].b, p));
+        if (!keeps_straight(pieces_[i])) touch(i, p, written::orientation(pieces_[i].a, pieces_[i].b, p));
       });
   }
 

@@ -30,11 +30,13 @@ std::vector<std::string> facts(const ArcAnswer& answer) {
 
 }  // namespace
 
-std::string arc_svg(const ArcAnswer& answer, const FreeSpace& space, const std::string& title) {
+std::string arc_svg(const ArcAnswer& answer, const FreeSpace& space, const std::string& title,
+                    const std::vector<EndMove>& moves) {
   SvgPicture picture;
   picture.title = title;
   picture.facts = facts(answer);
   picture.start = answer.start;
+  picture.moves = moves;
   picture.goal.point = answer.goal;
   picture.separation = answer.barrier.walls;
   picture.gates = answer.barrier.gate_segments();

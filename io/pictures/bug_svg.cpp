@@ -59,6 +59,7 @@ std::string bug_svg(const FreeSpace& space, const Journey& journey, const BugPic
   picture.facts = what.facts;
   picture.path = &journey.path;
   picture.start = what.start;
+  picture.moves = what.end_moves;
   picture.goal.point = what.goal;
   if (what.algorithm != Algorithm::tangent) picture.guides = {{what.start, what.goal}};
   picture.seconds = what.moves ? kFilmSeconds : 0;

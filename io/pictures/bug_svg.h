@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <taut/io/results/end_moves.h>
 #include <taut/robots/bug/bug.h>
 
 namespace taut::bug {
@@ -15,6 +16,7 @@ struct BugPicture {
   Point start;
   Point goal;
   Algorithm algorithm = Algorithm::bug2;
+  std::vector<EndMove> end_moves{};
   bool moves = false;  ///< the robot runs along its path, what it sees follows it
 };
 

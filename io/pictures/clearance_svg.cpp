@@ -40,11 +40,12 @@ std::vector<SvgShade> shades(const ClearanceAnswer& answer) {
   return all;
 }
 
-SvgPicture picture_of(const ClearanceAnswer& answer, const std::string& title) {
+SvgPicture picture_of(const ClearanceAnswer& answer, const std::string& title, const std::vector<EndMove>& moves) {
   SvgPicture picture;
   picture.title = title;
   picture.facts = facts(answer);
   picture.start = answer.start;
+  picture.moves = moves;
   picture.goal.point = answer.goal;
   if (answer.status != SearchStatus::found) {
     picture.separation = answer.barrier.walls;
@@ -59,27 +60,30 @@ SvgPicture picture_of(const ClearanceAnswer& answer, const std::string& title) {
   return picture;
 }
 
-std::string front_picture(const ClearanceAnswer& answer, const FreeSpace& space, const std::string& title) {
+std::string front_picture(const ClearanceAnswer& answer, const FreeSpace& space, const std::string& title,
+                          const std::vector<EndMove>& moves) {
   std::vector<SvgStep> steps;
   for (const ClearanceTrade& t : answer.found) steps.push_back({t.clearance, t.path.length, place_text(t.path.pinch)});
-  return svg_front(space, picture_of(answer, title), steps);
+  return svg_front(space, picture_of(answer, title, moves), steps);
 }
 
 }  // namespace
 
 std::string clearance_svg(const ClearanceAnswer& answer, const FreeSpace& space, const VoronoiRoadmap& map,
-                          const std::string& title) {
+                          const std::string& title, const std::vector<EndMove>& moves) {
   if (answer.status == SearchStatus::found && answer.query.kind == Kind::tradeoff)
-    return front_picture(answer, space, title);
-  SvgPicture picture = picture_of(answer, title);
+    return front_picture(answer, space, title, moves);
+  SvgPicture picture = picture_of(answer, title, moves);
   picture.diagram = &map;
   return svg(space, picture);
 }
 
-std::string passage_svg(const Passage& passage, const FreeSpace& space, const std::string& title) {
+std::string passage_svg(const Passage& passage, const FreeSpace& space, const std::string& title,
+                        const std::vector<EndMove>& moves) {
   SvgPicture picture;
   picture.title = title;
   picture.start = passage.start;
+  picture.moves = moves;
   picture.goal.point = passage.goal;
   if (passage.radius)
     picture.facts.push_back(fmt::format("a disc of radius {} {}", number_text(*passage.radius),

@@ -35,8 +35,9 @@ std::size_t columns_for(Point size) { return size.x > 2 * size.y ? 2 : 3; }
 
 class Sheet {
  public:
-  Sheet(const Comparison& comparison, const FreeSpace& space, const std::string& title)
-      : comparison_(comparison), space_(space) {
+  Sheet(const Comparison& comparison, const FreeSpace& space, const std::string& title,
+        const std::vector<EndMove>& moves)
+      : comparison_(comparison), space_(space), moves_(moves) {
     for (const PlannerRuns& p : comparison.planners)
       if (!p.runs.empty()) panels_.push_back(&p);
     const Point whole = SvgLayers::size(space.world(), 1);
@@ -77,6 +78,7 @@ class Sheet {
     facts.push_back(comparison_.optimum   ? "shortest path " + length_text(*comparison_.optimum)
                     : comparison_.is_shut ? "no path"
                                           : "no path found");
+    for (const EndMove& move : moves_) facts.push_back(end_move_text(move));
     facts.push_back(count_text(panels_.size(), "planner"));
     facts.push_back(fmt::format("seed {}", comparison_.seed));
     if (comparison_.runs > 1) facts.push_back(fmt::format("{} runs of what is random", comparison_.runs));
@@ -167,6 +169,7 @@ class Sheet {
 
   const Comparison& comparison_;
   const FreeSpace& space_;
+  const std::vector<EndMove>& moves_;
   std::string title_;
   std::vector<const PlannerRuns*> panels_;
   std::size_t columns_ = 3;
@@ -179,8 +182,9 @@ class Sheet {
 
 }  // namespace
 
-std::string comparison_svg(const Comparison& comparison, const FreeSpace& space, const std::string& title) {
-  return Sheet(comparison, space, title).draw();
+std::string comparison_svg(const Comparison& comparison, const FreeSpace& space, const std::string& title,
+                           const std::vector<EndMove>& moves) {
+  return Sheet(comparison, space, title, moves).draw();
 }
 
 }  // namespace taut

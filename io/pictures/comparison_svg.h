@@ -4,6 +4,7 @@
 #include <string>
 
 #include <taut/geometry/free_space.h>
+#include <taut/io/results/end_moves.h>
 #include <taut/search/planners.h>
 
 namespace taut {
@@ -15,6 +16,7 @@ namespace taut {
 ///     pages within one HTML page must be of the same comparison). So is a roadmap that several planners share.
 ///  2. A roadmap of more than 6000 edges is left out, and its panel says so. Milestones are dots.
 ///  3. No times. Same input, same bytes.
-std::string comparison_svg(const Comparison& comparison, const FreeSpace& space, const std::string& title);
+std::string comparison_svg(const Comparison& comparison, const FreeSpace& space, const std::string& title,
+                           const std::vector<EndMove>& moves = {});
 
 }  // namespace taut

@@ -36,7 +36,8 @@ class Picture {
     out_ += layers_.openings() + layers_.walls() + layers_.lines("separation", what_.separation) +
             layers_.lines("gates", what_.gates);
     shades();
-    out_ += layers_.lines("guides", what_.guides) + layers_.discs(what_.discs);
+    out_ += layers_.lines("guides", what_.guides) + layers_.lines("moves", end_move_lines(what_.moves)) +
+            layers_.discs(what_.discs);
     path();
     marker("start", what_.start);
     marker("goal", goal_point());
@@ -69,6 +70,7 @@ class Picture {
     if (!what_.separation.empty()) add("separation");
     if (!what_.gates.empty()) add("gates");
     if (!what_.guides.empty()) add("guides");
+    if (!what_.moves.empty()) add("moves");
     if (!what_.views.empty()) add("views");
     if (!what_.discs.empty()) add("discs");
     if (roadmap_is_drawn() || diagram_is_drawn()) add("roadmap");
@@ -82,6 +84,7 @@ class Picture {
 
   std::vector<std::string> facts() const {
     std::vector<std::string> facts = what_.facts;
+    for (const EndMove& move : what_.moves) facts.push_back(end_move_text(move));
     if (what_.roadmap && what_.roadmap->edge_count() > kSvgRoadmapEdges)
       facts.push_back(fmt::format("roadmap of {} edges not drawn", what_.roadmap->edge_count()));
     if (what_.diagram && !diagram_is_drawn())

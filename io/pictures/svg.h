@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <taut/geometry/free_space.h>
+#include <taut/io/results/end_moves.h>
 #include <taut/roadmaps/roadmap.h>
 #include <taut/roadmaps/voronoi.h>
 #include <taut/search/arc_path.h>
@@ -64,6 +65,7 @@ struct SvgPicture {
   bool milestones = false;                  ///< the roadmap's vertices are dots, also those joined to nothing
   std::vector<SvgDisc> discs{};             ///< the robot, below the path
   std::vector<SvgLabelKey> label_keys{};
+  std::vector<EndMove> moves{};  ///< of start and goal: dashed, from where they were given
 };
 
 /// The picture as one SVG 1.1 document, north up.
@@ -74,10 +76,9 @@ struct SvgPicture {
 ///  2. Groups, bottom to top, absent when they have nothing to show: `solid` (where the reference point cannot be),
 ///     `free` (polygons with holes), `rooms` (the goal's), `views`, `roadmap`, `milestones`, `openings`, `walls` (as
 ///     the world gives them: a line, or a bar as wide as it is thick), `separation`, `gates`, `shades`, `guides`,
-///     `discs`, `path` (a casing and
-///     the line), `start`, `goal`, `labels`, `runner`; beside them `legend`. Each is a <g> of that class under
-///     svg.taut, coloured by the <style> block alone; there are no ids, so pictures can share a page. Colours follow
-///     `prefers-color-scheme`.
+///     `moves`, `discs`, `path` (a casing and the line), `start`, `goal`, `labels`, `runner`; beside them
+///     `legend`. Each is a <g> of that class under svg.taut, coloured by the <style> block alone; there are no ids, so
+///     pictures can share a page. Colours follow `prefers-color-scheme`.
 ///  3. Each group is a few <path> elements with relative, rounded coordinates: about 4 bytes a corner. A roadmap of
 ///     more than kSvgRoadmapEdges edges is left out and the legend says so.
 ///  4. All text is escaped; bytes that are no UTF-8 become U+FFFD. Same input, same bytes.

@@ -16,7 +16,10 @@ void add_path(Json& json, const ArcAnswer& answer) {
   const ArcPath& path = answer.result.path;
   json["length"] = path.value();
   json["length_interval"] = {path.length.lo, path.length.hi};
-  json["optimal"] = true;
+  if (answer.within)
+    json["within"] = *answer.within;
+  else
+    json["optimal"] = true;
   json["corners"] = path.bends.size();
   json["verified"] = answer.verified;
   Json bends = Json::array(), arcs = Json::array(), points = Json::array({path.start});

@@ -16,17 +16,18 @@ struct ArcAnswer {
   double radius = 0;
   ArcSearchResult result{};
   bool verified = false;
+  std::optional<double> within{};   ///< rounding_bound, where crossings were rounded
   std::optional<ArcPinch> pinch{};  ///< of the path found, where it passes between two walls
   Barrier barrier{};                ///< why there is none
 };
 
-/// One JSON object. Keys, in this order: when found: length, length_interval [lo, hi], optimal (true: no way is shorter
-/// by more than the enclosures are wide), corners (how many bends), verified, bends [[x, y, turn], ...] (exactly what
-/// the path is: tangent to these circles, turn 1 counter-clockwise, -1 clockwise, 0 through the point), arcs [[centre
-/// x, centre y, from x, from y, to x, to y, turn, sweep in radians], ...] (rounded), points [[x, y], ...] (ends and
-/// tangent points, rounded), pinch null or {at: [x, y], posts: [[x, y], [x, y]], width, width_text} (the narrowest gate
-/// that the
-/// path passes, and where); when none: barrier {walls, gates}; always: start, goal, robot.
+/// One JSON object. Keys, in this order: when found: length, length_interval [lo, hi], optimal (true: no way is
+/// shorter by more than the enclosures are wide) or in its place within, as in result_json.h, corners (how many
+/// bends), verified, bends [[x, y, turn], ...] (exactly what the path is: tangent to these circles, turn 1
+/// counter-clockwise, -1 clockwise, 0 through the point), arcs [[centre x, centre y, from x, from y, to x, to y,
+/// turn, sweep in radians], ...] (rounded), points [[x, y], ...] (ends and tangent points, rounded), pinch null or
+/// {at: [x, y], posts: [[x, y], [x, y]], width, width_text} (the narrowest gate that the path passes, and where);
+/// when none: barrier {walls, gates}; always: start, goal, robot.
 Json arc_json(const ArcAnswer& answer);
 
 }  // namespace taut

@@ -25,17 +25,25 @@ void add_path(Json& json, const PlanResult& result) {
   json["length"] = length.value();
   json["length_text"] = length.decimals(15);
   json["length_interval"] = {length.interval().lo, length.interval().hi};
-  json["optimal"] = result.optimal;
+  if (result.optimal && result.within)
+    json["within"] = *result.within;
+  else
+    json["optimal"] = result.optimal;
   json["points"] = result.path.points;
   json["corners"] = corner_count(result.path.points, result.uncertainty);
   json["clearance"] = result.clearance && std::isfinite(*result.clearance) ? Json(*result.clearance) : Json();
   json["verified"] = result.verified;
 }
 
+void add_none(Json& json, const PlanResult& result) {
+  json["separation"] = result.separation;
+  if (result.within) json["within"] = *result.within;
+}
+
 void add_outcome(Json& json, const PlanResult& result) {
   switch (result.status) {
     case SearchStatus::found: return add_path(json, result);
-    case SearchStatus::none: json["separation"] = result.separation; return;
+    case SearchStatus::none: return add_none(json, result);
     case SearchStatus::stopped:
       if (!result.path.points.empty()) add_path(json, result);
   }

@@ -26,6 +26,7 @@ struct PlanResult {
   Goal goal;
   Footprint robot;
   std::string roadmap = "visibility";  ///< its kind
+  std::optional<double> within;        ///< rounding_bound, where crossings were rounded
   bool optimal = true;                 ///< does this roadmap hold the shortest path in the plane?
   double wall_thickness = 0;           ///< the largest of the world
   double displacement = 0;             ///< FreeSpaceReport
@@ -48,13 +49,16 @@ struct PlanResult {
 ///  length_text     the exact length, correctly rounded to 15 decimals
 ///  length_interval [lo, hi], doubles that enclose the exact length
 ///  optimal         true when this is the shortest path in the plane, false when only in the roadmap or not proven
+///  within          in its place where crossings of walls had to be rounded and it would be true: no path that stays
+///                  this far from obstacles is shorter, and this one goes through none deeper than that
 ///  points          [[x, y], ...] from start to goal
-///  corners         how often the path bends: corner_count with the world's uncertainty
+///  corners         how often the path bends (corner_count, with the world's uncertainty), whatever points it is made of
 ///  clearance       least distance of the path to an obstacle, 0 when it touches one; null when it was not verified or
 ///                  there is no obstacle
 ///  verified        true when the independent check accepted the path
 /// when none:
 ///  separation      [[[x1, y1], [x2, y2]], ...] the walls between start and goal, in order around one of them
+///  within          where crossings of walls had to be rounded: there is no path that stays this far from obstacles
 /// always:
 ///  start           [x, y]; null when not known yet
 ///  goal            {"point": [x, y]}, {"room": [[xmin, ymin, xmax, ymax], ...]} or null

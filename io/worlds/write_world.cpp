@@ -1,14 +1,14 @@
 #include <taut/io/worlds/write_world.h>
 
 #include <taut/geometry/errors.h>
+#include <taut/io/worlds/detail/cells_of_world.h>
 
 namespace taut {
 
 namespace {
 
-const GridMaze& grid_of(const World& world, Format format) {
-  if (world.grid()) return *world.grid();
-  throw InputError("", 0, std::string(name(format)) + " can only hold grid mazes, and this world comes from no grid");
+GridMaze grid_of(const World& world, Format format) {
+  return world.grid() ? *world.grid() : detail::maze_of(world, name(format));
 }
 
 }  // namespace
@@ -22,10 +22,13 @@ std::string write_world(const World& world, Format format) {
     case Format::num: return write_num(grid_of(world, format));
     case Format::wkt: return write_wkt(world);
     case Format::geojson: return write_geojson(world);
-    case Format::movingai:
+    case Format::movingai: return write_movingai(world);
+    case Format::blocks: return write_blocks(world);
     case Format::ros_map:
     case Format::picture:
-    case Format::blocks: throw InputError("", 0, std::string(name(format)) + " can be read, not written");
+      throw InputError("", 0,
+                       std::string(name(format)) +
+                           " can be read, not written: of cells, movingai and blocks are; geojson holds every world");
   }
   return {};
 }

@@ -44,7 +44,15 @@ std::string write_wkt(const World& world);
 /// Everything; one feature an area, solid, run of walls of one thickness, start and goal.
 std::string write_geojson(const World& world);
 
-/// Any of these. For cell_values, drawing, maz and num the world must come from a grid whose walls are thin.
+/// Worlds that are nothing but unit cells from (0, 0) on, free or blocked, with a walled border; row 0 is at y = 0,
+/// as in what is read. No ends.
+std::string write_movingai(const World& world);
+
+/// The same with `#` and `.`, the last row at y = 0; start and goal in the middles of free cells.
+std::string write_blocks(const World& world);
+
+/// Any of these. For cell_values, drawing, maz and num the world must come from a grid whose walls are thin, or have
+/// walls along the sides of unit cells from (0, 0) on.
 std::string write_world(const World& world, Format format);
 
 }  // namespace taut

@@ -120,8 +120,9 @@ TEST(ShortestPath, ThrowsWhenAnEndIsNoPlaceToBe) {
   const auto message = [&](Point from, Point to) -> std::string {
     return test::refusal_of([&] { shortest_path(space, from, to); });
   };
-  EXPECT_EQ(message({3, 3}, {8, 8}), "start (3, 3) lies inside the obstacle at (2, 2)");
-  EXPECT_EQ(message({1, 1}, {11, 8}), "goal (11, 8) lies outside the world");
+  EXPECT_EQ(message({3, 3}, {8, 8}),
+            "start (3, 3) lies 1 inside the obstacle with the side from (2, 2) to (5, 2); nearest free point (2, 3)");
+  EXPECT_EQ(message({1, 1}, {11, 8}), "goal (11, 8) lies 1 outside the world; nearest free point (10, 8)");
 }
 
 TEST(ShortestPath, HasThePublishedLengthsInMazesOpenAtTwoCorners) {

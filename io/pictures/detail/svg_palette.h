@@ -20,7 +20,7 @@ namespace taut::detail {
 ///  | separation               | crimson       | the walls that leave no path                                  |
 ///  | gates                    | blue          | narrow places                                                 |
 ///  | roadmap, milestones      | pale blue     | ways that were considered, and where they meet                |
-///  | guides, openings, grid   | grey          | lines that help the eye                                       |
+///  | guides, moves, openings, grid | grey          | lines that help the eye                                       |
 std::string_view palette();
 
 }  // namespace taut::detail

@@ -16,6 +16,7 @@ std::string_view label(std::string_view key) {
   if (key == "solid") return "out of reach";
   if (key == "gates") return "narrow place";
   if (key == "guides") return "straight line";
+  if (key == "moves") return "an end, from where it was given";
   if (key == "views") return "in sight";
   if (key == "discs") return "the disc";
   if (key == "separation") return "walls between start and goal";

@@ -27,7 +27,7 @@ TEST_F(SolveArcs, AnswersWithTrueArcs) {
 TEST_F(SolveArcs, NamesTheWallThatIsTooNear) {
   const Outcome outcome = run_taut("solve " + kMaze + " --robot disc:0.51 --arcs");
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_THAT(outcome.err, HasSubstr("nearer than the disc's radius to the wall"));
+  EXPECT_THAT(outcome.err, HasSubstr("too near for the robot to the wall"));
 }
 
 TEST_F(SolveArcs, SaysWhichGapIsTooNarrow) {

@@ -79,8 +79,9 @@ TEST_F(Batch, SpeaksJsonLines) {
   EXPECT_EQ(json::parse(outcome.out.substr(0, end)),
             json::parse(R"({"line": 1, "status": "found", "length": 4.0, "expected": 4.0, "matches": true,
                             "path": [[0.5, 0.5], [4.5, 0.5]]})"));
-  EXPECT_EQ(json::parse(outcome.out.substr(end)),
-            json::parse(R"({"line": 2, "status": "blocked", "blocked": "start"})"));
+  EXPECT_EQ(
+      json::parse(outcome.out.substr(end)),
+      json::parse(R"({"line": 2, "status": "blocked", "blocked": "start", "nearest": [1.0, 1.5], "distance": 0.5})"));
 }
 
 TEST_F(Batch, SumsUpInTheEnvelope) {

@@ -192,7 +192,7 @@ TEST(WriteWorld, RefusesWhatAFormatCannotHold) {
   const World plan = read_world("POLYGON ((0 0, 4 0, 4 4, 0 0))");
   EXPECT_EQ(refusal([&] { return write_segments(plan); }), "segments cannot hold floor plans; use geojson");
   EXPECT_EQ(refusal([&] { return write_world(plan, Format::drawing); }),
-            "drawing can only hold grid mazes, and this world comes from no grid");
+            "drawing cannot hold a world without limits, or one of floor plans");
   const World solid = read_world("POLYGON ((0 0, 4 0, 4 4, 0 0))", {.polygons = ReadOptions::Polygons::obstacles});
   EXPECT_EQ(refusal([&] { return write_segments(solid); }), "segments cannot hold solid polygons; use geojson");
   EXPECT_EQ(refusal([&] { return write_wkt(read_world("0 0 1 0 0.5")); }),

@@ -1,0 +1,14 @@
+// Paths in JSON and GeoJSON. Private.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <taut/io/worlds/read_path.h>
+
+namespace taut::detail {
+
+/// See read_path().
+ClaimedPath read_path_json(std::string_view bytes, const std::string& source);
+
+}  // namespace taut::detail

@@ -1,0 +1,147 @@
+#include <taut/io/worlds/detail/path_json.h>
+
+#include <cmath>
+
+#include <taut/geometry/world.h>
+#include <taut/io/worlds/detail/json_tree.h>
+#include <taut/io/worlds/detail/text_input.h>
+
+namespace taut::detail {
+
+namespace {
+
+using Kind = JsonTree::Kind;
+
+constexpr int kLegs = 64;  // a curve
+
+class Reader {
+ public:
+  explicit Reader(const std::string& source) : source_(source) {}
+
+  ClaimedPath read(const JsonTree& file) {
+    if (const JsonTree* type = file.find("type"); type && type->kind == Kind::string) return geojson(file);
+    const JsonTree* const result = file.find("result");
+    const JsonTree& json = result ? *result : file;
+    if (json.kind == Kind::array) return {points(json), {}, false, {}};
+    ClaimedPath path;
+    if (const JsonTree* length = json.find("length"); length && length->kind == Kind::number)
+      path.length = length->number;
+    if (const JsonTree* bends = json.find("bends"); bends && bends->kind == Kind::array)
+      path.arcs = arcs(json, *bends, path.length.value_or(0));
+    if (const JsonTree* curves = json.find("curves"); curves && curves->kind == Kind::array) {
+      path.points = along(*curves);
+      path.approximate = true;
+    } else {
+      path.points = points(list_of(json));
+    }
+    return path;
+  }
+
+ private:
+  [[noreturn]] void fail(const JsonTree& at, const std::string& message) const {
+    Place{source_, at.line}.fail(message);
+  }
+
+  const JsonTree& list_of(const JsonTree& json) const {
+    for (const char* name : {"points", "path"})
+      if (const JsonTree* list = json.find(name); list && list->kind != Kind::null) {
+        if (list->kind != Kind::array) fail(*list, "the points are not a list");
+        return *list;
+      }
+    const bool several = json.find("tradeoff") != nullptr;
+    fail(json, several ? "holds several paths, in \"tradeoff\"" : "holds no path: there are no \"points\"");
+  }
+
+  double coordinate(const JsonTree& json) const {
+    if (json.kind != Kind::number) fail(json, "a coordinate is no number");
+    if (!(std::abs(json.number) <= World::kLargest)) fail(json, "a coordinate is beyond 1e+75");
+    return json.number;
+  }
+
+  Point point(const JsonTree& json, bool more = false) const {
+    if (json.kind != Kind::array || json.items.size() < 2 || (!more && json.items.size() > 2))
+      fail(json, "a point is not written as [x, y]");
+    return {coordinate(json.items[0]), coordinate(json.items[1])};
+  }
+
+  std::vector<Point> points(const JsonTree& list, bool more = false) const {
+    std::vector<Point> result;
+    for (const JsonTree& item : list.items) result.push_back(point(item, more));
+    return result;
+  }
+
+  const JsonTree& member(const JsonTree& json, const char* name) const {
+    const JsonTree* found = json.find(name);
+    if (!found) fail(json, std::string("there is no \"") + name + "\" beside the bends");
+    return *found;
+  }
+
+  ArcPath arcs(const JsonTree& json, const JsonTree& bends, double length) const {
+    ArcPath path;
+    const JsonTree& goal = member(json, "goal");
+    path.start = point(member(json, "start"));
+    path.goal = point(goal.kind == Kind::array ? goal : member(goal, "point"));
+    path.radius = coordinate(member(member(json, "robot"), "radius"));
+    for (const JsonTree& bend : bends.items) {
+      if (bend.kind != Kind::array || bend.items.size() != 3) fail(bend, "a bend is not written as [x, y, turn]");
+      const double turn = coordinate(bend.items[2]);
+      if (turn != 0 && std::abs(turn) != 1) fail(bend, "a bend's turn is none of 1, -1 and 0");
+      path.bends.push_back({{coordinate(bend.items[0]), coordinate(bend.items[1])}, static_cast<int>(turn)});
+    }
+    path.length = {length, length};
+    return path;
+  }
+
+  std::vector<Point> along(const JsonTree& curves) const {
+    std::vector<Point> result;
+    for (const JsonTree& item : curves.items) {
+      const std::vector<Point> c = points(item);
+      if (c.size() != 3) fail(item, "a curve is not written as three points");
+      if (result.empty()) result.push_back(c[0]);
+      for (int k = 1; k < kLegs; ++k) {
+        const double t = static_cast<double>(k) / kLegs, s = 1 - t;
+        result.push_back({s * s * c[0].x + 2 * s * t * c[1].x + t * t * c[2].x,
+                          s * s * c[0].y + 2 * s * t * c[1].y + t * t * c[2].y});
+      }
+      result.push_back(c[2]);
+    }
+    return result;
+  }
+
+  ClaimedPath geojson(const JsonTree& file) {
+    find_lines(file, nullptr);
+    if (found_.size() != 1)
+      fail(file, found_.empty() ? "holds no path: there is no LineString"
+                                : "holds " + std::to_string(found_.size()) + " paths");
+    return std::move(found_.front());
+  }
+
+  void find_lines(const JsonTree& json, const JsonTree* properties) {
+    const JsonTree* const type = json.find("type");
+    if (!type) return;
+    for (const char* name : {"features", "geometries"})
+      if (const JsonTree* items = json.find(name))
+        for (const JsonTree& item : items->items) find_lines(item, properties);
+    if (const JsonTree* geometry = json.find("geometry")) find_lines(*geometry, json.find("properties"));
+    const JsonTree* const coordinates = json.find("coordinates");
+    if (!coordinates || (type->string != "LineString" && type->string != "Point")) return;
+    ClaimedPath path;
+    path.points = type->string == "Point" ? std::vector{point(*coordinates, true)} : points(*coordinates, true);
+    if (const JsonTree* length = properties ? properties->find("length") : nullptr;
+        length && length->kind == Kind::number)
+      path.length = length->number;
+    path.approximate = properties && properties->find("tolerance");
+    found_.push_back(std::move(path));
+  }
+
+  const std::string& source_;
+  std::vector<ClaimedPath> found_;
+};
+
+}  // namespace
+
+ClaimedPath read_path_json(std::string_view bytes, const std::string& source) {
+  return Reader(source).read(parse_json(bytes, source));
+}
+
+}  // namespace taut::detail
