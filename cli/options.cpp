@@ -43,7 +43,8 @@ Option add(CommandLine& app, const std::string& name, Value& value, Parse parse,
 ReadOptions::Polygons polygons_of(const std::string& text) {
   if (text == "free") return ReadOptions::Polygons::free;
   if (text == "obstacles") return ReadOptions::Polygons::obstacles;
-  refuse(text, "free or obstacles");
+  if (text == "nested") return ReadOptions::Polygons::nested;
+  refuse(text, "free, obstacles or nested");
 }
 
 double thickness_of(const std::string& text) {
@@ -157,7 +158,8 @@ Option add_world_options(CommandLine& app, WorldOptions& options) {
       .type_name("NAME")
       .group("World");
   add(app, "--polygons", options.read.polygons, polygons_of,
-      "What wkt and geojson polygons without a role are: free (default) or obstacles")
+      "What wkt and geojson polygons without a role are: free (default), obstacles, or nested: free, but one inside "
+      "another is a hole")
       .type_name("WHAT")
       .group("World");
   const auto parse_thickness = [](const std::string& text) { return std::optional(thickness_of(text)); };
@@ -175,6 +177,12 @@ Option add_world_options(CommandLine& app, WorldOptions& options) {
       .type_name("R")
       .group("World");
   app.add_flag("--unknown-free", options.read.unknown_is_free, "Cells of a ROS map that nobody knows are free")
+      .group("World");
+  app.add_flag_callback(
+         "--repair", [&read = options.read] { read.crossings = Crossings::even_odd; },
+         "Read what has no one meaning, too: rings that cross themselves by the even-odd rule, holes over an outline "
+         "as "
+         "the outline without them, rings that are not closed as if they were")
       .group("World");
   return file;
 }

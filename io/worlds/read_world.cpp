@@ -11,9 +11,12 @@
 #include <memory>
 #include <utility>
 
+#include <taut/geometry/mend_rings.h>
+#include <taut/geometry/nested_areas.h>
 #include <taut/geometry/occupancy_world.h>
 #include <taut/io/worlds/detail/formats.h>
 #include <taut/io/worlds/detail/text_input.h>
+#include <taut/io/worlds/detail/wkt_table.h>
 #include <taut/io/worlds/gzip.h>
 #include <taut/io/worlds/movingai.h>
 #include <taut/io/worlds/raster.h>
@@ -56,17 +59,6 @@ std::string first_word(std::string_view line) {
   return word;
 }
 
-bool begins_wkt(const std::string& word) {
-  static constexpr std::array<std::string_view, 9> kinds{"POINT",        "LINEARRING",         "LINESTRING",
-                                                         "POLYGON",      "MULTIPOINT",         "MULTILINESTRING",
-                                                         "MULTIPOLYGON", "GEOMETRYCOLLECTION", "SRID"};
-  return std::any_of(kinds.begin(), kinds.end(), [&](std::string_view kind) {
-    if (!word.starts_with(kind)) return false;
-    const std::string_view rest = std::string_view(word).substr(kind.size());
-    return rest.empty() || rest == "Z" || rest == "M" || rest == "ZM";
-  });
-}
-
 std::size_t count_fields(std::string_view line) {
   std::size_t n = 0;
   bool inside = false;
@@ -83,7 +75,7 @@ std::optional<Format> format_of_line(std::string_view line) {
   if (line[0] == '{' || line[0] == '[' || line[0] == '\x1e') return Format::geojson;
   if (detail::is_row_of_posts(line)) return Format::drawing;
   const std::string word = first_word(line);
-  if (begins_wkt(word)) return Format::wkt;
+  if (detail::begins_wkt(line)) return Format::wkt;
   if (word == "TYPE" || word == "HEIGHT" || word == "WIDTH") return Format::movingai;
   if (word == "START" || word == "GOAL" || word == "BOUNDARY") return Format::segments;
   const bool number =
@@ -116,6 +108,10 @@ void require_maz(std::string_view bytes, const std::string& source) {
   }
 }
 
+bool looks_like_wkb(std::string_view bytes) {
+  return bytes.size() > 8 && bytes[0] == 1 && bytes[1] >= 1 && bytes[1] <= 7 && bytes[2] == 0 && bytes[3] == 0;
+}
+
 void check_not_utf16(std::string_view bytes, const std::string& source) {
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
     throw InputError(source, 0, "text in UTF-16; save it as UTF-8");
@@ -139,6 +135,23 @@ World read_ros_map(std::string_view bytes, const ReadOptions& options) {
   const std::string file = (std::filesystem::path(options.folder) / info.image).string();
   const Raster raster = read_raster(read_bytes(file), detail::printable_name(file));
   return ros_world(occupancy(raster, info, options.unknown_is_free), info, options.source);
+}
+
+void say_nested(const std::vector<Area>& areas, ReadNotes& notes) {
+  const std::vector<NestedArea> nested = nested_areas(areas);
+  if (nested.empty()) return;
+  const auto line = [&](std::size_t i) { return "line " + std::to_string(areas[i].line); };
+  notes.remarks.push_back(line(nested[0].inner) + ": polygon lies wholly in that of " + line(nested[0].outer) +
+                          ", which is free already, and changes nothing (--polygons nested makes it a hole)" +
+                          detail::more_like_it(nested.size() - 1));
+}
+
+World read_shapes(WorldParts parts, const ReadOptions& options, ReadNotes& notes) try {
+  for (std::string& remark : mend_rings(parts, options.crossings)) notes.remarks.push_back(std::move(remark));
+  say_nested(parts.areas, notes);
+  return World(std::move(parts));
+} catch (const AmbiguousRing& ring) {
+  throw InputError({}, 0, ring.what() + (" (--repair: " + ring.even_odd() + ")"));
 }
 
 std::string drain(std::istream& in) {
@@ -174,10 +187,14 @@ Format detect_format(std::string_view bytes, const std::string& source) {
       require_maz(bytes, source);
       return Format::maz;
     }
+    if (looks_like_wkb(bytes)) throw InputError(source, 0, "holds a geometry as WKB: write it as WKT");
     throw InputError(
         source, 0,
         "binary data of " + std::to_string(bytes.size()) + " bytes; the only binary format, .maz, has 256 or 1024");
   }
+  if (detail::has_hex_wkb_column(bytes))
+    throw InputError(source, 0, "holds geometries as WKB in hexadecimal: write them as WKT (ST_AsText, .wkt, to_wkt)");
+  if (detail::wkt_column(bytes)) return Format::wkt;
   if (detail::looks_like_blocks(bytes)) return Format::blocks;
   if (looks_like_ros_map(bytes)) return Format::ros_map;
   bool comment = false;
@@ -200,13 +217,13 @@ World read_world(std::string_view bytes, const ReadOptions& options, ReadNotes* 
   ReadNotes& seen = notes ? *notes : local;
   seen = {options.format ? *options.format : detect_format(bytes, options.source), 0, {}};
   switch (seen.format) {
-    case Format::segments: return World(detail::read_segments(bytes, options.source));
+    case Format::segments: return read_shapes(detail::read_segments(bytes, options.source), options, seen);
     case Format::cell_values: return read_grid(detail::read_cell_values(bytes, options.source), options);
     case Format::drawing: return read_grid(detail::read_drawing(bytes, options.source, seen.unknown_walls), options);
     case Format::maz: return read_grid(detail::read_maz(bytes, options.source), options);
     case Format::num: return read_grid(detail::read_num(bytes, options.source), options);
-    case Format::wkt: return World(detail::read_wkt(bytes, options, seen));
-    case Format::geojson: return World(detail::read_geojson(bytes, options, seen));
+    case Format::wkt: return read_shapes(detail::read_wkt(bytes, options, seen), options, seen);
+    case Format::geojson: return read_shapes(detail::read_geojson(bytes, options, seen), options, seen);
     case Format::ros_map: return read_ros_map(bytes, options);
     case Format::picture: return read_picture(bytes, options);
     case Format::blocks: return World(detail::read_blocks(bytes, options.source));

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <taut/geometry/mend_rings.h>
 #include <taut/geometry/world.h>
 
 namespace taut {
@@ -19,12 +20,12 @@ namespace taut {
 ///  segments     `x1 y1 x2 y2 [thickness]` per wall, separated by blanks or a comma; `#` starts a comment. At most one
 ///               line each of `start X Y`; `goal X Y`, or a room of boxes `goal XMIN YMIN XMAX YMAX ...`;
 ///               `boundary XMIN YMIN XMAX YMAX`, or a ring `boundary X1 Y1 X2 Y2 X3 Y3 ...` (Boundary::limit).
-///  cell_values  line 1: n, even, 2..256; then n lines of n values 0..15 separated by commas: line x is column x, from
+///  cell_values  line 1: n, 2..256; then n lines of n values 0..15 separated by commas: line x is column x, from
 ///               the left, its entry y the cell at height y, from the bottom. A value is the sum of the open sides: 1
 ///               up, 2 right, 4 down, 8 left. Neighbours agree, the border is closed. Lines that begin with `#` are
 ///               comments.
 ///  drawing      posts `o` or `+`, walls `---` and `|`; `S` start and `G` goal cells; 2h + 1 lines of 4w + 1
-///               characters, first line = north. Missing ends of lines count as blank. What follows a row after a
+///               characters, first line = north; or cells of any other size, the same all over: `+--+`. Missing ends of lines count as blank. What follows a row after a
 ///               blank, or the drawing after its last row of posts, is a comment, as are lines before it that begin
 ///               with `#`, `/`, `*` or `;`. `.` or ` . ` is a wall nobody has looked at: read as open, on the border as
 ///               closed (ReadNotes counts them).
@@ -56,6 +57,10 @@ namespace taut {
 ///               `X`) goal; or a matrix of 0 (free) and 1 (blocked), with or without blanks, commas and brackets. Rows
 ///               from the top, 1 unit a cell, y up; ends are the middles of their cells; short rows end in free cells.
 ///
+/// Broken rings that mean one thing are taken so, with a remark (mend_rings.h); those that cross, and those whose last
+/// point is not their first, need ReadOptions::crossings. A floor plan wholly in another one changes nothing and is told
+/// in a remark.
+///
 /// Of drawing, maz and num: without S the start is the bottom left cell; without G the goal is the room in the middle,
 /// 2 cells wide in an even direction and 1 in an odd one, unless the border has exactly two openings: then the world
 /// goes from the one to the other.
@@ -72,14 +77,16 @@ struct ReadOptions {
   enum class Polygons {
     free,       ///< floor plans: the world is their union (Boundary::walled)
     obstacles,  ///< solids
+    nested,     ///< floor plans by the even-odd rule over all: one inside another is a hole (mend_rings.h)
   };
-  std::optional<Format> format{};      ///< absent: by content
-  Polygons polygons = Polygons::free;  ///< what wkt and geojson polygons without a role are
-  double cell_size = 1;                ///< of grid mazes, > 0
-  std::optional<double> resolution{};  ///< of a picture alone: metres a pixel, > 0
-  bool unknown_is_free = false;        ///< of ros_map: cells between the thresholds
-  std::string folder{};                ///< where files lie that the bytes name; read_world_file sets it
-  std::string source{};                ///< file name for messages
+  std::optional<Format> format{};           ///< absent: by content
+  Polygons polygons = Polygons::free;       ///< what wkt and geojson polygons without a role are
+  Crossings crossings = Crossings::refuse;  ///< even_odd: rings that cross are read, too, and open ones closed
+  double cell_size = 1;                     ///< of grid mazes, > 0
+  std::optional<double> resolution{};       ///< of a picture alone: metres a pixel, > 0
+  bool unknown_is_free = false;             ///< of ros_map: cells between the thresholds
+  std::string folder{};                     ///< where files lie that the bytes name; read_world_file sets it
+  std::string source{};                     ///< file name for messages
 };
 
 /// What reading met that a World does not keep.
