@@ -1,5 +1,7 @@
 #include <taut/io/worlds/read_world.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -129,12 +131,16 @@ World read_picture(std::string_view bytes, const ReadOptions& options) {
   return ros_world(occupancy(read_raster(bytes, options.source), info, options.unknown_is_free), info, options.source);
 }
 
-World read_ros_map(std::string_view bytes, const ReadOptions& options) {
+World read_ros_map(std::string_view bytes, const ReadOptions& options, ReadNotes& notes) {
   RosMapInfo info = read_ros_map_info(bytes, options.source);
   if (options.resolution) info.resolution = *options.resolution;
   const std::string file = (std::filesystem::path(options.folder) / info.image).string();
   const Raster raster = read_raster(read_bytes(file), detail::printable_name(file));
-  return ros_world(occupancy(raster, info, options.unknown_is_free), info, options.source);
+  const OccupancyGrid grid = occupancy(raster, info, options.unknown_is_free);
+  if (info.yaw != 0)
+    notes.remarks.push_back(fmt::format("turned by the map's yaw, {}; corners are off by at most {:.0e} m", info.yaw,
+                                        turning_error(grid, info)));
+  return ros_world(grid, info, options.source);
 }
 
 void say_nested(const std::vector<Area>& areas, ReadNotes& notes) {
@@ -224,7 +230,7 @@ World read_world(std::string_view bytes, const ReadOptions& options, ReadNotes* 
     case Format::num: return read_grid(detail::read_num(bytes, options.source), options);
     case Format::wkt: return read_shapes(detail::read_wkt(bytes, options, seen), options, seen);
     case Format::geojson: return read_shapes(detail::read_geojson(bytes, options, seen), options, seen);
-    case Format::ros_map: return read_ros_map(bytes, options);
+    case Format::ros_map: return read_ros_map(bytes, options, seen);
     case Format::picture: return read_picture(bytes, options);
     case Format::blocks: return World(detail::read_blocks(bytes, options.source));
     case Format::movingai: return world_of(read_movingai_map(bytes, options.source), options.source);
