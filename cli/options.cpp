@@ -128,7 +128,8 @@ Footprint footprint_of(const std::string& text) {
 
 Format format_of(const std::string& text) {
   const std::optional<Format> format = format_named(text);
-  if (!format) refuse(text, "one of segments, cells, drawing, maz, num, wkt, geojson, movingai, ros, picture, blocks");
+  if (!format)
+    refuse(text, "one of segments, cells, drawing, maz, num, wkt, geojson, movingai, ros, picture, blocks, svg");
   return *format;
 }
 
@@ -152,13 +153,13 @@ Option add_world_options(CommandLine& app, WorldOptions& options) {
   Option file = app.add_option("FILE", options.file, "The world to read; - is standard input").required();
   const auto parse_format = [](const std::string& text) { return std::optional(format_of(text)); };
   add(app, "--format", options.read.format, parse_format,
-      "What FILE is written in: segments, cells, drawing, maz, num, wkt, geojson, movingai, ros, picture, blocks "
+      "What FILE is written in: segments, cells, drawing, maz, num, wkt, geojson, movingai, ros, picture, blocks, svg "
       "(default: found out from "
       "its content)")
       .type_name("NAME")
       .group("World");
   add(app, "--polygons", options.read.polygons, polygons_of,
-      "What wkt and geojson polygons without a role are: free (default), obstacles, or nested: free, but one inside "
+      "What polygons without a role are: free (default), obstacles, or nested: free, but one inside "
       "another is a hole")
       .type_name("WHAT")
       .group("World");

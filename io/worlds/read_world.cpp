@@ -28,7 +28,7 @@ namespace taut {
 
 namespace {
 
-constexpr std::array<std::pair<Format, std::string_view>, 11> kNames{{
+constexpr std::array<std::pair<Format, std::string_view>, 12> kNames{{
     {Format::segments, "segments"},
     {Format::cell_values, "cells"},
     {Format::drawing, "drawing"},
@@ -40,6 +40,7 @@ constexpr std::array<std::pair<Format, std::string_view>, 11> kNames{{
     {Format::ros_map, "ros"},
     {Format::picture, "picture"},
     {Format::blocks, "blocks"},
+    {Format::svg, "svg"},
 }};
 
 bool is_text(std::string_view bytes) {
@@ -74,6 +75,7 @@ std::size_t count_fields(std::string_view line) {
 
 // Of a line that says something.
 std::optional<Format> format_of_line(std::string_view line) {
+  if (line.starts_with("<?xml") || line.starts_with("<svg") || line.starts_with("<!")) return Format::svg;
   if (line[0] == '{' || line[0] == '[' || line[0] == '\x1e') return Format::geojson;
   if (detail::is_row_of_posts(line)) return Format::drawing;
   const std::string word = first_word(line);
@@ -232,6 +234,7 @@ World read_world(std::string_view bytes, const ReadOptions& options, ReadNotes* 
     case Format::geojson: return read_shapes(detail::read_geojson(bytes, options, seen), options, seen);
     case Format::ros_map: return read_ros_map(bytes, options, seen);
     case Format::picture: return read_picture(bytes, options);
+    case Format::svg: return read_shapes(detail::read_svg(bytes, options, seen), options, seen);
     case Format::blocks: return World(detail::read_blocks(bytes, options.source));
     case Format::movingai: return world_of(read_movingai_map(bytes, options.source), options.source);
   }

@@ -57,6 +57,11 @@ namespace taut {
 ///               `X`) goal; or a matrix of 0 (free) and 1 (blocked), with or without blanks, commas and brackets. Rows
 ///               from the top, 1 unit a cell, y up; ends are the middles of their cells; short rows end in free cells.
 ///
+///  svg          a drawing: `line` and `polyline` are walls, `polygon`, `rect` and closed pieces of a `path` are polygons
+///               without a role, or walls where nothing fills them (`fill` is `none`); pieces of one path are holes in
+///               each other. Transforms count, widths and heights of strokes do not; y downwards. Texts and images are
+///               left out with a remark; curves, circles, round corners, `use` are refused by name.
+///
 /// Broken rings that mean one thing are taken so, with a remark (mend_rings.h); those that cross, and those whose last
 /// point is not their first, need ReadOptions::crossings. A floor plan wholly in another one changes nothing and is told
 /// in a remark.
@@ -64,10 +69,10 @@ namespace taut {
 /// Of drawing, maz and num: without S the start is the bottom left cell; without G the goal is the room in the middle,
 /// 2 cells wide in an even direction and 1 in an odd one, unless the border has exactly two openings: then the world
 /// goes from the one to the other.
-enum class Format { segments, cell_values, drawing, maz, num, wkt, geojson, movingai, ros_map, picture, blocks };
+enum class Format { segments, cell_values, drawing, maz, num, wkt, geojson, movingai, ros_map, picture, blocks, svg };
 
 /// The word for it in options: `segments`, `cells`, `drawing`, `maz`, `num`, `wkt`, `geojson`, `movingai`, `ros`,
-/// `picture`, `blocks`.
+/// `picture`, `blocks`, `svg`.
 std::string_view name(Format format);
 /// Nothing for any other word.
 std::optional<Format> format_named(std::string_view word);
@@ -80,7 +85,7 @@ struct ReadOptions {
     nested,     ///< floor plans by the even-odd rule over all: one inside another is a hole (mend_rings.h)
   };
   std::optional<Format> format{};           ///< absent: by content
-  Polygons polygons = Polygons::free;       ///< what wkt and geojson polygons without a role are
+  Polygons polygons = Polygons::free;       ///< what polygons without a role are
   Crossings crossings = Crossings::refuse;  ///< even_odd: rings that cross are read, too, and open ones closed
   double cell_size = 1;                     ///< of grid mazes, > 0
   std::optional<double> resolution{};       ///< of a picture alone: metres a pixel, > 0

@@ -25,7 +25,8 @@ std::string write_world(const World& world, Format format) {
     case Format::movingai:
     case Format::ros_map:
     case Format::picture:
-    case Format::blocks: throw InputError("", 0, std::string(name(format)) + " can be read, not written");
+    case Format::blocks:
+    case Format::svg: throw InputError("", 0, std::string(name(format)) + " can be read, not written");
   }
   return {};
 }

@@ -75,7 +75,7 @@ TEST_F(RosMap, SaysThatItIsTurned) {
   const Outcome run = run_taut("solve " + map("resolution: 1\norigin: [1, 2, 0.5]\n") +
                                " --from 0.7196530,3.5560866 --to 3.3524007,4.9943632");
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_NE(run.out.find("3.414213"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("3.414214"), std::string::npos) << run.out;
   EXPECT_NE(run.err.find("turned by the map's yaw, 0.5; corners are off by at most 1e-14 m"), std::string::npos)
       << run.err;
 }
