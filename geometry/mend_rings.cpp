@@ -5,8 +5,8 @@
 #include <utility>
 
 #include <taut/geometry/detail/coordinate_gate.h>
-#include <taut/geometry/detail/polygon_validation.h>
 #include <taut/geometry/detail/polygon_mend.h>
+#include <taut/geometry/detail/polygon_validation.h>
 
 namespace taut {
 

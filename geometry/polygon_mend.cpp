@@ -7,8 +7,8 @@
 
 #include <taut/geometry/detail/noding.h>
 #include <taut/geometry/detail/outline_rings.h>
-#include <taut/geometry/text.h>
 #include <taut/geometry/detail/triangulate.h>
+#include <taut/geometry/text.h>
 
 namespace taut::detail {
 

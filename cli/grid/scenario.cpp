@@ -68,7 +68,7 @@ class Tally {
     ++run_;
     steps_ += result.steps;
     cost_ += cost;
-    if (found ? agrees(cost, scenario) : result.status == GridStatus::none && scenario.says_none()) return;
+    if (found ? agrees(cost, scenario) : result.status == SearchStatus::none && scenario.says_none()) return;
     if (found && agrees(single_precision(result.cost), scenario)) {
       ++single_;
       return;

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <string>
 
-#include <taut/geometry/text.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/point.h>
+#include <taut/geometry/text.h>
 #include <taut/geometry/world.h>
 
 namespace taut::detail {

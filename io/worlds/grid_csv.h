@@ -18,9 +18,9 @@ struct GridTask {
 };
 
 /// `start,row,column` and `goal,row,column` (from 0, padded with empty fields), either or both of which may be missing,
-/// then rows of 0 (free) and 1 (blocked), the top row first. CRLF, blank lines, blanks around fields and empty fields at line ends are fine. Throws InputError
-/// with line and culprit: a line out of place, a number that is none, a row shorter or longer than the
-/// first, a value other than 0 and 1, start or goal outside or blocked.
+/// then rows of 0 (free) and 1 (blocked), the top row first. CRLF, blank lines, blanks around fields and empty fields
+/// at line ends are fine. Throws InputError with line and culprit: a line out of place, a number that is none, a row
+/// shorter or longer than the first, a value other than 0 and 1, start or goal outside or blocked.
 GridTask read_grid_csv(std::string_view text, const std::string& source);
 
 /// Reads back the same. Precondition: start and goal are there.

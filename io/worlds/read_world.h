@@ -25,10 +25,10 @@ namespace taut {
 ///               up, 2 right, 4 down, 8 left. Neighbours agree, the border is closed. Lines that begin with `#` are
 ///               comments.
 ///  drawing      posts `o` or `+`, walls `---` and `|`; `S` start and `G` goal cells; 2h + 1 lines of 4w + 1
-///               characters, first line = north; or cells of any other size, the same all over: `+--+`. Missing ends of lines count as blank. What follows a row after a
-///               blank, or the drawing after its last row of posts, is a comment, as are lines before it that begin
-///               with `#`, `/`, `*` or `;`. `.` or ` . ` is a wall nobody has looked at: read as open, on the border as
-///               closed (ReadNotes counts them).
+///               characters, first line = north; or cells of any other size, all alike: `+--+`. Missing ends of lines
+///               count as blank. What follows a row after a blank, or the drawing after its last row of posts, is a
+///               comment, as are lines before it that begin with `#`, `/`, `*` or `;`. `.` or ` . ` is a wall nobody
+///               has looked at: read as open, on the border as closed (ReadNotes counts them).
 ///  maz          256 (16 x 16) or 1024 (32 x 32) bytes, byte x * size + y, bits 0 up, 1 right, 2 down, 3 left, 1 =
 ///               wall; high bits are ignored. Neighbours agree.
 ///  num          `X Y N E S W` per line, 1 = wall, every cell once, any order. Neighbours agree.
@@ -57,14 +57,14 @@ namespace taut {
 ///               `X`) goal; or a matrix of 0 (free) and 1 (blocked), with or without blanks, commas and brackets. Rows
 ///               from the top, 1 unit a cell, y up; ends are the middles of their cells; short rows end in free cells.
 ///
-///  svg          a drawing: `line` and `polyline` are walls, `polygon`, `rect` and closed pieces of a `path` are polygons
+///  svg          a drawing: `line` and `polyline` are walls, `polygon`, `rect`, closed pieces of a `path` are polygons
 ///               without a role, or walls where nothing fills them (`fill` is `none`); pieces of one path are holes in
 ///               each other. Transforms count, widths and heights of strokes do not; y downwards. Texts and images are
 ///               left out with a remark; curves, circles, round corners, `use` are refused by name.
 ///
 /// Broken rings that mean one thing are taken so, with a remark (mend_rings.h); those that cross, and those whose last
-/// point is not their first, need ReadOptions::crossings. A floor plan wholly in another one changes nothing and is told
-/// in a remark.
+/// point is not their first, need ReadOptions::crossings. A floor plan wholly in another one changes nothing: a remark
+/// says so.
 ///
 /// Of drawing, maz and num: without S the start is the bottom left cell; without G the goal is the room in the middle,
 /// 2 cells wide in an even direction and 1 in an odd one, unless the border has exactly two openings: then the world

@@ -43,8 +43,8 @@ class Shapes {
 
   /// Of points that say nothing of themselves, when there are no ends: are two start and goal, is one the start?
   enum class Alone { two, one_or_two };
-  /// All of it, rings as they were given. Other points that say nothing of themselves are left out, with a remark, as are doors that lie on no
-  /// wall.
+  /// All of it, rings as they were given. Other points that say nothing of themselves are left out, with a remark, as
+  /// are doors that lie on no wall.
   WorldParts take(Alone ends, ReadNotes& notes);
 
  private:

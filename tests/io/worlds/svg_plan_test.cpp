@@ -40,7 +40,7 @@ TEST(SvgPlan, LinesAreWallsAndFilledShapesFloorPlans) {
   ASSERT_EQ(world.walls().size(), 3U);
   EXPECT_EQ(world.walls()[2].a, (Point{3, 4}));
   EXPECT_EQ(world.walls()[2].line, 4);
-  EXPECT_EQ(shortest_path(FreeSpace(world), {0.5, 1}, {{Point{1.5, 1}}, {}})->length.decimals(4), "2.8944");
+  EXPECT_EQ(shortest_path(FreeSpace(world), {0.5, 1}, {{Point{1.5, 1}}, {}})->length.decimals(4), "3.2361");
 }
 
 TEST(SvgPlan, WhatNothingFillsIsWalls) {
