@@ -44,7 +44,8 @@ Option add(CommandLine& app, const std::string& name, Value& value, Parse parse,
 ReadOptions::Polygons polygons_of(const std::string& text) {
   if (text == "free") return ReadOptions::Polygons::free;
   if (text == "obstacles") return ReadOptions::Polygons::obstacles;
-  refuse(text, "free or obstacles");
+  if (text == "nested") return ReadOptions::Polygons::nested;
+  refuse(text, "free, obstacles or nested");
 }
 
 double thickness_of(const std::string& text) {
@@ -135,7 +136,8 @@ Footprint footprint_of(const std::string& text) {
 
 Format format_of(const std::string& text) {
   const std::optional<Format> format = format_named(text);
-  if (!format) refuse(text, "one of segments, cells, drawing, maz, num, wkt, geojson, movingai, ros, picture, blocks");
+  if (!format)
+    refuse(text, "one of segments, cells, drawing, maz, num, wkt, geojson, movingai, ros, picture, blocks, svg");
   return *format;
 }
 
@@ -159,13 +161,14 @@ Option add_world_options(CommandLine& app, WorldOptions& options) {
   Option file = app.add_option("FILE", options.file, "The world to read; - is standard input").required();
   const auto parse_format = [](const std::string& text) { return std::optional(format_of(text)); };
   add(app, "--format", options.read.format, parse_format,
-      "What FILE is written in: segments, cells, drawing, maz, num, wkt, geojson, movingai, ros, picture, blocks "
+      "What FILE is written in: segments, cells, drawing, maz, num, wkt, geojson, movingai, ros, picture, blocks, svg "
       "(default: found out from "
       "its content)")
       .type_name("NAME")
       .group("World");
   add(app, "--polygons", options.read.polygons, polygons_of,
-      "What wkt and geojson polygons without a role are: free (default) or obstacles")
+      "What polygons without a role are: free (default), obstacles, or nested: free, but one inside "
+      "another is a hole")
       .type_name("WHAT")
       .group("World");
   const auto parse_thickness = [](const std::string& text) { return std::optional(thickness_of(text)); };
@@ -188,6 +191,12 @@ Option add_world_options(CommandLine& app, WorldOptions& options) {
       .type_name("T|auto|0")
       .group("World");
   app.add_flag("--unknown-free", options.read.unknown_is_free, "Cells of a ROS map that nobody knows are free")
+      .group("World");
+  app.add_flag_callback(
+         "--repair", [&read = options.read] { read.crossings = Crossings::even_odd; },
+         "Read what has no one meaning, too: rings that cross themselves by the even-odd rule, holes over an outline "
+         "as "
+         "the outline without them, rings that are not closed as if they were")
       .group("World");
   return file;
 }

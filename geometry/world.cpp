@@ -4,10 +4,11 @@
 #include <cmath>
 #include <utility>
 
+#include <taut/geometry/detail/coordinate_gate.h>
 #include <taut/geometry/detail/implied_area.h>
 #include <taut/geometry/detail/outline.h>
-#include <taut/geometry/detail/polygon_validation.h>
 #include <taut/geometry/detail/room_cut.h>
+#include <taut/geometry/mend_rings.h>
 #include <taut/geometry/text.h>
 #include <taut/geometry/written.h>
 
@@ -15,47 +16,7 @@ namespace taut {
 
 namespace {
 
-// Throws InputErrors about one line of one source.
-class Gate {
- public:
-  Gate(const std::string& source, int line) : source_(source), line_(line) {}
-
-  void admit(double value) const {
-    if (!(std::abs(value) <= World::kLargest)) refuse(value);
-    if (value != 0 && std::abs(value) < World::kSmallest) refuse_small(value);
-  }
-  void admit(Point p) const {
-    admit(p.x);
-    admit(p.y);
-  }
-  void admit(const Ring& ring) const {
-    for (Point p : ring) admit(p);
-  }
-  void admit(const Polygon& polygon) const {
-    admit(polygon.outer);
-    for (const Ring& hole : polygon.holes) admit(hole);
-  }
-  void admit_thickness(double t) const {
-    admit(t);
-    if (t < 0) throw InputError(source_, line_, "wall thickness " + text(t) + " is negative");
-  }
-
- private:
-  [[noreturn]] void refuse(double value) const {
-    const char* why = std::isfinite(value) ? " is beyond " : " is not a finite number";
-    throw InputError(source_, line_,
-                     "coordinate " + text(value) + why + (std::isfinite(value) ? text(World::kLargest) : ""));
-  }
-
-  [[noreturn]] void refuse_small(double value) const {
-    throw InputError(source_, line_,
-                     "coordinate " + text(value) + " is nearer to 0 than " + text(World::kSmallest) +
-                         ": write the world in a smaller unit");
-  }
-
-  const std::string& source_;
-  int line_;
-};
+using Gate = detail::CoordinateGate;
 
 Ring ring_of(const Box& b) { return {b.min, {b.max.x, b.min.y}, b.max, {b.min.x, b.max.y}}; }
 
@@ -72,13 +33,6 @@ void admit_walls(const WorldParts& parts) {
     gate.admit(wall.a);
     gate.admit(wall.b);
     gate.admit_thickness(wall.thickness);
-  }
-}
-
-void admit_areas(std::vector<Area>& areas, const std::string& source) {
-  for (Area& area : areas) {
-    Gate(source, area.line).admit(area.polygon);
-    detail::admit(area.polygon, source, area.line);
   }
 }
 
@@ -130,8 +84,7 @@ bool end_at_openings(WorldParts& parts, const std::vector<Segment>& openings) {
 
 World::World(WorldParts parts) : parts_(std::move(parts)) {
   admit_walls(parts_);
-  admit_areas(parts_.areas, parts_.source);
-  admit_areas(parts_.solids, parts_.source);
+  mend_rings(parts_);
   admit_ends(parts_);
   dropped_walls_ = drop_points(parts_.walls);
   if (parts_.walls.empty() && parts_.areas.empty() && parts_.solids.empty())

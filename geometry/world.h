@@ -22,7 +22,7 @@ struct Wall {
   int line = 0;  ///< where the input file says so, from 1; 0: unknown
 };
 
-/// A polygon and where it came from. Any orientation; rings are simple (checked by World) and may touch.
+/// A polygon and where it came from. Any orientation; World takes it as mend_rings (mend_rings.h) says.
 struct Area {
   Polygon polygon;
   int line = 0;

@@ -28,9 +28,11 @@ bool is_movingai(std::string_view text) {
   return text.substr(0, text.find('\n')).find("type") != std::string_view::npos;
 }
 
-// In its first line.
+// A drawing's first line has none; `0, 1, 0` of a csv may.
 bool has_blanks(std::string_view text) {
-  return text.substr(0, text.find('\n')).find_first_of(" \t") != std::string_view::npos;
+  const std::string_view line = text.substr(0, text.find('\n'));
+  return line.find_first_of(" \t") != std::string_view::npos &&
+         line.find_first_not_of("01, \t\r") != std::string_view::npos;
 }
 
 /// The place, which must be free.

@@ -2,6 +2,8 @@
 // maze?
 #include <fmt/format.h>
 
+#include <optional>
+
 #include <taut/cli/command_line.h>
 #include <taut/cli/mouse/mouse.h>
 #include <taut/cli/report.h>
@@ -19,7 +21,7 @@ using micromouse::MazeRules;
 struct CheckOptions {
   MazeOptions maze;
   CommonOptions common;
-  MazeRules rules = MazeRules::competition;
+  std::optional<MazeRules> rules;  // when given
   std::string certificate;
 };
 
@@ -34,7 +36,7 @@ void add_options(CommandLine& app, CheckOptions& options) {
   add_maze_options(app, options.maze);
   app.add_option_function(
          "--rules", [&options](const std::string& word) { options.rules = rules_of(word); },
-         "Whose rules (default: competition)")
+         "Whose rules (default: competition; free-posts where a side has 12 or 14 cells)")
       .type_name("NAME");
   app.add_option("--certificate", options.certificate, "Check this file of `taut mouse run --certificate` instead")
       .type_name("FILE");
@@ -45,6 +47,11 @@ void add_options(CommandLine& app, CheckOptions& options) {
   app.explain("Rules", {{"competition", "16 x 16 or 32 x 32; up to 16 a side every post carries a wall"},
                         {"free-posts", "12, 14 or 16 a side; posts may stand free"}});
   app.example("taut mouse check maze.maz --certificate proof.json");
+}
+
+MazeRules rules_for(const CheckOptions& options, const GridMaze& maze) {
+  if (options.rules) return *options.rules;
+  return maze.width() == 12 || maze.width() == 14 ? MazeRules::free_posts : MazeRules::competition;
 }
 
 /// `yes` is the word for what it should be; `remark` goes with it.
@@ -75,9 +82,13 @@ int run(const CheckOptions& options, Run& run) {
   run.source(options.maze.file);
   if (!options.certificate.empty()) return check_proof(options, run);
   const MouseMaze read = run.stage("read", [&] { return read_grid_maze(options.maze.file, options.maze.format); });
-  auto faults = run.stage("check", [&] { return micromouse::violations(read.maze, options.rules); });
+  const MazeRules rules = rules_for(options, read.maze);
+  auto faults = run.stage("check", [&] { return micromouse::violations(read.maze, rules); });
   if (read.unknown_walls > 0) faults.push_back(count_text(read.unknown_walls, "wall") + " of the drawing unknown");
-  return tell(run, read.name, "legal", fmt::format(", {} x {}", read.maze.width(), read.maze.height()), faults);
+  return tell(run, read.name, "legal",
+              fmt::format(", {} x {}{}", read.maze.width(), read.maze.height(),
+                          rules == MazeRules::free_posts ? ", posts may stand free" : ""),
+              faults);
 }
 
 }  // namespace

@@ -23,16 +23,14 @@ class Winding {
   Winding(const Mesh& mesh, std::span<const Edge> edges)
       : mesh_(mesh), tri_(mesh.triangulation), edges_(edges), winding_(tri_.triangles.size(), kUnknown) {}
 
-  std::vector<std::uint8_t> free_triangles() {
+  std::vector<int> numbers(int outside) {
     for (std::uint32_t t = 0; t < tri_.triangles.size(); ++t)
       for (int i = 0; i < 3; ++i)
         if (tri_.neighbours[t][i] == kNone) {
-          set(t, 1 - change(t, i));
+          set(t, outside - change(t, i));
           spread();
         }
-    std::vector<std::uint8_t> free(winding_.size());
-    for (std::size_t t = 0; t < free.size(); ++t) free[t] = winding_[t] == 0;
-    return free;
+    return std::move(winding_);
   }
 
  private:
@@ -124,8 +122,15 @@ void find_sectors(Triangulation& tri) {
 
 }  // namespace
 
+std::vector<int> winding_numbers(const Mesh& mesh, std::span<const Edge> edges, int outside) {
+  return Winding(mesh, edges).numbers(outside);
+}
+
 void classify(Mesh& mesh, std::span<const Edge> edges) {
-  mesh.triangulation.free = Winding(mesh, edges).free_triangles();
+  const std::vector<int> winding = winding_numbers(mesh, edges, 1);
+  std::vector<std::uint8_t>& free = mesh.triangulation.free;
+  free.resize(winding.size());
+  for (std::size_t t = 0; t < free.size(); ++t) free[t] = winding[t] == 0;
   find_sectors(mesh.triangulation);
 }
 

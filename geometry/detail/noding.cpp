@@ -76,8 +76,9 @@ std::vector<Edge> unite_equal(std::vector<Edge> pieces) {
 /// One round of splitting.
 class Splitting {
  public:
-  Splitting(const std::vector<Edge>& pieces, const DecimalUnit& unit, std::span<const Point> fixed, Noded& log)
-      : pieces_(pieces), unit_(unit), fixed_(fixed), cuts_(), log_(log) {}
+  Splitting(const std::vector<Edge>& pieces, const DecimalUnit& unit, std::span<const Point> fixed, Rounding rounding,
+            Noded& log)
+      : pieces_(pieces), unit_(unit), fixed_(fixed), rounding_(rounding), cuts_(), log_(log) {}
 
   /// Was a crossing no pair of doubles? Then the pieces have moved and may meet anew.
   bool rounded() const { return rounded_; }
@@ -175,7 +176,7 @@ class Splitting {
     ++log_.crossings;
     if (s.a.x == s.b.x && t.a.y == t.b.y) return {s.a.x, t.a.y};
     if (t.a.x == t.b.x && s.a.y == s.b.y) return {t.a.x, s.a.y};
-    if (s.turn == 0 && t.turn == 0)
+    if (rounding_ == Rounding::nearest || (s.turn == 0 && t.turn == 0))
       if (const auto quick = quick_crossing(segment(s), segment(t), unit_))
         return rounded_to(quick->point, quick->displacement);
     const ExactPoint exact = line_crossing(segment(s), segment(t));
@@ -193,13 +194,15 @@ class Splitting {
   Point round(const ExactPoint& exact, const Edge& s, const Edge& t) const {
     std::vector<Segment> outlines;
     for (const Edge& c : {s, t})
-      if (c.turn != 0) outlines.push_back(c.turn > 0 ? segment(c) : Segment{c.b, c.a});
+      if (c.turn != 0 && rounding_ == Rounding::outward)
+        outlines.push_back(c.turn > 0 ? segment(c) : Segment{c.b, c.a});
     return outlines.empty() ? unit_.nearest(exact) : round_outward(exact, outlines, unit_);
   }
 
   const std::vector<Edge>& pieces_;
   const DecimalUnit& unit_;
   std::span<const Point> fixed_;
+  Rounding rounding_;
   std::vector<Cut> cuts_;
   Noded& log_;
   bool rounded_ = false;
@@ -207,13 +210,13 @@ class Splitting {
 
 }  // namespace
 
-Noded node(std::vector<Edge> edges, const DecimalUnit& unit, std::span<const Point> fixed) {
+Noded node(std::vector<Edge> edges, const DecimalUnit& unit, std::span<const Point> fixed, Rounding rounding) {
   Noded result;
   std::erase_if(edges, [](const Edge& c) { return c.a == c.b; });
   for (Edge& c : edges) c = ordered(c);
   std::vector<Edge> pieces = unite_equal(merge_runs(std::move(edges)));
   for (int round = 0; round < kRounds; ++round) {
-    Splitting splitting(pieces, unit, fixed, result);
+    Splitting splitting(pieces, unit, fixed, rounding, result);
     const bool contacts = splitting.find();
     if (contacts) pieces = unite_equal(splitting.split());
     if (!contacts || !splitting.rounded()) {

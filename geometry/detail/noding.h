@@ -27,13 +27,20 @@ struct Noded {
   double displacement = 0;    ///< the largest distance of one from its exact place
 };
 
+/// Where a crossing that is no pair of doubles goes.
+enum class Rounding {
+  outward,  ///< of obstacles: to the nearest between walls, else to the side of lower winding numbers
+  nearest,  ///< to the nearest
+};
+
 /// Splits edges wherever they cross, touch or overlap; of edges on one another the turns are added up.
 ///
-/// A crossing is constructed exactly, then rounded to `unit`: to the nearest between walls, else to the side of lower
-/// winding numbers. Rounding can make edges meet anew; the splitting is repeated until nothing meets. An edge that
-/// bends at a rounded crossing still passes through those of the `fixed` points that lie on it. Closed chains stay
-/// closed, so winding numbers stay defined. Walls on one axis-parallel line are merged first into maximal runs.
+/// A crossing is constructed exactly, then rounded to `unit` as `rounding` says. Rounding can make edges meet anew;
+/// the splitting is repeated until nothing meets. An edge that bends at a rounded crossing still passes through those
+/// of the `fixed` points that lie on it. Closed chains stay closed, so winding numbers stay defined. Walls on one
+/// axis-parallel line are merged first into maximal runs.
 /// O((n + k) log n), n edges with k contacts. Throws TooFine when 32 rounds are not enough.
-Noded node(std::vector<Edge> edges, const DecimalUnit& unit, std::span<const Point> fixed = {});
+Noded node(std::vector<Edge> edges, const DecimalUnit& unit, std::span<const Point> fixed = {},
+           Rounding rounding = Rounding::outward);
 
 }  // namespace taut::detail

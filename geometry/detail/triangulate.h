@@ -21,6 +21,10 @@ struct Mesh {
 /// expected.
 Mesh triangulate(std::span<const Edge> edges);
 
+/// The winding number of each triangle: `outside` beyond the hull, and it changes by an edge's turn across it.
+/// Precondition: the edges' turns form closed chains (std::logic_error otherwise). O(n).
+std::vector<int> winding_numbers(const Mesh& mesh, std::span<const Edge> edges, int outside);
+
 /// Tells free from solid: outside the hull the winding number is 1, it changes by an edge's turn across it, and a
 /// triangle is free where it is 0. Finds the sectors. Precondition: the edges' turns form closed chains
 /// (std::logic_error otherwise).

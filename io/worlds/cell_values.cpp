@@ -18,9 +18,7 @@ bool next_content(Lines& lines) {
 int read_size(Lines& lines, const std::string& source) {
   if (!next_content(lines)) throw InputError(source, 0, "file is empty");
   const Place place{source, lines.number()};
-  const int n = whole(trimmed(lines.line()), 2, kLargestSize, "maze size", place);
-  if (n % 2 != 0) place.fail("maze size " + std::to_string(n) + " is odd");
-  return n;
+  return whole(trimmed(lines.line()), 2, kLargestSize, "maze size", place);
 }
 
 // The file's bits are up, right, down, left, 1 = open: Side's order.

@@ -6,6 +6,7 @@
 
 #include <taut/geometry/errors.h>
 #include <taut/io/worlds/detail/text_input.h>
+#include <taut/io/worlds/movingai.h>
 #include <taut/io/worlds/read_world.h>
 
 namespace taut {
@@ -27,7 +28,7 @@ bool is_section_n(std::string_view line) {
 
 FileKind kind_of_first(const std::string& line) {
   if (line.starts_with("taut roadmap ")) return FileKind::saved_roadmap;
-  if (line.starts_with("version")) return FileKind::scenarios;
+  if (line.starts_with("version") || looks_like_scenario(line)) return FileKind::scenarios;
   if (line.starts_with("start,") || line.starts_with("goal,")) return FileKind::grid_csv;
   if (is_section_n(line)) return FileKind::cost_map;
   return FileKind::unknown;

@@ -145,18 +145,18 @@ class GeoJson {
   void add_outline(Polygon& polygon, const Properties& p, int line) {
     polygon.holes.push_back(std::move(polygon.outer));
     for (Ring& ring : polygon.holes) {
+      if (ring.empty()) continue;
       ring.push_back(ring.front());
       shapes_.add_walls(ring, p.thickness, line);
     }
   }
 
-  Polygon rings(const JsonTree& value) const {
+  Polygon rings(const JsonTree& value) {
     if (value.kind != JsonTree::Kind::array || value.items.empty())
       fail(value, "the coordinates of a polygon are an array of rings");
     Polygon result;
     for (const JsonTree& item : value.items) {
-      Ring ring = chain(item);
-      open_up(ring, {source_, item.line});
+      Ring ring = shapes_.ring(chain(item), item.line);
       if (&item == &value.items.front())
         result.outer = std::move(ring);
       else

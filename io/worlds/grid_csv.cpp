@@ -46,8 +46,14 @@ class CsvReader {
   CsvReader(std::string_view text, const std::string& source) : lines_(text), source_(source) {}
 
   GridTask read() {
-    const int start_line = end("start", task_.start), goal_line = end("goal", task_.goal);
-    while (next()) row();
+    int start_line = 0, goal_line = 0;
+    while (next())
+      if (begins("start") && !task_.start)
+        start_line = end("start", task_.start);
+      else if (begins("goal") && !task_.goal)
+        goal_line = end("goal", task_.goal);
+      else
+        row();
     if (task_.grid.height == 0) throw InputError(source_, 0, "has no rows of cells");
     require_free(task_, task_.start, "start", {source_, start_line});
     require_free(task_, task_.goal, "goal", {source_, goal_line});
@@ -61,11 +67,11 @@ class CsvReader {
     return false;
   }
 
-  int end(const char* word, std::optional<GridPlace>& where) {
-    if (!next()) throw InputError(source_, 0, fmt::format("has no line '{},row,column'", word));
+  bool begins(std::string_view word) const { return task_.grid.height == 0 && fields_of(lines_.line())[0] == word; }
+
+  int end(const char* word, std::optional<GridPlace>& where) const {
     const Place place{source_, lines_.number()};
     const auto fields = fields_of(lines_.line());
-    if (fields[0] != word) place.fail(fmt::format("{} where '{}' should be", quoted(fields[0]), word));
     if (fields.size() != 3)
       place.fail(fmt::format("'{}' wants a row and a column, not {} values", word, fields.size() - 1));
     const auto number = [&](std::size_t i, const char* what) {
@@ -151,7 +157,8 @@ GridTask read_grid(std::string_view text, const std::string& source) {
   }
   const std::string_view first = detail::trimmed(lines.line());
   if (first.starts_with("type")) return {read_movingai_map(text, source), {}, {}};
-  if (first.starts_with("start") || first.starts_with("goal")) return read_grid_csv(text, source);
+  if (first.starts_with("start") || first.starts_with("goal") || first.find(',') != std::string_view::npos)
+    return read_grid_csv(text, source);
   return read_grid_drawing(text, source);
 }
 

@@ -17,10 +17,10 @@ struct GridTask {
   std::optional<GridPlace> goal;
 };
 
-/// `start,row,column` and `goal,row,column` (from 0, padded with empty fields), then rows of 0 (free) and 1 (blocked),
-/// the top row first. CRLF, blank lines, blanks around fields and empty fields at line ends are fine. Throws InputError
-/// with line and culprit: a line missing or out of place, a number that is none, a row shorter or longer than the
-/// first, a value other than 0 and 1, start or goal outside or blocked.
+/// `start,row,column` and `goal,row,column` (from 0, padded with empty fields), either or both of which may be missing,
+/// then rows of 0 (free) and 1 (blocked), the top row first. CRLF, blank lines, blanks around fields and empty fields
+/// at line ends are fine. Throws InputError with line and culprit: a line out of place, a number that is none, a row
+/// shorter or longer than the first, a value other than 0 and 1, start or goal outside or blocked.
 GridTask read_grid_csv(std::string_view text, const std::string& source);
 
 /// Reads back the same. Precondition: start and goal are there.
@@ -30,8 +30,8 @@ std::string grid_csv_text(const GridTask& task);
 /// length. Throws InputError.
 GridTask read_grid_drawing(std::string_view text, const std::string& source);
 
-/// Any of the above or a MovingAI map, by content: `type` begins a map, `start` or `goal` a csv, anything else a
-/// drawing.
+/// Any of the above or a MovingAI map, by content: `type` begins a map; `start`, `goal` or a line with commas a csv,
+/// anything else a drawing.
 GridTask read_grid(std::string_view text, const std::string& source);
 
 }  // namespace taut

@@ -156,6 +156,22 @@ void restore_zeros(std::vector<Scenario>& scenarios) {
 
 double Scenario::unit() const { return std::pow(10.0, -std::min(places, 15)); }
 
+bool Scenario::says_none() const { return optimal == 0 && (start_column != goal_column || start_row != goal_row); }
+
+bool looks_like_scenario(std::string_view line) {
+  static const std::string nowhere;
+  const Place place{nowhere, 0};
+  detail::Fields fields(line, place);
+  std::string_view field;
+  int n = 0;
+  if (line.find(',') != std::string_view::npos) return false;
+  for (; fields.next(field); ++n) {
+    const bool is_number = field.find_first_not_of("0123456789.") == std::string_view::npos;
+    if (n < 8 && is_number == (n == 1)) return false;
+  }
+  return n == 9;
+}
+
 Scenario movingai_scenario(std::string_view line, const std::string& source, int number, ScenarioPlaces places) {
   const Place place{source, number};
   ScenarioLine in(line, place);
@@ -196,12 +212,21 @@ OccupancyGrid read_movingai_map(std::string_view text, const std::string& source
   return MapReader(text, source).read();
 }
 
+OccupancyGrid scaled(const OccupancyGrid& grid, std::uint32_t w, std::uint32_t h) {
+  OccupancyGrid result{w, h, {}};
+  result.blocked.reserve(std::size_t{w} * h);
+  for (std::uint64_t y = 0; y < h; ++y)
+    for (std::uint64_t x = 0; x < w; ++x)
+      result.blocked.push_back(grid.blocked[y * grid.height / h * grid.width + x * grid.width / w]);
+  return result;
+}
+
 std::vector<Scenario> read_movingai_scenarios(std::string_view text, const std::string& source) {
   std::vector<Scenario> scenarios;
   bool versioned = false;
   for (Lines lines(text); lines.next();) {
     if (detail::trimmed(lines.line()).empty()) continue;
-    if (std::exchange(versioned, true))
+    if (std::exchange(versioned, true) || looks_like_scenario(lines.line()))
       scenarios.push_back(movingai_scenario(lines.line(), source, lines.number(), ScenarioPlaces::cells));
     else
       require_movingai_version(lines.line(), source, lines.number());

@@ -14,7 +14,11 @@ namespace taut {
 /// Reads a MovingAI map (`type octile`, `height`, `width`, `map`, rows; `.` `G` `S` free, `@` `O` `T` `W` blocked).
 /// Throws InputError.
 OccupancyGrid read_movingai_map(std::string_view text, const std::string& source);
-/// A line of a scenario: `bucket map width height start goal optimal`. Columns and rows, row 0 at the top.
+/// The map at another size, as its scenarios may ask for: cell (x, y) is that of the map at (x * width / w, y * height
+/// / h), rounded down. Preconditions: w and h above 0.
+OccupancyGrid scaled(const OccupancyGrid& grid, std::uint32_t w, std::uint32_t h);
+/// A line of a scenario: `bucket map width height start goal optimal`. Columns and rows, row 0 at the top; width and
+/// height are those of the map, or of what it is scaled to. The length 0 between two places says that there is none.
 struct Scenario {
   std::uint32_t bucket;
   std::string map;
@@ -28,8 +32,13 @@ struct Scenario {
 
   /// What one of the last of them is worth.
   double unit() const;
+  bool says_none() const;  ///< the length is 0, but the ends differ
 };
-/// A scenario file between cells (octile sets). Throws InputError with the line. O(bytes).
+/// Does this line look like one of a scenario file without `version 1`: nine fields, the
+/// second a name, the third to eighth numbers?
+bool looks_like_scenario(std::string_view line);
+/// A scenario file between cells (octile sets), with or without its first line. Throws InputError with the line.
+/// O(bytes).
 std::vector<Scenario> read_movingai_scenarios(std::string_view text, const std::string& source);
 /// What columns and rows are: of cells in the octile sets, of the corners of cells in the any-angle ones, where the
 /// map's far side is one more.

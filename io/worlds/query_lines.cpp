@@ -35,8 +35,13 @@ QueryLine corner_query(const Scenario& s, int number) {
   const auto point = [](std::uint32_t column, std::uint32_t row) {
     return Point{static_cast<double>(column), static_cast<double>(row)};
   };
-  return {point(s.start_column, s.start_row), point(s.goal_column, s.goal_row), true, s.optimal, number,
-          std::max(1e-6, 0.5 * s.unit()),     point(s.width, s.height)};
+  return {point(s.start_column, s.start_row),
+          point(s.goal_column, s.goal_row),
+          true,
+          s.says_none() ? std::nullopt : std::optional(s.optimal),
+          number,
+          std::max(1e-6, 0.5 * s.unit()),
+          point(s.width, s.height)};
 }
 
 }  // namespace
@@ -48,6 +53,7 @@ std::optional<QueryLine> QueryReader::read(std::string_view line, int number) {
     kind_ = Kind::scenario;
     return std::nullopt;
   }
+  if (kind_ == Kind::unknown && looks_like_scenario(text)) kind_ = Kind::scenario;
   if (kind_ == Kind::scenario) {
     if (text.empty()) return std::nullopt;
     return corner_query(movingai_scenario(text, source_, number, ScenarioPlaces::corners), number);

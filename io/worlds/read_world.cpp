@@ -1,5 +1,7 @@
 #include <taut/io/worlds/read_world.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -11,9 +13,12 @@
 #include <memory>
 #include <utility>
 
+#include <taut/geometry/mend_rings.h>
+#include <taut/geometry/nested_areas.h>
 #include <taut/geometry/occupancy_world.h>
 #include <taut/io/worlds/detail/formats.h>
 #include <taut/io/worlds/detail/text_input.h>
+#include <taut/io/worlds/detail/wkt_table.h>
 #include <taut/io/worlds/gzip.h>
 #include <taut/io/worlds/movingai.h>
 #include <taut/io/worlds/raster.h>
@@ -23,7 +28,7 @@ namespace taut {
 
 namespace {
 
-constexpr std::array<std::pair<Format, std::string_view>, 11> kNames{{
+constexpr std::array<std::pair<Format, std::string_view>, 12> kNames{{
     {Format::segments, "segments"},
     {Format::cell_values, "cells"},
     {Format::drawing, "drawing"},
@@ -35,6 +40,7 @@ constexpr std::array<std::pair<Format, std::string_view>, 11> kNames{{
     {Format::ros_map, "ros"},
     {Format::picture, "picture"},
     {Format::blocks, "blocks"},
+    {Format::svg, "svg"},
 }};
 
 bool is_text(std::string_view bytes) {
@@ -56,17 +62,6 @@ std::string first_word(std::string_view line) {
   return word;
 }
 
-bool begins_wkt(const std::string& word) {
-  static constexpr std::array<std::string_view, 9> kinds{"POINT",        "LINEARRING",         "LINESTRING",
-                                                         "POLYGON",      "MULTIPOINT",         "MULTILINESTRING",
-                                                         "MULTIPOLYGON", "GEOMETRYCOLLECTION", "SRID"};
-  return std::any_of(kinds.begin(), kinds.end(), [&](std::string_view kind) {
-    if (!word.starts_with(kind)) return false;
-    const std::string_view rest = std::string_view(word).substr(kind.size());
-    return rest.empty() || rest == "Z" || rest == "M" || rest == "ZM";
-  });
-}
-
 std::size_t count_fields(std::string_view line) {
   std::size_t n = 0;
   bool inside = false;
@@ -80,10 +75,11 @@ std::size_t count_fields(std::string_view line) {
 
 // Of a line that says something.
 std::optional<Format> format_of_line(std::string_view line) {
+  if (line.starts_with("<?xml") || line.starts_with("<svg") || line.starts_with("<!")) return Format::svg;
   if (line[0] == '{' || line[0] == '[' || line[0] == '\x1e') return Format::geojson;
   if (detail::is_row_of_posts(line)) return Format::drawing;
   const std::string word = first_word(line);
-  if (begins_wkt(word)) return Format::wkt;
+  if (detail::begins_wkt(line)) return Format::wkt;
   if (word == "TYPE" || word == "HEIGHT" || word == "WIDTH") return Format::movingai;
   if (word == "START" || word == "GOAL" || word == "BOUNDARY") return Format::segments;
   const bool number =
@@ -116,6 +112,10 @@ void require_maz(std::string_view bytes, const std::string& source) {
   }
 }
 
+bool looks_like_wkb(std::string_view bytes) {
+  return bytes.size() > 8 && bytes[0] == 1 && bytes[1] >= 1 && bytes[1] <= 7 && bytes[2] == 0 && bytes[3] == 0;
+}
+
 void check_not_utf16(std::string_view bytes, const std::string& source) {
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
     throw InputError(source, 0, "text in UTF-16; save it as UTF-8");
@@ -133,12 +133,25 @@ World read_picture(std::string_view bytes, const ReadOptions& options) {
   return ros_world(occupancy(read_raster(bytes, options.source), info, options.unknown_is_free), info, options.source);
 }
 
-World read_ros_map(std::string_view bytes, const ReadOptions& options) {
+World read_ros_map(std::string_view bytes, const ReadOptions& options, ReadNotes& notes) {
   RosMapInfo info = read_ros_map_info(bytes, options.source);
   if (options.resolution) info.resolution = *options.resolution;
   const std::string file = (std::filesystem::path(options.folder) / info.image).string();
   const Raster raster = read_raster(read_bytes(file), detail::printable_name(file));
-  return ros_world(occupancy(raster, info, options.unknown_is_free), info, options.source);
+  const OccupancyGrid grid = occupancy(raster, info, options.unknown_is_free);
+  if (info.yaw != 0)
+    notes.remarks.push_back(fmt::format("turned by the map's yaw, {}; corners are off by at most {:.0e} m", info.yaw,
+                                        turning_error(grid, info)));
+  return ros_world(grid, info, options.source);
+}
+
+void say_nested(const std::vector<Area>& areas, ReadNotes& notes) {
+  const std::vector<NestedArea> nested = nested_areas(areas);
+  if (nested.empty()) return;
+  const auto line = [&](std::size_t i) { return "line " + std::to_string(areas[i].line); };
+  notes.remarks.push_back(line(nested[0].inner) + ": polygon lies wholly in that of " + line(nested[0].outer) +
+                          ", which is free already, and changes nothing (--polygons nested makes it a hole)" +
+                          detail::more_like_it(nested.size() - 1));
 }
 
 // What the bytes say, as the options ask for it.
@@ -163,6 +176,16 @@ World joined(WorldParts parts, const ReadOptions& options, ReadNotes* notes) {
     if (!remark.empty()) notes->remarks.push_back(remark);
   notes->snap = std::move(snapped.report);
   return std::move(snapped.world);
+}
+
+// Rings of one meaning are taken for it; then what nearly touches is joined.
+World read_shapes(WorldParts parts, const ReadOptions& options, ReadNotes& seen,
+                  ReadNotes* notes) try {
+  for (std::string& remark : mend_rings(parts, options.crossings)) seen.remarks.push_back(std::move(remark));
+  say_nested(parts.areas, seen);
+  return joined(std::move(parts), options, notes);
+} catch (const AmbiguousRing& ring) {
+  throw InputError({}, 0, ring.what() + (" (--repair: " + ring.even_odd() + ")"));
 }
 
 std::string drain(std::istream& in) {
@@ -198,10 +221,14 @@ Format detect_format(std::string_view bytes, const std::string& source) {
       require_maz(bytes, source);
       return Format::maz;
     }
+    if (looks_like_wkb(bytes)) throw InputError(source, 0, "holds a geometry as WKB: write it as WKT");
     throw InputError(
         source, 0,
         "binary data of " + std::to_string(bytes.size()) + " bytes; the only binary format, .maz, has 256 or 1024");
   }
+  if (detail::has_hex_wkb_column(bytes))
+    throw InputError(source, 0, "holds geometries as WKB in hexadecimal: write them as WKT (ST_AsText, .wkt, to_wkt)");
+  if (detail::wkt_column(bytes)) return Format::wkt;
   if (detail::looks_like_blocks(bytes)) return Format::blocks;
   if (looks_like_ros_map(bytes)) return Format::ros_map;
   bool comment = false;
@@ -224,17 +251,18 @@ World read_world(std::string_view bytes, const ReadOptions& options, ReadNotes* 
   ReadNotes& seen = notes ? *notes : local;
   seen = {options.format ? *options.format : detect_format(bytes, options.source)};
   switch (seen.format) {
-    case Format::segments: return joined(detail::read_segments(bytes, options.source), options, notes);
+    case Format::segments: return read_shapes(detail::read_segments(bytes, options.source), options, seen, notes);
     case Format::cell_values:
       return changed(read_grid(detail::read_cell_values(bytes, options.source), options), options);
     case Format::drawing:
       return changed(read_grid(detail::read_drawing(bytes, options.source, seen.unknown_walls), options), options);
     case Format::maz: return changed(read_grid(detail::read_maz(bytes, options.source), options), options);
     case Format::num: return changed(read_grid(detail::read_num(bytes, options.source), options), options);
-    case Format::wkt: return joined(detail::read_wkt(bytes, options, seen), options, notes);
-    case Format::geojson: return joined(detail::read_geojson(bytes, options, seen), options, notes);
-    case Format::ros_map: return changed(read_ros_map(bytes, options), options);
+    case Format::wkt: return read_shapes(detail::read_wkt(bytes, options, seen), options, seen, notes);
+    case Format::geojson: return read_shapes(detail::read_geojson(bytes, options, seen), options, seen, notes);
+    case Format::ros_map: return changed(read_ros_map(bytes, options, seen), options);
     case Format::picture: return changed(read_picture(bytes, options), options);
+    case Format::svg: return read_shapes(detail::read_svg(bytes, options, seen), options, seen, notes);
     case Format::blocks: return joined(detail::read_blocks(bytes, options.source), options, notes);
     case Format::movingai: return changed(world_of(read_movingai_map(bytes, options.source), options.source), options);
   }

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include <taut/geometry/mend_rings.h>
 #include <taut/geometry/snap.h>
 #include <taut/geometry/world.h>
 
@@ -20,15 +21,15 @@ namespace taut {
 ///  segments     `x1 y1 x2 y2 [thickness]` per wall, separated by blanks or a comma; `#` starts a comment. At most one
 ///               line each of `start X Y`; `goal X Y`, or a room of boxes `goal XMIN YMIN XMAX YMAX ...`;
 ///               `boundary XMIN YMIN XMAX YMAX`, or a ring `boundary X1 Y1 X2 Y2 X3 Y3 ...` (Boundary::limit).
-///  cell_values  line 1: n, even, 2..256; then n lines of n values 0..15 separated by commas: line x is column x, from
+///  cell_values  line 1: n, 2..256; then n lines of n values 0..15 separated by commas: line x is column x, from
 ///               the left, its entry y the cell at height y, from the bottom. A value is the sum of the open sides: 1
 ///               up, 2 right, 4 down, 8 left. Neighbours agree, the border is closed. Lines that begin with `#` are
 ///               comments.
 ///  drawing      posts `o` or `+`, walls `---` and `|`; `S` start and `G` goal cells; 2h + 1 lines of 4w + 1
-///               characters, first line = north. Missing ends of lines count as blank. What follows a row after a
-///               blank, or the drawing after its last row of posts, is a comment, as are lines before it that begin
-///               with `#`, `/`, `*` or `;`. `.` or ` . ` is a wall nobody has looked at: read as open, on the border as
-///               closed (ReadNotes counts them).
+///               characters, first line = north; or cells of any other size, all alike: `+--+`. Missing ends of lines
+///               count as blank. What follows a row after a blank, or the drawing after its last row of posts, is a
+///               comment, as are lines before it that begin with `#`, `/`, `*` or `;`. `.` or ` . ` is a wall nobody
+///               has looked at: read as open, on the border as closed (ReadNotes counts them).
 ///  maz          256 (16 x 16) or 1024 (32 x 32) bytes, byte x * size + y, bits 0 up, 1 right, 2 down, 3 left, 1 =
 ///               wall; high bits are ignored. Neighbours agree.
 ///  num          `X Y N E S W` per line, 1 = wall, every cell once, any order. Neighbours agree.
@@ -57,13 +58,22 @@ namespace taut {
 ///               `X`) goal; or a matrix of 0 (free) and 1 (blocked), with or without blanks, commas and brackets. Rows
 ///               from the top, 1 unit a cell, y up; ends are the middles of their cells; short rows end in free cells.
 ///
+///  svg          a drawing: `line` and `polyline` are walls, `polygon`, `rect`, closed pieces of a `path` are polygons
+///               without a role, or walls where nothing fills them (`fill` is `none`); pieces of one path are holes in
+///               each other. Transforms count, widths and heights of strokes do not; y downwards. Texts and images are
+///               left out with a remark; curves, circles, round corners, `use` are refused by name.
+///
+/// Broken rings that mean one thing are taken so, with a remark (mend_rings.h); those that cross, and those whose last
+/// point is not their first, need ReadOptions::crossings. A floor plan wholly in another one changes nothing: a remark
+/// says so.
+///
 /// Of drawing, maz and num: without S the start is the bottom left cell; without G the goal is the room in the middle,
 /// 2 cells wide in an even direction and 1 in an odd one, unless the border has exactly two openings: then the world
 /// goes from the one to the other.
-enum class Format { segments, cell_values, drawing, maz, num, wkt, geojson, movingai, ros_map, picture, blocks };
+enum class Format { segments, cell_values, drawing, maz, num, wkt, geojson, movingai, ros_map, picture, blocks, svg };
 
 /// The word for it in options: `segments`, `cells`, `drawing`, `maz`, `num`, `wkt`, `geojson`, `movingai`, `ros`,
-/// `picture`, `blocks`.
+/// `picture`, `blocks`, `svg`.
 std::string_view name(Format format);
 /// Nothing for any other word.
 std::optional<Format> format_named(std::string_view word);
@@ -73,15 +83,17 @@ struct ReadOptions {
   enum class Polygons {
     free,       ///< floor plans: the world is their union (Boundary::walled)
     obstacles,  ///< solids
+    nested,     ///< floor plans by the even-odd rule over all: one inside another is a hole (mend_rings.h)
   };
-  std::optional<Format> format{};          ///< absent: by content
-  Polygons polygons = Polygons::free;      ///< what wkt and geojson polygons without a role are
-  double cell_size = 1;                    ///< of grid mazes, > 0
-  std::optional<double> resolution{};      ///< of a picture alone: metres a pixel, > 0
-  bool unknown_is_free = false;            ///< of ros_map: cells between the thresholds
-  Snap snap{};                             ///< what to join; grids, maps and pictures have nothing to join
-  std::optional<double> wall_thickness{};  ///< of every wall, instead of what the bytes say
-  std::optional<Point> start{};            ///< instead of what the bytes say
+  std::optional<Format> format{};           ///< absent: by content
+  Polygons polygons = Polygons::free;       ///< what polygons without a role are
+  Crossings crossings = Crossings::refuse;  ///< even_odd: rings that cross are read, too, and open ones closed
+  double cell_size = 1;                     ///< of grid mazes, > 0
+  std::optional<double> resolution{};       ///< of a picture alone: metres a pixel, > 0
+  bool unknown_is_free = false;             ///< of ros_map: cells between the thresholds
+  Snap snap{};                              ///< what to join; grids, maps and pictures have nothing to join
+  std::optional<double> wall_thickness{};   ///< of every wall, instead of what the bytes say
+  std::optional<Point> start{};             ///< instead of what the bytes say
   std::optional<Point> goal{};
   std::string folder{};  ///< where files lie that the bytes name; read_world_file sets it
   std::string source{};  ///< file name for messages

@@ -3,6 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <taut/geometry/errors.h>
@@ -23,7 +24,7 @@ class Reader {
     info.image = text("image");
     info.resolution = number(required("resolution"), "resolution");
     if (!(info.resolution > 0)) fail(root_["resolution"], "resolution must be above 0");
-    info.origin = origin();
+    info.origin = origin(info.yaw);
     if (root_["negate"]) info.negate = truth("negate");
     if (root_["occupied_thresh"]) info.occupied = share("occupied_thresh");
     if (root_["free_thresh"]) info.free = share("free_thresh");
@@ -67,12 +68,10 @@ class Reader {
     fail(root_[key], std::string(key) + " " + detail::quoted(word) + " is not 0 or 1");
   }
 
-  Point origin() const {
+  Point origin(double& yaw) const {
     const YAML::Node node = required("origin");
     if (!node.IsSequence() || node.size() < 2 || node.size() > 3) fail(node, "origin is not [x, y, yaw]");
-    if (node.size() == 3 && number(node[2], "yaw") != 0)
-      fail(node[2],
-           "a map that is turned (yaw " + node[2].Scalar() + ") is not read; set yaw to 0 and plan in its frame");
+    if (node.size() == 3) yaw = number(node[2], "yaw");
     return {number(node[0], "origin"), number(node[1], "origin")};
   }
 
@@ -122,7 +121,42 @@ OccupancyGrid occupancy(const Raster& raster, const RosMapInfo& info, bool unkno
   return grid;
 }
 
+namespace {
+
+// Blocked cells all around: what is solid at the border hangs together with them.
+OccupancyGrid padded(const OccupancyGrid& grid) {
+  OccupancyGrid result{grid.width + 2, grid.height + 2, {}};
+  result.blocked.assign(std::size_t{result.width} * result.height, 1);
+  for (std::size_t row = 0; row < grid.height; ++row)
+    std::copy_n(grid.blocked.begin() + static_cast<std::ptrdiff_t>(row * grid.width), grid.width,
+                result.blocked.begin() + static_cast<std::ptrdiff_t>((row + 1) * result.width + 1));
+  return result;
+}
+
+// The border runs in the middle of the padding, off all corners of cells.
+World turned_world(const OccupancyGrid& grid, const RosMapInfo& info, std::string source) {
+  const double c = std::cos(info.yaw), s = std::sin(info.yaw);
+  const auto at = [&](double column, double row) {
+    const double x = (column - 1) * info.resolution, y = (grid.height + 1 - row) * info.resolution;
+    return Point{info.origin.x + (c * x - s * y), info.origin.y + (s * x + c * y)};
+  };
+  WorldParts parts = parts_of(
+      padded(grid), [&](std::uint32_t column, std::uint32_t row) { return at(column, row); }, std::move(source));
+  const double right = grid.width + 1.5, bottom = grid.height + 1.5;
+  parts.areas = {{{{at(0.5, bottom), at(right, bottom), at(right, 0.5), at(0.5, 0.5)}, {}}}};
+  return World(std::move(parts));
+}
+
+}  // namespace
+
+double turning_error(const OccupancyGrid& grid, const RosMapInfo& info) {
+  if (info.yaw == 0) return 0;
+  const double reach = (grid.width + grid.height + 4.0) * info.resolution;
+  return 0x1p-50 * (std::abs(info.origin.x) + std::abs(info.origin.y) + reach);
+}
+
 World ros_world(const OccupancyGrid& grid, const RosMapInfo& info, std::string source) {
+  if (info.yaw != 0) return turned_world(grid, info, std::move(source));
   const auto corner = [&](std::uint32_t column, std::uint32_t row) {
     return Point{written::sum(info.origin.x, written::times(column, info.resolution)),
                  written::sum(info.origin.y, written::times(grid.height - row, info.resolution))};

@@ -8,11 +8,24 @@
 
 namespace taut::detail {
 
+Ring Shapes::ring(Ring written, int line) {
+  if (written.size() < 2) return written;
+  if (written.front() == written.back()) {
+    written.pop_back();
+    return written;
+  }
+  if (written.size() < 3) return written;
+  const std::string what = "ring is not closed: first " + text(written.front()) + ", last " + text(written.back());
+  if (!closes_) at(line).fail(what + " (--repair closes it)");
+  unclosed_.push_back("line " + std::to_string(line) + ": " + what + ": closed");
+  return written;
+}
+
 void Shapes::add_polygon(Polygon polygon, int line) {
-  if (as_ == ReadOptions::Polygons::free) {
-    add_free(std::move(polygon), line);
-  } else {
-    add_solid(std::move(polygon), line);
+  switch (as_) {
+    case ReadOptions::Polygons::free: return add_free(std::move(polygon), line);
+    case ReadOptions::Polygons::obstacles: return add_solid(std::move(polygon), line);
+    case ReadOptions::Polygons::nested: nested_.push_back({std::move(polygon), line});
   }
 }
 
@@ -55,6 +68,8 @@ void Shapes::add_goal_box(const Polygon& polygon, int line) {
 
 WorldParts Shapes::take(Alone ends, ReadNotes& notes) {
   parts_.boundary = boundary_;
+  for (Area& area : even_odd_areas(nested_, source_)) parts_.areas.push_back(std::move(area));
+  if (!unclosed_.empty()) notes.remarks.push_back(unclosed_.front() + more_like_it(unclosed_.size() - 1));
   const bool has_ends = parts_.start || parts_.goal.point || !parts_.goal.room.empty();
   if (!has_ends && (points_.size() == 2 || (points_.size() == 1 && ends == Alone::one_or_two))) {
     parts_.start = points_[0];
@@ -67,16 +82,6 @@ WorldParts Shapes::take(Alone ends, ReadNotes& notes) {
     if (!open_door(parts_.walls, door))
       notes.remarks.push_back("the door " + text(door.a) + "-" + text(door.b) + " lies on no wall and is left out");
   return std::move(parts_);
-}
-
-void open_up(Ring& ring, const Place& place) {
-  if (ring.empty()) place.fail("ring without points");
-  if (ring.front() != ring.back())
-    place.fail("ring is not closed: first " + text(ring.front()) + ", last " + text(ring.back()));
-  if (ring.size() < 4)
-    place.fail("ring near " + text(ring.front()) + " has only " + std::to_string(ring.size()) +
-               " positions; a closed ring has at least 4");
-  ring.pop_back();
 }
 
 }  // namespace taut::detail

@@ -28,6 +28,8 @@ std::string quoted(std::string_view text) {
   return out + (text.size() > kLongestQuote ? "...'" : "'");
 }
 
+std::string more_like_it(std::size_t count) { return count == 0 ? "" : "; " + std::to_string(count) + " more like it"; }
+
 std::string printable_name(std::string name) {
   for (char& c : name)
     if (static_cast<unsigned char>(c) < ' ' || c == 0x7f) c = '?';

@@ -1,9 +1,12 @@
 #include <cctype>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include <taut/io/worlds/detail/formats.h>
 #include <taut/io/worlds/detail/shapes.h>
 #include <taut/io/worlds/detail/text_input.h>
+#include <taut/io/worlds/detail/wkt_table.h>
 
 namespace taut::detail {
 
@@ -128,7 +131,7 @@ class Wkt {
     if (what == "POLYGON") return polygon();
     if (what == "MULTIPOLYGON") return list([&] { polygon(); });
     if (what == "GEOMETRYCOLLECTION") return list([&] { geometry(depth + 1); });
-    fail("geometry " + shown + " is not supported");
+    Place{source_, line}.fail("geometry " + shown + " is not supported");
   }
 
   // ( item, item, ... )
@@ -161,8 +164,7 @@ class Wkt {
     list([&] {
       skip_space();
       const int ring_line = line_;
-      Ring ring = chain();
-      open_up(ring, {source_, ring_line});
+      Ring ring = shapes_.ring(chain(), ring_line);
       if (std::exchange(first, false))
         result.outer = std::move(ring);
       else
@@ -217,7 +219,8 @@ class Wkt {
 }  // namespace
 
 WorldParts read_wkt(std::string_view bytes, const ReadOptions& options, ReadNotes& notes) {
-  return Wkt(bytes, options).read(notes);
+  const std::optional<std::string> column = wkt_column(bytes);
+  return Wkt(column ? std::string_view(*column) : bytes, options).read(notes);
 }
 
 }  // namespace taut::detail

@@ -72,8 +72,8 @@ std::string write_drawing(const GridMaze& maze) {
 
 std::string write_cell_values(const GridMaze& maze) {
   const int n = maze.width();
-  if (n != maze.height() || n % 2 != 0 || n > 256)
-    fail("cells", "a maze of " + size_of(maze) + ", only squares of even size up to 256");
+  if (n != maze.height() || n < 2 || n > 256)
+    fail("cells", "a maze of " + size_of(maze) + ", only squares of 2 to 256 a side");
   if (detail::count_openings(maze) != 0) fail("cells", "openings of the border");
   check_unmarked_ends(maze, "cells");
   std::string out = std::to_string(n) + "\n";

@@ -26,6 +26,7 @@ std::string write_world(const World& world, Format format) {
     case Format::blocks: return write_blocks(world);
     case Format::ros_map:
     case Format::picture:
+    case Format::svg:
       throw InputError("", 0,
                        std::string(name(format)) +
                            " can be read, not written: of cells, movingai and blocks are; geojson holds every world");

@@ -28,7 +28,7 @@ std::string write_segments(const World& world, const SegmentsStyle& style = {});
 /// it starts at the bottom left.
 std::string write_drawing(const GridMaze& maze);
 
-/// Square mazes of even size 2..256 with a closed border, start (0,0), goal the 2 x 2 room in the middle.
+/// Square mazes of 2 to 256 a side with a closed border, start (0,0), goal the room in the middle.
 std::string write_cell_values(const GridMaze& maze);
 
 /// 16 x 16 and 32 x 32; start (0,0); goal the room in the middle, or none and exactly two openings.

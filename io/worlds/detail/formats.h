@@ -14,6 +14,8 @@ WorldParts read_segments(std::string_view bytes, const std::string& source);
 WorldParts read_wkt(std::string_view bytes, const ReadOptions& options, ReadNotes& notes);
 WorldParts read_geojson(std::string_view bytes, const ReadOptions& options, ReadNotes& notes);
 
+WorldParts read_svg(std::string_view bytes, const ReadOptions& options, ReadNotes& notes);
+
 WorldParts read_blocks(std::string_view bytes, const std::string& source);
 /// A drawing in blocks, or a matrix of 0 and 1?
 bool looks_like_blocks(std::string_view bytes);

@@ -13,9 +13,14 @@ namespace taut::detail {
 /// Collects shapes. Each function throws InputError at the place of a shape that cannot be used.
 class Shapes {
  public:
-  explicit Shapes(const ReadOptions& options) : source_(options.source), as_(options.polygons) {
+  explicit Shapes(const ReadOptions& options)
+      : source_(options.source), as_(options.polygons), closes_(options.crossings == Crossings::even_odd) {
     parts_.source = source_;
   }
+
+  /// A ring as these formats write it: its last point is its first, and is cut off. Any other is closed, if the options
+  /// say so; one of fewer than 3 points has no area anyway.
+  Ring ring(Ring written, int line);
 
   /// A polygon without a role: ReadOptions decides.
   void add_polygon(Polygon polygon, int line);
@@ -38,8 +43,8 @@ class Shapes {
 
   /// Of points that say nothing of themselves, when there are no ends: are two start and goal, is one the start?
   enum class Alone { two, one_or_two };
-  /// All of it. Other points that say nothing of themselves are left out, with a remark, as are doors that lie on no
-  /// wall.
+  /// All of it, rings as they were given. Other points that say nothing of themselves are left out, with a remark, as
+  /// are doors that lie on no wall.
   WorldParts take(Alone ends, ReadNotes& notes);
 
  private:
@@ -47,14 +52,13 @@ class Shapes {
 
   std::string source_;
   ReadOptions::Polygons as_;
+  bool closes_;
   Boundary boundary_ = Boundary::walled;
   WorldParts parts_;
+  std::vector<Area> nested_;  // polygons that count by the even-odd rule
+  std::vector<std::string> unclosed_;
   std::vector<Point> points_;
   std::vector<Segment> doors_;
 };
-
-/// Checks that a ring as these formats write it is closed and has at least four positions; cuts off the last, repeated
-/// one.
-void open_up(Ring& ring, const Place& place);
 
 }  // namespace taut::detail

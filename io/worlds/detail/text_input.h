@@ -1,6 +1,7 @@
 // Lines, fields and numbers of text formats.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,9 @@ std::string quoted(std::string_view text);
 
 /// A file name, control characters as `?`.
 std::string printable_name(std::string name);
+
+/// `; 2 more like it`; nothing for 0.
+std::string more_like_it(std::size_t count);
 
 /// Without byte order mark and DOS end-of-file mark.
 std::string_view stripped(std::string_view bytes);

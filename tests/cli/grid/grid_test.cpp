@@ -37,7 +37,6 @@ class GridProgram : public ProgramTest {
 class GridSolve : public GridProgram {};
 class GridCompare : public GridProgram {};
 class GridHeuristics : public GridProgram {};
-class GridScenarios : public GridProgram {};
 class GridGenerate : public GridProgram {};
 
 /// What is known of a search: steps, and cells of its path. Those on our grid were counted by hand or by bench; those of
@@ -277,41 +276,13 @@ TEST_F(GridHeuristics, NamesAWitness) {
   EXPECT_THAT(text.out, ContainsRegex("manhattan,biased-row +admissible +consistent"));
 }
 
-TEST_F(GridScenarios, AgreeWithTheirFileToItsDigits) {
-  const std::string map = folder.file("a.map", "type octile\nheight 3\nwidth 4\nmap\n..@.\n..@.\n....\n");
-  const std::string right = folder.file("a.scen", "version 1\n0\ta.map\t4\t3\t0\t0\t3\t0\t6.41421\n");
-  const Outcome run = run_taut("grid scen " + map + " " + right);
-  EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_THAT(run.out, HasSubstr("1 scenario, 1 as the file says, 0 mismatches"));
-  const std::string wrong = folder.file("b.scen", "version 1\n0\ta.map\t4\t3\t0\t0\t3\t0\t6.41420\n");
-  const Outcome other = run_taut("grid scen " + map + " " + wrong);
-  EXPECT_EQ(other.code, 1);
-  EXPECT_EQ(envelope("scen " + map + " " + wrong)["status"], "differs");
-  EXPECT_EQ(envelope("scen " + map + " " + right)["result"]["matched"], 1);
-  EXPECT_EQ(run_taut("grid scen -q " + map + " " + right).out, "");
-  EXPECT_THAT(other.err, HasSubstr("b.scen:2: says 6.41420, found 6.41421356"));
-  const std::string foreign = folder.file("c.scen", "version 1\n0\ta.map\t5\t3\t0\t0\t3\t0\t6.41421\n");
-  EXPECT_EQ(run_taut("grid scen " + map + " " + foreign).code, 3);
-  const std::string walled = folder.file("d.scen", "version 1\n0\ta.map\t4\t3\t2\t0\t3\t0\t6.41421\n");
-  EXPECT_EQ(run_taut("grid scen " + map + " " + walled).code, 3);
-  EXPECT_EQ(run_taut("grid scen " + map + " " + right + " --algorithm bfs").code, 2);
-}
-
-void expect_every_exact_search_to_match(const std::string& files, const char* verdict) {
-  for (const char* algorithm : {"jps", "astar", "dijkstra", "bidirectional-astar", "idastar"}) {
-    const Outcome run = run_taut("grid scen " + files + " --algorithm " + algorithm);
-    EXPECT_EQ(run.code, 0) << run.err;
-    EXPECT_THAT(run.out, HasSubstr(verdict));
+TEST_F(GridSolve, TakesItsEndsFromTheCommandLineAlone) {
+  for (const char* cells : {"0,0,1\n1,0,0\n", "0, 0, 1\n1, 0, 0\n"}) {
+    EXPECT_EQ(answer("solve --start 0,0 --goal 1,2 -", cells)["straight"], 3) << cells;
+    const Outcome none = run_taut("grid solve -", cells);
+    EXPECT_EQ(none.code, 3);
+    EXPECT_THAT(none.err, HasSubstr("says no start; give one with --start ROW,COLUMN"));
   }
-}
-
-TEST_F(GridScenarios, AreMatchedByEveryExactSearch) {
-  expect_every_exact_search_to_match(data_file("rooms_64x48.map") + " " + data_file("rooms_64x48.scen"),
-                                     "40 scenarios, 40 as the file says, 0 mismatches");
-  if (const auto shared = shared_data_dir())
-    expect_every_exact_search_to_match(
-        (*shared / "movingai/arena.map.gz").string() + " " + (*shared / "movingai/arena.map.scen.gz").string(),
-        "160 scenarios, 160 as the file says, 0 mismatches");
 }
 
 TEST_F(GridGenerate, MakesMapsAndScenariosThatHold) {

@@ -100,10 +100,11 @@ void expect_legal(const std::string& file) {
   EXPECT_THAT(run.out, HasSubstr(": legal, "));
 }
 
-/// By the rules of small mazes whose posts may stand free, and not by those of contests.
+/// By the rules of small mazes whose posts may stand free, which its size tells, and not by those of contests.
 void expect_legal_with_free_posts_only(const std::string& file) {
   EXPECT_EQ(run_taut("mouse check --rules free-posts " + file).code, 0);
-  EXPECT_EQ(run_taut("mouse check " + file).code, 1);
+  EXPECT_THAT(run_taut("mouse check " + file).out, HasSubstr("posts may stand free"));
+  EXPECT_EQ(run_taut("mouse check --rules competition " + file).code, 1);
 }
 
 TEST_F(MouseCheck, AcceptsMazesByTheRulesThatTheyWereMadeFor) {
@@ -113,6 +114,7 @@ TEST_F(MouseCheck, AcceptsMazesByTheRulesThatTheyWereMadeFor) {
   expect_legal(perfect);
   ASSERT_EQ(run_taut("generate --kind backtracker --size 12 --seed 1 --as cells -o " + small).code, 0);
   expect_legal_with_free_posts_only(small);
+  EXPECT_THAT(run_taut("mouse check -", "3\n1,5,6\n2,2,10\n9,13,12\n").out, HasSubstr("not legal: size 3 x 3"));
   if (const auto shared = shared_data_dir()) {
     for (const char* name : {"japan2008ef.maz", "us96.maz", "apec2013.txt", "32MM2016HX.maze", "uk2012f.maz"})
       expect_legal((*shared / "micromouse/competition" / name).string());

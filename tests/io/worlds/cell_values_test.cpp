@@ -31,6 +31,13 @@ TEST(CellValues, ListColumnsFromTheLeftAndCellsFromTheBottom) {
   EXPECT_EQ(world.start(), (Point{0.5, 0.5}));
 }
 
+TEST(CellValues, MayHaveAnOddNumberOfColumns) {
+  const World world = read_world("3\n1,5,6\n2,2,10\n9,13,12\n");
+  EXPECT_EQ(world.grid()->width(), 3);
+  EXPECT_EQ(world.grid()->goal, (std::vector<Cell>{{1, 1}}));
+  EXPECT_EQ(message_of("1\n0\n"), "cellar.csv:1: maze size '1' is not a whole number between 2 and 256");
+}
+
 TEST(CellValues, NamesBothCellsThatDisagree) {
   EXPECT_EQ(message_of("2\n1,6\n0,0\n"), "cellar.csv:3: cell (0,1) says open to the right, cell (1,1) says wall");
   EXPECT_EQ(message_of("2\n1,4\n0,8\n"), "cellar.csv:3: cell (0,1) says wall to the right, cell (1,1) says open");

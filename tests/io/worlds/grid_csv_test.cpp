@@ -37,8 +37,16 @@ TEST(GridCsv, NamesLineAndCulprit) {
   EXPECT_EQ(complaint("start,5,0\ngoal,0,1\n0,0\n"),
             "a.csv:1: start (row 5, column 0) is outside the grid of 1 rows and 2 columns");
   EXPECT_EQ(complaint("start,0\ngoal,0,1\n0,0\n"), "a.csv:1: 'start' wants a row and a column, not 1 values");
-  EXPECT_EQ(complaint("start,0,0\n0,0\n"), "a.csv:2: '0' where 'goal' should be");
+  EXPECT_EQ(complaint("start,0,0\nstart,0,0\n0,0\n"), "a.csv:2: cell (row 0, column 0) is 'start', not 0 or 1");
+  EXPECT_EQ(complaint("0,1,\n0,1,0\n"), "a.csv:2: row 1 has 3 cells, those before it 2");
   EXPECT_EQ(complaint("start,0,0\ngoal,0,1\n"), "a.csv: has no rows of cells");
+}
+
+TEST(GridCsv, MayLeaveStartAndGoalToTheCaller) {
+  const GridTask bare = read_grid("0,1\n0,0\n", "a.csv");
+  EXPECT_EQ(bare.grid.height, 2U);
+  EXPECT_FALSE(bare.start || bare.goal);
+  EXPECT_EQ(read_grid("goal,1,1\n0,1\n0,0\n", "a.csv").goal, (GridPlace{1, 1}));
 }
 
 TEST(GridDrawing, ReadsCellsAndEnds) {

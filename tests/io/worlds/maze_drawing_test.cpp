@@ -47,6 +47,28 @@ TEST(Drawing, ReadsTheSameWithOtherPostsCommentsAndLineEnds) {
   EXPECT_EQ(maze_of(bare), maze_of(kMaze));
 }
 
+TEST(Drawing, HasCellsOfAnySize) {
+  const char* const narrow =
+      "+-+-+-+\n"
+      "|  G|G|\n"
+      "+-+ + +\n"
+      "|S    |\n"
+      "+-+-+-+\n";
+  const char* const large =
+      "+--+--+--+\n"
+      "|     |  |\n"
+      "|   G | G|\n"
+      "+--+  +  +\n"
+      "|S       |\n"
+      "|        |\n"
+      "+--+--+--+\n";
+  EXPECT_EQ(maze_of(narrow), maze_of(kMaze));
+  EXPECT_EQ(maze_of(large), maze_of(kMaze));
+  EXPECT_EQ(detect_format(large), Format::drawing);
+  EXPECT_EQ(message_of("+--+--+\n|  |  |\n|     |\n+--+--+\n"), "line 3: column 4: ' ' where the wall above it is '|'");
+  EXPECT_EQ(message_of("+--+--+\n|  |  |\n+--+- +\n"), "line 3: column 5: '-' begins no wall ('---', '   ' or ' . ')");
+}
+
 TEST(Drawing, TakesCutOffLineEndsForBlanks) {
   const GridMaze maze = maze_of("o---o---o\n|\no---o---o\n");
   EXPECT_FALSE(maze.wall({0, 0}, Side::east));

@@ -111,7 +111,9 @@ TEST(MovingAi, BrokenScenariosNameTheirLine) {
     return test::refusal_of([&] { read_movingai_scenarios(text, "x.scen"); });
   };
   EXPECT_THAT(refuse(""), HasSubstr("empty"));
-  EXPECT_THAT(refuse("0 a 1 1 0 0 0 0 0\n"), HasSubstr("x.scen:1: a scenario begins with `version 1`"));
+  EXPECT_EQ(refuse("0 a 1 1 0 0 0 0 0\n"), "accepted") << "without a version";
+  EXPECT_THAT(refuse("a 1 1 0 0 0 0 0\n"), HasSubstr("x.scen:1: a scenario begins with `version 1`"));
+  EXPECT_THAT(refuse("0 a 1 1 0 0 0 0 0\nversion 1\n"), HasSubstr("x.scen:2: "));
   EXPECT_THAT(refuse("version 2\n"), HasSubstr("version '2'"));
   EXPECT_THAT(refuse("version 1\n0 a 4 4 0 0 4 0 1\n"), HasSubstr("x.scen:2: the goal lies outside"));
   EXPECT_THAT(refuse("version 1\n0 a 4 4 0 0 1 0\n"), HasSubstr("the length is missing"));

@@ -82,6 +82,67 @@ TEST(ReadWorldFile, NamesDirectoriesAndMissingFiles) {
   EXPECT_EQ(file_message("no/such\x1b[2Jfile"), "no/such?[2Jfile: no such file");
 }
 
+TEST(ReadWorld, ReadsBrokenRingsOfOneMeaningWithARemark) {
+  const std::vector<std::pair<const char*, const char*>> broken{
+      {"POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (0 1, 1 1, 1 2, 0 2, 0 1))", "line 1: hole 1 runs along the outer ring"},
+      {"POLYGON ((0 0, 4 0, 2 2, 4 4, 0 4, 2 2, 0 0))", "line 1: ring touches itself at (2, 2)"},
+      {"POLYGON ((0 0, 4 0, 4 4, 8 4, 4 4, 0 4, 0 0))", "line 1: ring has a spike at (8, 4)"},
+      {"POLYGON ((0 0, 4 0, 4 0, 4 4, 0 0))", "line 1: ring repeats the point (4, 0)"},
+  };
+  for (const auto& [text, remark] : broken) {
+    ReadNotes notes;
+    read_world(text, {}, &notes);
+    ASSERT_FALSE(notes.remarks.empty()) << text;
+    EXPECT_EQ(notes.remarks[0].substr(0, string(remark).size()), remark);
+  }
+}
+
+TEST(ReadWorld, ReadsRingsThatCrossOnlyWhenTold) {
+  const ReadOptions repair{.crossings = Crossings::even_odd};
+  const std::vector<std::pair<const char*, const char*>> doubtful{
+      {"POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))",
+       "line 1: ring crosses itself: side (0, 0)-(4, 4) and side (4, 0)-(0, 4): taken by the even-odd rule"},
+      {"POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (3 1, 6 1, 6 2, 3 2, 3 1))",
+       "line 1: hole 1 crosses the outer ring: side (3, 2)-(6, 2) and side (4, 0)-(4, 4): taken as the outer ring "
+       "without its holes"},
+      {"POLYGON ((0 0, 4 0, 4 4, 0 4, 0 1))", "line 1: ring is not closed: first (0, 0), last (0, 1): closed"}};
+  for (const auto& [text, remark] : doubtful) {
+    EXPECT_NE(message_of(text, Format::wkt).find(" (--repair"), string::npos);
+    ReadNotes notes;
+    read_world(text, repair, &notes);
+    EXPECT_EQ(notes.remarks, std::vector<string>{remark});
+  }
+}
+
+TEST(ReadWorld, ReadsTheOthersBesideOneBadRing) {
+  string text, bad = "POLYGON ((0 2, 4 6, 4 2, 0 6, 0 2))\nPOLYGON ((7 7, 7 7))\nPOLYGON ((0 0, 0 9, 1 1))\n";
+  for (int i = 0; i < 500; ++i) {
+    const string x = std::to_string(i), x1 = std::to_string(i + 1);
+    text.append("POLYGON ((").append(x).append(" 0, ").append(x1).append(" 0, ").append(x1).append(" 1, ");
+    text.append(x).append(" 1, ").append(x).append(" 0))\n");
+  }
+  ReadNotes notes;
+  EXPECT_EQ(read_world(text + bad, {.crossings = Crossings::even_odd}, &notes).areas().size(), 503U);
+  EXPECT_EQ(notes.remarks.size(), 3U);
+  EXPECT_THROW(read_world(text + bad), InputError);
+}
+
+TEST(ReadWorld, TakesPolygonsInPolygonsAsTheyAreMeant) {
+  const string plan =
+      "POLYGON ((0 0, 9 0, 9 9, 0 9, 0 0))\nPOLYGON ((0 1, 8 1, 8 8, 0 8, 0 1))\nPOLYGON ((2 2, 3 2, 3 3, 2 2))";
+  ReadNotes notes;
+  EXPECT_EQ(read_world(plan, {}, &notes).areas().size(), 3U);
+  EXPECT_EQ(
+      notes.remarks,
+      (std::vector<string>{"line 2: polygon lies wholly in that of line 1, which is free already, and changes nothing "
+                           "(--polygons nested makes it a hole); 1 more like it"}));
+  const World nested = read_world(plan, {.polygons = ReadOptions::Polygons::nested}, &notes);
+  EXPECT_TRUE(notes.remarks.empty());
+  ASSERT_EQ(nested.areas().size(), 2U);
+  EXPECT_EQ(nested.areas()[0].polygon.outer, (Ring{{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 8}, {8, 8}, {8, 1}, {0, 1}}));
+  EXPECT_EQ(nested.areas()[1].polygon.outer, (Ring{{2, 2}, {3, 2}, {3, 3}}));
+}
+
 // Every file of tests/corpus/bad with the one line it must give.
 const std::vector<std::pair<const char*, const char*>> kBad{
     {"bad_wall.txt", ":2: column 5: '!' is no wall ('|', ' ' or '.')"},
@@ -89,7 +150,8 @@ const std::vector<std::pair<const char*, const char*>> kBad{
     {"blank.txt", ": file is empty"},
     {"broken.geojson", ":2: not valid JSON: syntax error while parsing value - invalid literal; last read: '0], [na'"},
     {"comments.txt", ": file holds nothing but comments"},
-    {"crossing_boundary.txt", ":1: ring crosses itself: side (0, 0)-(4, 4) and side (4, 0)-(0, 4)"},
+    {"crossing_boundary.txt",
+     ":1: ring crosses itself: side (0, 0)-(4, 4) and side (4, 0)-(0, 4) (--repair: taken by the even-odd rule)"},
     {"curve.wkt", ":1: no known format begins with 'CIRCULARSTRING (0 0, 1 1, 2 0)'"},
     {"cut_off.wkt", ":2: a number is expected, not the end of the file"},
     {"deep.geojson", ":1: JSON is nested more than 64 deep"},
@@ -102,11 +164,14 @@ const std::vector<std::pair<const char*, const char*>> kBad{
     {"extra_column.csv", ":6: more than 4 columns"},
     {"five.num", ":2: only 5 of the six numbers X Y N E S W"},
     {"flat_boundary.txt", ":1: boundary box from (0, 0) to (4, 0) has no area: the lower left corner comes first"},
-    {"flat_ring.wkt", ":1: ring near (0, 0) has fewer than 3 distinct points"},
-    {"hole_along.wkt", ":1: hole 1 runs along the outer ring: side (0, 1)-(0, 2) and side (0, 4)-(0, 0)"},
-    {"hole_crossing.wkt", ":1: hole 1 crosses the outer ring: side (3, 2)-(6, 2) and side (4, 0)-(4, 4)"},
-    {"hole_in_hole.wkt", ":1: hole 2 at (3, 3) does not lie apart from hole 1"},
-    {"hole_outside.wkt", ":1: hole 1 at (5, 5) does not lie inside its outer ring"},
+    {"flat_ring.wkt", ":1: no polygon of the floor plan has an area"},
+    {"hole_crossing.wkt",
+     ":1: hole 1 crosses the outer ring: side (3, 2)-(6, 2) and side (4, 0)-(4, 4) (--repair: taken as the outer ring "
+     "without its holes)"},
+    {"hole_in_hole.wkt",
+     ":1: hole 2 at (3, 3) does not lie apart from hole 1 (--repair: taken as the outer ring without its holes)"},
+    {"hole_outside.wkt",
+     ":1: hole 1 at (5, 5) does not lie inside its outer ring (--repair: taken as the outer ring without its holes)"},
     {"huge.geojson", ":3: 1e+308 is beyond the largest coordinate, 1e+75"},
     {"huge.txt", ":2: '1e308' is beyond the largest coordinate, 1e+75"},
     {"inf.txt", ":2: '-inf' is not a finite number"},
@@ -123,19 +188,18 @@ const std::vector<std::pair<const char*, const char*>> kBad{
     {"noise.bin", ": binary data of 777 bytes; the only binary format, .maz, has 256 or 1024"},
     {"noise256.maz",
      ": binary data of 256 bytes, but no .maz maze: cell (0,0) says open upwards, cell (0,1) says wall"},
-    {"odd_size.csv", ":1: maze size 5 is odd"},
     {"only_points.txt", ": all walls have length zero, and there are no areas"},
     {"open_border.csv", ":2: cell (0,2) is open to the left, but the border is closed"},
     {"overflow.geojson", ":2: not valid JSON: number overflow parsing '1e999'"},
     {"overflow.txt", ":1: '1e999' is out of the range of numbers"},
     {"position.geojson", ":1: a number is expected"},
     {"prose.txt", ":1: no known format begins with 'Once upon a time'"},
-    {"self_crossing.geojson", ":2: ring crosses itself: side (0, 0)-(4, 4) and side (4, 0)-(0, 4)"},
-    {"self_crossing.wkt", ":2: ring crosses itself: side (0, 0)-(4, 4) and side (4, 0)-(0, 4)"},
-    {"self_touching.wkt", ":1: ring touches itself at (2, 2): side (4, 0)-(2, 2) and side (0, 4)-(2, 2)"},
+    {"self_crossing.geojson",
+     ":2: ring crosses itself: side (0, 0)-(4, 4) and side (4, 0)-(0, 4) (--repair: taken by the even-odd rule)"},
+    {"self_crossing.wkt",
+     ":2: ring crosses itself: side (0, 0)-(4, 4) and side (4, 0)-(0, 4) (--repair: taken by the even-odd rule)"},
     {"short_column.csv", ":4: column 2 has 3 values instead of 4"},
     {"six_numbers.txt", ":2: more than five numbers; a wall is x1 y1 x2 y2 [thickness]"},
-    {"spike.wkt", ":1: ring has a spike at (8, 4): side (8, 4)-(4, 4) folds back over side (4, 4)-(8, 4)"},
     {"thin.txt", ":1: wall thickness -0.5 is negative"},
     {"three_numbers.txt", ":2: only 3 numbers; a wall is x1 y1 x2 y2 [thickness]"},
     {"torn_drawing.txt", ":4: this row does not belong to the drawing above"},
@@ -144,8 +208,8 @@ const std::vector<std::pair<const char*, const char*>> kBad{
     {"two_starts.txt", ":3: a second start; the first is in line 1"},
     {"two_starts_drawing.txt", ":2: a second start, in cell (1,0); the first is in cell (0,0)"},
     {"type.geojson", ":1: GeoJSON type 'Topology' is not supported"},
-    {"unclosed_ring.geojson", ":3: ring is not closed: first (0, 0), last (0, 1)"},
-    {"unclosed_ring.wkt", ":1: ring is not closed: first (0, 0), last (0, 1)"},
+    {"unclosed_ring.geojson", ":3: ring is not closed: first (0, 0), last (0, 1) (--repair closes it)"},
+    {"unclosed_ring.wkt", ":1: ring is not closed: first (0, 0), last (0, 1) (--repair closes it)"},
     {"unknown_word.txt", ":2: 'finish' is neither a number nor start, goal or boundary"},
     {"utf16.txt", ": text in UTF-16; save it as UTF-8"},
     {"value_16.csv", ":3: value of cell (1,2) '16' is not a whole number between 0 and 15"},

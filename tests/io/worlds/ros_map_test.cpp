@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
+#include <optional>
 #include <string>
 
 #include <taut/geometry/free_space.h>
@@ -41,6 +43,43 @@ TEST_F(RosMap, IsPlannedIn) {
   EXPECT_EQ(shortest_path(space, {0.5, 1.5}, {{Point{3.5, 1.5}}, {}})->length.decimals(9), "3.414213562");
 }
 
+// Of a map that is turned by `yaw` around its origin: from the middle of one pixel to that of another, in metres from
+// the lower left corner.
+std::optional<std::string> turned_length(const std::string& picture, double yaw, Point from, Point to,
+                                         RosMapInfo info = {}) {
+  info.resolution = 1;
+  info.origin = {500000, 5400000};
+  info.yaw = yaw;
+  const World world = ros_world(occupancy(read_raster(picture, "map"), info, false), info, "map");
+  const auto turned = [&](Point p) {
+    return Point{info.origin.x + (std::cos(yaw) * p.x - std::sin(yaw) * p.y),
+                 info.origin.y + (std::sin(yaw) * p.x + std::cos(yaw) * p.y)};
+  };
+  const auto path = shortest_path(FreeSpace(world), turned(from), {{turned(to)}, {}});
+  return path ? std::optional(path->length.decimals(6)) : std::nullopt;
+}
+
+TEST(RosYaw, TurnsTheMapAndOpensNothing) {
+  const std::string wall = "P2 4 3 255 254 0 254 254  254 0 254 254  254 0 254 254";
+  const std::string corners = "P2 4 4 255  0 254 254 254  254 0 254 254  254 254 0 254  254 254 254 0";
+  for (int degrees = 1; degrees < 360; degrees += 7) {
+    const double yaw = degrees * 0.017453292519943295;
+    EXPECT_EQ(turned_length(kPlain, yaw, {0.5, 1.5}, {3.5, 1.5}), "3.414214") << degrees;
+    EXPECT_EQ(turned_length(wall, yaw, {0.5, 1.5}, {3.5, 1.5}), std::nullopt) << degrees;
+    EXPECT_EQ(turned_length(corners, yaw, {0.5, 0.5}, {3.5, 3.5}), std::nullopt) << degrees;
+    EXPECT_EQ(turned_length(corners, yaw, {1.5, 0.5}, {0.5, 1.5}), "1.414214") << degrees;
+  }
+}
+
+TEST_F(RosMap, SaysThatItIsTurned) {
+  const Outcome run = run_taut("solve " + map("resolution: 1\norigin: [1, 2, 0.5]\n") +
+                               " --from 0.7196530,3.5560866 --to 3.3524007,4.9943632");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_NE(run.out.find("3.414214"), std::string::npos) << run.out;
+  EXPECT_NE(run.err.find("turned by the map's yaw, 0.5; corners are off by at most 1e-14 m"), std::string::npos)
+      << run.err;
+}
+
 TEST_F(RosMap, KnowsWhatNobodyKnows) {
   const std::string grey = "P2 2 1 255 205 254";
   const std::string file = map("resolution: 1\norigin: [0, 0, 0]\noccupied_thresh: 0.65\nfree_thresh: 0.196\n", grey);
@@ -76,8 +115,7 @@ TEST_F(RosMap, NamesFileLineAndKeyOfWhatIsWrong) {
   EXPECT_EQ(message("origin: [0, 0, 0]\n"), "map.yaml:1: a map without resolution");
   EXPECT_EQ(message("resolution: 0\norigin: [0, 0, 0]\n"), "map.yaml:2: resolution must be above 0");
   EXPECT_EQ(message("resolution: one\norigin: [0, 0, 0]\n"), "map.yaml:2: 'one' is not a number");
-  EXPECT_EQ(message("resolution: 1\norigin: [0, 0, 0.5]\n"),
-            "map.yaml:3: a map that is turned (yaw 0.5) is not read; set yaw to 0 and plan in its frame");
+  EXPECT_EQ(message("resolution: 1\norigin: [0, 0, north]\n"), "map.yaml:3: 'north' is not a number");
   EXPECT_EQ(message(good + "mode: other\n"), "map.yaml:4: mode 'other' is not trinary, scale or raw");
   EXPECT_EQ(message(good + "free_thresh: 0.9\n"), "map.yaml:4: free_thresh is above occupied_thresh");
   EXPECT_EQ(message(good, "P5\n4 3\n255\nabc"), "map.pgm: the picture ends after 3 of 12 pixels");

@@ -44,8 +44,42 @@ TEST(Wkt, ReadsBothSpellingsOfMultipoints) {
   EXPECT_EQ(read_world("MULTIPOINT ((1 2), (3 4))\nLINESTRING (0 0, 1 0)").goal().point, (Point{3, 4}));
 }
 
+TEST(Wkt, MayStandInAColumnOfATable) {
+  const std::vector<std::string> tables{
+      "WKT,id,name\n\"POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\",1,\"a \"\"room\"\", large\"\n\"LINESTRING (1 1, 2 "
+      "2)\",2,\n",
+      "id,the_geom\r\n1,\r\n2,\"POLYGON ((0 0, 4 0,\n 4 4, 0 4, 0 0))\"\r\n3,\"LINESTRING (1 1, 2 2)\"\r\n",
+      "id;name;geom\n1;a, b;POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\n2;c;LINESTRING (1 1, 2 2)\n",
+      "1\tPOLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\n2\tLINESTRING (1 1, 2 2)",
+      "1,POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0)),x\n2,LINESTRING (1 1, 2 2),y",
+      "geometry\n\"POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\"\n\"LINESTRING (1 1, 2 2)\"\n"};
+  for (const std::string& table : tables) {
+    EXPECT_EQ(detect_format(table), Format::wkt) << table;
+    const World world = read_world(table);
+    ASSERT_EQ(world.areas().size(), 1U) << table;
+    EXPECT_EQ(world.areas()[0].polygon.outer, kSquare);
+    EXPECT_EQ(world.walls().size(), 1U);
+  }
+  EXPECT_EQ(read_world(tables[1]).walls()[0].line, 5);
+}
+
 std::string message_of(const std::string& bytes) {
   return test::refusal_of([&] { read_world(bytes); });
+}
+
+TEST(Wkt, NamesTheLineOfATable) {
+  EXPECT_EQ(message_of("id,wkt\n1,\"POLYGON ((0 0, 4 0, 4 4, 0 0))\"\n2,\"LINESTRING (0 0)\"\n"),
+            "line 3: a line needs at least two points");
+  EXPECT_EQ(message_of("id,wkt\n1,\"POINT (0 0)\"\n2,NULL\n"), "line 3: geometry 'NULL' is not supported");
+}
+
+TEST(Wkt, IsNotWkb) {
+  const char* const says = "holds geometries as WKB in hexadecimal: write them as WKT (ST_AsText, .wkt, to_wkt)";
+  EXPECT_EQ(message_of("0101000000000000000000F03F0000000000000040\n"), says);
+  EXPECT_EQ(message_of("id,geom\n1,0101000020E6100000000000000000F03F0000000000000040\n"), says);
+  EXPECT_EQ(message_of("00000000013ff00000000000004000000000000000"), says);
+  EXPECT_EQ(message_of(std::string("\x01\x01\0\0\0\0\0\0\0\0\0\xF0\x3F\0\0\0\0\0\0\0\x40", 21)),
+            "holds a geometry as WKB: write it as WKT");
 }
 
 TEST(Wkt, SaysWhatItExpected) {

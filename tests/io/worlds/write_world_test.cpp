@@ -180,8 +180,8 @@ TEST(WriteWorld, RefusesWhatAFormatCannotHold) {
   GridMaze twenty(20, 20, true);
   twenty.goal = centre_room(20, 20);
   EXPECT_EQ(refusal([&] { return write_maz(twenty); }), "maz cannot hold a maze of 20 x 20, only 16 x 16 and 32 x 32");
-  EXPECT_EQ(refusal([&] { return write_cell_values(GridMaze(5, 5, true)); }),
-            "cells cannot hold a maze of 5 x 5, only squares of even size up to 256");
+  EXPECT_EQ(refusal([&] { return write_cell_values(GridMaze(5, 4, true)); }),
+            "cells cannot hold a maze of 5 x 4, only squares of 2 to 256 a side");
   EXPECT_EQ(refusal([&] { return write_cell_values(generate_biased_maze(6, 6, 1)); }),
             "cells cannot hold openings of the border");
   twenty.goal = {{3, 3}};

@@ -1,0 +1,23 @@
+// Geometries in tables and in hexadecimal.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace taut::detail {
+
+/// Does a geometry in WKT begin here? The word alone decides: `polygon z ((`, `SRID=`.
+bool begins_wkt(std::string_view text);
+
+/// Of a table (fields between commas, semicolons, tabs or bars; in double quotes where they hold such, or unquoted)
+/// with a column of WKT, found in its first 50 rows: the same bytes, but blanks in place of all that is not in that
+/// column, so that lines keep their numbers. Nothing when it is no such table. O(bytes).
+std::optional<std::string> wkt_column(std::string_view bytes);
+
+/// Is this WKB in hexadecimal digits, as PostGIS shows it?
+bool is_hex_wkb(std::string_view text);
+/// Is one in the first rows of a table, or a line of its own?
+bool has_hex_wkb_column(std::string_view bytes);
+
+}  // namespace taut::detail
