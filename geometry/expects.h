@@ -15,10 +15,9 @@ class PreconditionError : public std::logic_error {
 }  // namespace taut
 
 #ifdef TAUT_CHECKS
-#define TAUT_EXPECTS(condition) \
-  ((condition)                  \
-       ? static_cast<void>(0)   \
-       : throw ::taut::PreconditionError(std::string(__func__) + ": precondition broken: " #condition))
+#define TAUT_EXPECTS(condition)       \
+  ((condition) ? static_cast<void>(0) \
+               : throw ::taut::PreconditionError(std::string(__func__) + ": precondition broken: " #condition))
 #else
 #define TAUT_EXPECTS(condition) static_cast<void>(0)
 #endif

@@ -52,7 +52,8 @@ struct PlanResult {
 ///  within          in its place where crossings of walls had to be rounded and it would be true: no path that stays
 ///                  this far from obstacles is shorter, and this one goes through none deeper than that
 ///  points          [[x, y], ...] from start to goal
-///  corners         how often the path bends (corner_count, with the world's uncertainty), whatever points it is made of
+///  corners         how often the path bends (corner_count, with the world's uncertainty), whatever points it is made
+///                  of
 ///  clearance       least distance of the path to an obstacle, 0 when it touches one; null when it was not verified or
 ///                  there is no obstacle
 ///  verified        true when the independent check accepted the path

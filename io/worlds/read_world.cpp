@@ -179,8 +179,7 @@ World joined(WorldParts parts, const ReadOptions& options, ReadNotes* notes) {
 }
 
 // Rings of one meaning are taken for it; then what nearly touches is joined.
-World read_shapes(WorldParts parts, const ReadOptions& options, ReadNotes& seen,
-                  ReadNotes* notes) try {
+World read_shapes(WorldParts parts, const ReadOptions& options, ReadNotes& seen, ReadNotes* notes) try {
   for (std::string& remark : mend_rings(parts, options.crossings)) seen.remarks.push_back(std::move(remark));
   say_nested(parts.areas, seen);
   return joined(std::move(parts), options, notes);
