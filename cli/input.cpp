@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <utility>
 
-#include <taut/cli/foreign.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/world/foreign.h>
 #include <taut/geometry/errors.h>
 
 namespace taut::cli {

@@ -16,7 +16,6 @@
 
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
-#include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
 #include <taut/cli/run.h>

@@ -1,8 +1,11 @@
-// What is said on stderr.
+// What is said on stderr, and in what words.
 #pragma once
 
 #include <string>
 #include <string_view>
+
+#include <taut/io/results/words.h>
+#include <taut/search/stopwatch.h>
 
 namespace taut::cli {
 
@@ -24,5 +27,12 @@ bool is_progress_shown() noexcept;
 /// first.
 void progress(std::string_view line) noexcept;
 void end_progress() noexcept;
+
+/// The most memory this process ever had, `12.3 MB`.
+std::string peak_memory_text();
+
+/// How long something took, for lines: `0.004 s CPU`; where the clock on the wall says less, because threads shared it,
+/// `1.20 s CPU, 0.61 s wall`.
+std::string cpu_text(const Seconds& seconds);
 
 }  // namespace taut::cli

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numeric>
 
-#include <taut/cli/snap_ends.h>
+#include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/world.h>
 
@@ -157,13 +157,11 @@ std::size_t memory_of(const std::string& text) {
   return static_cast<std::size_t>(*value * unit);
 }
 
-Option add_world_options(CommandLine& app, WorldOptions& options) {
-  Option file = app.add_option("FILE", options.file, "The world to read; - is standard input").required();
+void add_reading_options(CommandLine& app, WorldOptions& options) {
   const auto parse_format = [](const std::string& text) { return std::optional(format_of(text)); };
   add(app, "--format", options.read.format, parse_format,
       "What FILE is written in: segments, cells, drawing, maz, num, wkt, geojson, movingai, ros, picture, blocks, svg "
-      "(default: found out from "
-      "its content)")
+      "(default: found out from its content)")
       .type_name("NAME")
       .group("World");
   add(app, "--polygons", options.read.polygons, polygons_of,
@@ -195,9 +193,13 @@ Option add_world_options(CommandLine& app, WorldOptions& options) {
   app.add_flag_callback(
          "--repair", [&read = options.read] { read.crossings = Crossings::even_odd; },
          "Read what has no one meaning, too: rings that cross themselves by the even-odd rule, holes over an outline "
-         "as "
-         "the outline without them, rings that are not closed as if they were")
+         "as the outline without them, rings that are not closed as if they were")
       .group("World");
+}
+
+Option add_world_options(CommandLine& app, WorldOptions& options) {
+  Option file = app.add_option("FILE", options.file, "The world to read; - is standard input").required();
+  add_reading_options(app, options);
   return file;
 }
 

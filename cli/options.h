@@ -40,7 +40,9 @@ struct CommonOptions {
 
 // Each adds its options, in a group of their own in --help. A value that cannot be read is a UsageError
 // (exit 2). The struct must outlive the parsing.
-/// Gives FILE.
+/// What FILE is written in and how it is meant.
+void add_reading_options(CommandLine& app, WorldOptions& options);
+/// With FILE, which is given back.
 Option add_world_options(CommandLine& app, WorldOptions& options);
 void add_query_options(CommandLine& app, QueryOptions& options);
 void add_robot_option(CommandLine& app, Footprint& robot);  ///< that one of the query options alone

@@ -11,7 +11,6 @@
 
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
-#include <taut/cli/report.h>
 #include <taut/cli/stop.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/pictures/rasterised.h>

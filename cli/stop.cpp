@@ -17,7 +17,6 @@
 #include <mutex>
 #include <system_error>
 
-#include <taut/cli/exit_code.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
 

@@ -4,8 +4,8 @@
 #include <taut/cli/bug/compare.h>
 #include <taut/cli/bug/journey.h>
 #include <taut/cli/command.h>
+#include <taut/cli/messages.h>
 #include <taut/cli/path_files.h>
-#include <taut/cli/report.h>
 #include <taut/io/pictures/bug_svg.h>
 #include <taut/io/results/bug_json.h>
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include <taut/cli/bug/journey.h>
-#include <taut/cli/report.h>
+#include <taut/cli/messages.h>
 #include <taut/io/results/bug_json.h>
 
 namespace taut::cli {
@@ -37,6 +37,7 @@ std::vector<double> ranges_in(const std::string& list) {
 
 void add_options(CommandLine& app, CompareOptions& options) {
   app.add_option("FILE", options.files, "Worlds").required();
+  add_reading_options(app, options.world);
   add_query_options(app, options.query);
   app.add_option_function(
          "--range", [&options](const std::string& list) { options.ranges = ranges_in(list); },

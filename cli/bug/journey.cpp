@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include <taut/cli/input.h>
-#include <taut/cli/report.h>
-#include <taut/cli/snap_ends.h>
+#include <taut/cli/messages.h>
+#include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/results/bug_json.h>
 #include <taut/search/no_path.h>

@@ -10,7 +10,6 @@
 #include <taut/cli/command.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/path_files.h>
-#include <taut/cli/report.h>
 #include <taut/cli/run.h>
 #include <taut/io/pictures/chase_svg.h>
 #include <taut/io/results/chase_json.h>

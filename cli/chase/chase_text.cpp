@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include <taut/cli/report.h>
+#include <taut/cli/messages.h>
 
 namespace taut::cli {
 

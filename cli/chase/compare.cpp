@@ -8,7 +8,6 @@
 #include <taut/cli/chase/options.h>
 #include <taut/cli/command.h>
 #include <taut/cli/messages.h>
-#include <taut/cli/report.h>
 #include <taut/cli/run.h>
 
 namespace taut::cli {

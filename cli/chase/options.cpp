@@ -4,8 +4,8 @@
 
 #include <stdexcept>
 
-#include <taut/cli/foreign.h>
 #include <taut/cli/options.h>
+#include <taut/cli/world/foreign.h>
 #include <taut/io/results/chase_json.h>
 #include <taut/io/worlds/read_chase_map.h>
 #include <taut/io/worlds/read_world.h>

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include <taut/cli/drive/table.h>
-#include <taut/cli/keeping.h>
-#include <taut/cli/report.h>
+#include <taut/cli/messages.h>
+#include <taut/cli/run.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/pictures/drive_svg.h>
 #include <taut/io/worlds/roadblock_map.h>

@@ -7,10 +7,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include <taut/cli/foreign.h>
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
-#include <taut/cli/report.h>
+#include <taut/cli/world/foreign.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/pictures/car_svg.h>
 #include <taut/io/results/barrier_words.h>

@@ -8,7 +8,7 @@
 
 #include <taut/cli/command.h>
 #include <taut/cli/grid/search_options.h>
-#include <taut/cli/report.h>
+#include <taut/cli/messages.h>
 #include <taut/cli/run.h>
 #include <taut/io/results/grid_json.h>
 

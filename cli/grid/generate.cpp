@@ -5,7 +5,7 @@
 #include <random>
 
 #include <taut/cli/command.h>
-#include <taut/cli/report.h>
+#include <taut/cli/messages.h>
 #include <taut/cli/run.h>
 #include <taut/io/worlds/movingai.h>
 #include <taut/search/grid/grid_generator.h>

@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include <taut/cli/command.h>
-#include <taut/cli/foreign.h>
 #include <taut/cli/options.h>
+#include <taut/cli/world/foreign.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/worlds/read_world.h>
 

@@ -6,11 +6,10 @@
 #include <utility>
 
 #include <taut/cli/command.h>
-#include <taut/cli/foreign.h>
 #include <taut/cli/grid/grid.h>
 #include <taut/cli/messages.h>
-#include <taut/cli/report.h>
 #include <taut/cli/run.h>
+#include <taut/cli/world/foreign.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/worlds/movingai.h>
 #include <taut/io/worlds/read_world.h>

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include <taut/cli/command_line.h>
+#include <taut/cli/messages.h>
 #include <taut/cli/mouse/mouse.h>
-#include <taut/cli/report.h>
 #include <taut/cli/run.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/worlds/certificate_file.h>
@@ -66,7 +66,7 @@ int tell(Run& run, const std::string& source, const char* yes, const std::string
 }
 
 int check_proof(const CheckOptions& options, Run& run) {
-  const MouseMaze read = run.stage("read", [&] { return read_mouse_maze(options.maze.file, options.maze.format); });
+  const GridMazeInput read = run.stage("read", [&] { return read_mouse_maze(options.maze.file, options.maze.format); });
   const std::string name = options.certificate == "-" ? "<stdin>" : options.certificate;
   const auto certified = read_certificate(read_bytes(options.certificate), name);
   const micromouse::Finding finding = run.stage("check", [&] { return verify_certificate(certified, read.maze); });
@@ -81,7 +81,7 @@ int check_proof(const CheckOptions& options, Run& run) {
 int run(const CheckOptions& options, Run& run) {
   run.source(options.maze.file);
   if (!options.certificate.empty()) return check_proof(options, run);
-  const MouseMaze read = run.stage("read", [&] { return read_grid_maze(options.maze.file, options.maze.format); });
+  const GridMazeInput read = run.stage("read", [&] { return read_grid_maze(options.maze.file, options.maze.format); });
   const MazeRules rules = rules_for(options, read.maze);
   auto faults = run.stage("check", [&] { return micromouse::violations(read.maze, rules); });
   if (read.unknown_walls > 0) faults.push_back(count_text(read.unknown_walls, "wall") + " of the drawing unknown");

@@ -4,10 +4,8 @@
 #include <algorithm>
 
 #include <taut/cli/command_line.h>
-#include <taut/cli/keeping.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/mouse/mouse.h>
-#include <taut/cli/report.h>
 #include <taut/cli/run.h>
 #include <taut/io/results/mouse_json.h>
 
@@ -51,7 +49,7 @@ void add_options(CommandLine& app, CompareOptions& options) {
 std::vector<GridMaze> read(const CompareOptions& options, Contest& contest) {
   std::vector<GridMaze> mazes;
   for (const std::string& file : options.files) {
-    MouseMaze read = read_mouse_maze(file);
+    GridMazeInput read = read_mouse_maze(file);
     if (const auto y = micromouse::yardsticks(read.maze)) {
       mazes.push_back(std::move(read.maze));
       contest.mazes.push_back(read.name);

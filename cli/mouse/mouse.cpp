@@ -9,7 +9,6 @@
 
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
-#include <taut/cli/report.h>
 #include <taut/cli/run.h>
 #include <taut/geometry/errors.h>
 
@@ -32,24 +31,7 @@ std::string explorer_names() {
   return names;
 }
 
-Format maze_format_of(const std::string& text) {
-  constexpr std::array kMazes{Format::cell_values, Format::drawing, Format::maz, Format::num};
-  const std::optional<Format> format = format_named(text);
-  if (!format || std::ranges::find(kMazes, *format) == kMazes.end())
-    throw UsageError("--format: '" + text + "' is not cells, drawing, maz or num");
-  return *format;
-}
-
 }  // namespace
-
-void add_maze_options(CommandLine& app, MazeOptions& options, const char* name) {
-  app.add_option(name, options.file, "The maze to read; - is standard input").required();
-  app.add_option_function(
-         "--format", [&options](const std::string& text) { options.format = maze_format_of(text); },
-         "What it is written in: cells, drawing, maz, num (default: found out from its content)")
-      .type_name("NAME")
-      .group("World");
-}
 
 void add_max_steps_option(CommandLine& app, int& max_steps) {
   app.add_option("--max-steps", max_steps, "Of both runs together (default: 1000)")
@@ -83,19 +65,8 @@ Explorer explorer_of(const std::string& word, const char* option) {
   return *explorer;
 }
 
-MouseMaze read_grid_maze(const std::string& file, std::optional<Format> format) {
-  ReadNotes notes;
-  ReadOptions options;
-  options.format = format;
-  const World world = read_world_of(file, options, notes);
-  if (!world.grid())
-    throw InputError(world.source(), 0,
-                     fmt::format("is a world of {}, not a grid maze (cells, drawing, maz or num)", name(notes.format)));
-  return {*world.grid(), world.source(), notes.unknown_walls};
-}
-
-MouseMaze read_mouse_maze(const std::string& file, std::optional<Format> format) {
-  MouseMaze read = read_grid_maze(file, format);
+GridMazeInput read_mouse_maze(const std::string& file, std::optional<Format> format) {
+  GridMazeInput read = read_grid_maze(file, format);
   if (const std::size_t open = border_openings(read.maze); open > 0) {
     note(fmt::format("taut: {}: the border has {}: closed, as a micromouse maze has none", read.name,
                      count_text(open, "opening")));
@@ -117,15 +88,6 @@ std::size_t border_openings(const GridMaze& maze) {
   for_each_border_side(maze, [&](Cell c, Side side) { open += maze.wall(c, side) ? 0U : 1U; });
   return open;
 }
-
-std::string cell_text(Cell cell) { return fmt::format("({},{})", cell.x, cell.y); }
-
-const char* side_name(Side side) {
-  static constexpr const char* kNames[] = {"north", "east", "south", "west"};
-  return kNames[static_cast<std::size_t>(side)];
-}
-
-std::string wall_text(const micromouse::CellSide& wall) { return cell_text(wall.cell) + " " + side_name(wall.side); }
 
 int no_route(const std::string& name, Run& run) {
   const std::string why = "the maze has no way from the start to the goal";

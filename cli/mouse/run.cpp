@@ -7,7 +7,6 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/mouse/mouse.h>
 #include <taut/cli/mouse/table.h>
-#include <taut/cli/report.h>
 #include <taut/cli/run.h>
 #include <taut/io/pictures/mouse_svg.h>
 #include <taut/io/worlds/certificate_file.h>
@@ -83,7 +82,7 @@ void check(const MouseTrial& trial, const GridMaze& maze) {
 }
 
 // Those that take many trials or a search. What is finished stays if the next is stopped.
-void measure(MouseTrial& trial, const MouseMaze& read, Run& run) {
+void measure(MouseTrial& trial, const GridMazeInput& read, Run& run) {
   micromouse::Yardsticks& y = trial.yardsticks;
   if (micromouse::fit_for_proof_bound(read.maze)) {
     y.with_proof = run.stage("floor", [&] { return micromouse::proof_bound(read.maze); });
@@ -104,7 +103,7 @@ std::vector<std::string> facts_of(const MouseTrial& trial) {
 }
 
 // Pictures whatever came of it, the proof where there is one.
-std::vector<OutputFile> files_of(const RunOptions& options, const MouseMaze& read, const MouseTrial& trial) {
+std::vector<OutputFile> files_of(const RunOptions& options, const GridMazeInput& read, const MouseTrial& trial) {
   const MousePicture picture{title_of(read.name), facts_of(trial), options.flood};
   std::vector<OutputFile> files;
   if (!options.svg.empty()) files.push_back({options.svg, mouse_svg(read.maze, trial.record, picture)});
@@ -126,7 +125,7 @@ std::string what_is_missing(const RunOptions& options, const MouseTrial& trial) 
 int run(const RunOptions& options, Run& run) {
   for (const std::string& file : {options.svg, options.animation, options.certificate}) run.promise(file);
   run.source(options.maze.file);
-  const MouseMaze read = run.stage("read", [&] { return read_mouse_maze(options.maze.file, options.maze.format); });
+  const GridMazeInput read = run.stage("read", [&] { return read_mouse_maze(options.maze.file, options.maze.format); });
   const auto yardsticks = run.stage("optimum", [&] { return micromouse::yardsticks(read.maze); });
   if (!yardsticks) return no_route(read.name, run);
   MouseTrial trial = run.stage("run", [&] { return trial_of(options, read.maze, *yardsticks); });

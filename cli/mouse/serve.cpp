@@ -147,7 +147,7 @@ Json counts_of(const Record& record) {
   return {{"run1", record.run1}, {"run2", record.run2}, {"goal_at", record.goal_at}};
 }
 
-Record serve(const MouseMaze& read, const ServeOptions& options, Run& run) {
+Record serve(const GridMazeInput& read, const ServeOptions& options, Run& run) {
   micromouse::Trial trial(read.maze, options.max_steps);
   const micromouse::Task& task = trial.task();
   if (options.hello && !trial.over())
@@ -167,7 +167,7 @@ int run(const ServeOptions& options, Run& run) {
   if (options.maze.file == "-") throw InputError("<stdin>", 0, "cannot be the maze, it is the robot");
   std::signal(SIGPIPE, SIG_IGN);  // a robot that has gone is a line and an exit code
   run.source(options.maze.file);
-  const MouseMaze read = run.stage("read", [&] { return read_mouse_maze(options.maze.file, options.maze.format); });
+  const GridMazeInput read = run.stage("read", [&] { return read_mouse_maze(options.maze.file, options.maze.format); });
   const auto yardsticks = run.stage("optimum", [&] { return micromouse::yardsticks(read.maze); });
   if (!yardsticks) return no_route(read.name, run);
   MouseTrial trial{run.stage("serve", [&] { return serve(read, options, run); }), *yardsticks};

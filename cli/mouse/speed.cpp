@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include <taut/cli/command_line.h>
+#include <taut/cli/messages.h>
 #include <taut/cli/mouse/mouse.h>
-#include <taut/cli/report.h>
 #include <taut/cli/run.h>
 #include <taut/io/pictures/mouse_svg.h>
 #include <taut/io/results/mouse_json.h>
@@ -50,7 +50,8 @@ std::string row(const char* name, const SpeedRun& run, const SpeedModel& model) 
                      run.cells.size() - 1, turns_of(run), top_speed_of(run, model));
 }
 
-std::string table(const MouseMaze& read, const SpeedModel& model, const SpeedRun& fastest, const SpeedRun& shortest) {
+std::string table(const GridMazeInput& read, const SpeedModel& model, const SpeedRun& fastest,
+                  const SpeedRun& shortest) {
   std::string out = fmt::format("{}: {} x {}\n  {:<10}{:>9}{:>9}{:>7}{:>7}{:>9}\n", read.name, read.maze.width(),
                                 read.maze.height(), "", "s", "m", "cells", "turns", "top m/s");
   out += row("fastest", fastest, model) + row("shortest", shortest, model);
@@ -75,7 +76,7 @@ std::string drives_text(const SpeedRun& run) {
 int run(const SpeedOptions& options, Run& run) {
   run.promise(options.svg);
   run.source(options.maze.file);
-  const MouseMaze read = run.stage("read", [&] { return read_mouse_maze(options.maze.file, options.maze.format); });
+  const GridMazeInput read = run.stage("read", [&] { return read_mouse_maze(options.maze.file, options.maze.format); });
   SpeedModel model;
   if (!options.model.empty()) model = read_speed_model(read_bytes(options.model), options.model);
   const auto fastest = run.stage("search", [&] { return micromouse::speed_run(read.maze, model); });

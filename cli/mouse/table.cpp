@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <taut/cli/messages.h>
 #include <taut/cli/mouse/mouse.h>
-#include <taut/cli/report.h>
 
 namespace taut::cli {
 

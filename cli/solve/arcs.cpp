@@ -8,8 +8,8 @@
 #include <utility>
 
 #include <taut/cli/input.h>
-#include <taut/cli/report.h>
-#include <taut/cli/snap_ends.h>
+#include <taut/cli/messages.h>
+#include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/rounding.h>
 #include <taut/io/pictures/arc_svg.h>

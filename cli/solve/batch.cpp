@@ -11,9 +11,9 @@
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
-#include <taut/cli/snap_ends.h>
 #include <taut/cli/solve/batch_answers.h>
 #include <taut/cli/solve/query_source.h>
+#include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/written.h>
 #include <taut/geometry/written_places.h>

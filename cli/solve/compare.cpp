@@ -12,9 +12,9 @@
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
-#include <taut/cli/snap_ends.h>
 #include <taut/cli/solve/compare_report.h>
 #include <taut/cli/solve/prm_options.h>
+#include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/pictures/comparison_svg.h>
 #include <taut/io/results/comparison_json.h>

@@ -7,9 +7,9 @@
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
 #include <taut/cli/input.h>
-#include <taut/cli/report.h>
+#include <taut/cli/messages.h>
 #include <taut/cli/run.h>
-#include <taut/cli/snap_ends.h>
+#include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/pictures/clearance_svg.h>
 #include <taut/io/results/barrier_words.h>

@@ -8,7 +8,6 @@
 
 #include <taut/cli/messages.h>
 #include <taut/cli/options.h>
-#include <taut/cli/report.h>
 
 namespace taut::cli {
 

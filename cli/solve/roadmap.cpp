@@ -8,11 +8,10 @@
 #include <taut/cli/command_line.h>
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
-#include <taut/cli/report.h>
 #include <taut/cli/run.h>
-#include <taut/cli/snap_ends.h>
 #include <taut/cli/solve/prm_options.h>
 #include <taut/cli/solve/roadmap_option.h>
+#include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/corridor_width.h>
 #include <taut/io/pictures/svg.h>
 #include <taut/io/results/roadmap_export.h>

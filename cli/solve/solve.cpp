@@ -10,12 +10,12 @@
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
-#include <taut/cli/snap_ends.h>
 #include <taut/cli/solve/anytime.h>
 #include <taut/cli/solve/arcs.h>
 #include <taut/cli/solve/clearance.h>
 #include <taut/cli/solve/solve_options.h>
 #include <taut/cli/solve/solve_report.h>
+#include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/rounding.h>
 #include <taut/io/pictures/svg.h>

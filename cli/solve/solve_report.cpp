@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <taut/cli/report.h>
+#include <taut/cli/messages.h>
 #include <taut/cli/solve/prm_options.h>
 #include <taut/cli/solve/roadmap_option.h>
 #include <taut/search/corner_count.h>

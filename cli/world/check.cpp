@@ -4,10 +4,10 @@
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
 #include <taut/cli/input.h>
-#include <taut/cli/report.h>
+#include <taut/cli/messages.h>
 #include <taut/cli/run.h>
-#include <taut/cli/snap_ends.h>
 #include <taut/cli/world/check_report.h>
+#include <taut/cli/world/snap_ends.h>
 #include <taut/io/worlds/read_path.h>
 #include <taut/search/query_ends.h>
 #include <taut/search/verify.h>

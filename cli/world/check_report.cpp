@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include <taut/cli/report.h>
+#include <taut/cli/messages.h>
 #include <taut/geometry/number_lattice.h>
 #include <taut/geometry/predicates.h>
 #include <taut/io/results/snap_json.h>

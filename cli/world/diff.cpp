@@ -5,9 +5,9 @@
 
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
-#include <taut/cli/mouse/mouse.h>
-#include <taut/cli/report.h>
+#include <taut/cli/messages.h>
 #include <taut/cli/run.h>
+#include <taut/cli/world/grid_maze_input.h>
 #include <taut/geometry/errors.h>
 
 namespace taut::cli {
@@ -43,7 +43,7 @@ std::vector<Cell> goal_of(const GridMaze& maze) {
   return goal;
 }
 
-std::string text_of(const MouseMaze& a, const MouseMaze& b, const std::vector<CellSide>& walls) {
+std::string text_of(const GridMazeInput& a, const GridMazeInput& b, const std::vector<CellSide>& walls) {
   std::string out;
   for (const CellSide& w : walls)
     out += fmt::format("{}: {} / {}\n", wall_text(w), a.maze.wall(w.cell, w.side) ? "wall" : "open",
@@ -56,7 +56,7 @@ std::string text_of(const MouseMaze& a, const MouseMaze& b, const std::vector<Ce
                                             walls.size() == 1 ? "differs" : "differ"));
 }
 
-Json json_of(const MouseMaze& a, const MouseMaze& b, const std::vector<CellSide>& walls) {
+Json json_of(const GridMazeInput& a, const GridMazeInput& b, const std::vector<CellSide>& walls) {
   Json list = Json::array();
   for (const CellSide& w : walls)
     list.push_back({{"cell", {w.cell.x, w.cell.y}},
@@ -73,7 +73,7 @@ Json json_of(const MouseMaze& a, const MouseMaze& b, const std::vector<CellSide>
 
 std::string size_text(const GridMaze& maze) { return fmt::format("{} x {}", maze.width(), maze.height()); }
 
-Answer different_sizes(const MouseMaze& a, const MouseMaze& b) {
+Answer different_sizes(const GridMazeInput& a, const GridMazeInput& b) {
   const std::string reason = fmt::format("the sizes differ: {} / {}", size_text(a.maze), size_text(b.maze));
   return {.outcome = Outcome::differs,
           .reason = reason,
@@ -85,7 +85,7 @@ Answer different_sizes(const MouseMaze& a, const MouseMaze& b) {
           .line = reason + "\n"};
 }
 
-Answer answer_of(const MouseMaze& a, const MouseMaze& b) {
+Answer answer_of(const GridMazeInput& a, const GridMazeInput& b) {
   if (a.maze.width() != b.maze.width() || a.maze.height() != b.maze.height()) return different_sizes(a, b);
   const std::vector<CellSide> walls = differing(a.maze, b.maze);
   Answer answer{.result = json_of(a, b, walls), .line = text_of(a, b, walls)};
@@ -99,7 +99,7 @@ int run(const DiffOptions& options, Run& run) {
   run.sources({options.a, options.b});
   if (options.a == "-" && options.b == "-") throw InputError("<stdin>", 0, "cannot be both mazes");
   const auto read = [&](const std::string& file) { return run.stage("read", [&] { return read_grid_maze(file); }); };
-  const MouseMaze a = read(options.a), b = read(options.b);
+  const GridMazeInput a = read(options.a), b = read(options.b);
   return run.end(answer_of(a, b));
 }
 

@@ -11,7 +11,7 @@
 
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
-#include <taut/cli/report.h>
+#include <taut/cli/messages.h>
 #include <taut/cli/run.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/maze_generator.h>

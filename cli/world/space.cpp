@@ -8,7 +8,7 @@
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
 #include <taut/cli/input.h>
-#include <taut/cli/report.h>
+#include <taut/cli/messages.h>
 #include <taut/cli/run.h>
 #include <taut/io/pictures/svg.h>
 #include <taut/io/worlds/free_space_text.h>

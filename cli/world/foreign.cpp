@@ -1,4 +1,4 @@
-#include <taut/cli/foreign.h>
+#include <taut/cli/world/foreign.h>
 
 #include <algorithm>
 

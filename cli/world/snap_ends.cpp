@@ -1,4 +1,4 @@
-#include <taut/cli/snap_ends.h>
+#include <taut/cli/world/snap_ends.h>
 
 #include <fmt/format.h>
 
