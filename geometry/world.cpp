@@ -71,13 +71,13 @@ void bend(std::vector<Area>& areas, const Segment& opening, Point p) {
 // Says whether an outline had to bend.
 bool end_at_openings(WorldParts& parts, const std::vector<Segment>& openings) {
   if (parts.start || parts.goal.point || !parts.goal.room.empty() || openings.size() != 2) return false;
-  const std::vector<Segment> two = openings;
-  const Point ends[] = {written::middle(two[0]), written::middle(two[1])};
+  const Point ends[] = {written::middle(openings[0]), written::middle(openings[1])};
   const auto [first, second] = std::minmax(ends[0], ends[1]);
   parts.start = first;
   parts.goal.point = second;
-  for (const int i : {0, 1}) bend(parts.areas, two[static_cast<std::size_t>(i)], ends[i]);
-  return !written::on_segment(ends[0], two[0].a, two[0].b) || !written::on_segment(ends[1], two[1].a, two[1].b);
+  for (const int i : {0, 1}) bend(parts.areas, openings[static_cast<std::size_t>(i)], ends[i]);
+  return !written::on_segment(ends[0], openings[0].a, openings[0].b) ||
+         !written::on_segment(ends[1], openings[1].a, openings[1].b);
 }
 
 }  // namespace

@@ -18,7 +18,6 @@ namespace taut {
 namespace {
 
 using detail::DiscCandidate;
-using detail::Offset;
 
 bool is_nearer(Point p, const Segment& s, double r) {
   const Interval distance = segment_distance_interval({p, p}, s), wanted = written::enclosure(r);

@@ -102,8 +102,8 @@ double PlannerRuns::median(double (*number)(const PlannerRun&)) const {
   return all[all.size() / 2];
 }
 
-void Comparison::add(PlannerRuns runs) {
-  planners.push_back(std::move(runs));
+void Comparison::add(PlannerRuns more) {
+  planners.push_back(std::move(more));
   const PlannerRuns& last = planners.back();
   if (!optimum && last.optimal && last.solved() > 0) optimum = last.typical().path.length;
 }

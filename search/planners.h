@@ -70,7 +70,7 @@ struct Comparison {
   bool is_shut = false;             ///< there is none: walls prove it
 
   /// The first planner that says its paths are the shortest gives the optimum.
-  void add(PlannerRuns runs);
+  void add(PlannerRuns more);
   /// The first planner one of whose paths does not pass the check, if any: a defect.
   const PlannerRuns* wrong() const;
 };

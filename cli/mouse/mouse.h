@@ -20,8 +20,8 @@ void explain_explorers(CommandLine& app);
 /// `flood`, or a UsageError that says what there is.
 micromouse::Explorer explorer_of(const std::string& word, const char* option);
 
-/// read_grid_maze, as a micromouse runs in it: where the border has openings they are closed, and a note says so. Also throws
-/// what task_of throws.
+/// read_grid_maze, as a micromouse runs in it: where the border has openings they are closed, and a note says so. Also
+/// throws what task_of throws.
 GridMazeInput read_mouse_maze(const std::string& file, std::optional<Format> format = std::nullopt);
 
 /// How many sides of the border are open.

@@ -23,6 +23,7 @@ std::string end_move_text(const EndMove& move) {
 
 std::vector<Segment> end_move_lines(const std::vector<EndMove>& moves) {
   std::vector<Segment> lines;
+  lines.reserve(moves.size());
   for (const EndMove& move : moves) lines.push_back({move.given, move.place.point});
   return lines;
 }
