@@ -30,7 +30,7 @@ std::optional<RoadblockMap> map_in(const std::string& file) {
   if (!std::filesystem::exists(file)) return std::nullopt;
   std::stringstream text;
   text << std::ifstream(file).rdbuf();
-  return read_roadblock_map(text.str(), file);
+  return taut::read_roadblock_map(text.str(), file);
 }
 
 /// What the arrays replace: all states by the sweep before, one after the other.

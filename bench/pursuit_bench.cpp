@@ -37,11 +37,11 @@ void run_planner(benchmark::State& state, const char* name, ChaseMap (*make)(int
   const Cost bound = exact_plan(chase).bound;  // the optimum, unless the labels of the exact planner ran out
   ChasePlan plan;
   for (auto _ : state) plan = planner.plan(chase, {}, nullptr);
-  if (plan.status == SearchStatus::stopped) {  // `entry`, when its one way of least cost is late everywhere
+  if (plan.status == taut::SearchStatus::stopped) {  // `entry`, when its one way of least cost is late everywhere
     state.SetLabel("no plan");
     return;
   }
-  if (plan.status != SearchStatus::found || !verify_plan(plan, chase).empty() || plan.cost < bound ||
+  if (plan.status != taut::SearchStatus::found || !verify_plan(plan, chase).empty() || plan.cost < bound ||
       (plan.optimal && plan.cost != bound))
     state.SkipWithError("a wrong plan");
   state.counters["over_bound"] = static_cast<double>(plan.cost) / static_cast<double>(bound);
