@@ -188,6 +188,16 @@ void add_reading_options(CommandLine& app, WorldOptions& options) {
       "not even those that only rounding keeps apart")
       .type_name("T|auto|0")
       .group("World");
+  app.add_flag_callback(
+         "--project",
+         [app, &read = options.read] {
+           const std::string name = app.full_name();
+           if (name != "taut solve" && name != "taut check" && name != "taut batch")
+             throw UsageError("--project goes with solve, check and batch, not with '" + name + "'");
+           read.project = true;
+         },
+         "Of solve, check, batch: coordinates are longitude,latitude; plan in metres")
+      .group("World");
   app.add_flag("--unknown-free", options.read.unknown_is_free, "Cells of a ROS map that nobody knows are free")
       .group("World");
   app.add_flag_callback(

@@ -1,6 +1,7 @@
 // taut batch: many queries on one world, streamed.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <optional>
@@ -13,6 +14,7 @@
 #include <taut/cli/run.h>
 #include <taut/cli/solve/batch_answers.h>
 #include <taut/cli/solve/query_source.h>
+#include <taut/cli/world/geographic.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/written.h>
@@ -75,10 +77,12 @@ class Batch {
     std::ios::sync_with_stdio(false);
     QuerySource source(options_.queries);
     const Input input = run_.stage("read", [&] { return read_input(options_.world); });
+    shown_ = Shown(input.notes);
     const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
     Polyanya polyanya = run_.stage("mesh", [&] { return Polyanya(space); });
     const NoPath no_path(space);
     rounding_ = rounding_tolerance(input.world.parts());
+    if (shown_) rounding_ = std::max(rounding_, 2 * input.world.uncertainty());
     answers_.prepared_in(run_.seconds());
     run_.stage("search", [&] { answer_all(source, input, space, polyanya, no_path); });
     note(answers_.totals());
@@ -100,7 +104,7 @@ class Batch {
       const std::optional<QueryLine> query = read(reader, line, number, source, input);
       if (!query) continue;
       bool on_walls = false;
-      for (const Point p : {query->from, query->to})
+      for (const Point p : {plane(query->from), plane(query->to)})
         on_walls = on_walls || places.is_moved(p) || is_beside_a_wall(space, p);
       answers_.add(*query, on_walls ? ask_on_walls(input.world, *query) : ask(space, search, no_path, *query),
                    source.name());
@@ -113,6 +117,16 @@ class Batch {
     answers_.flush(true);
   }
 
+  /// --project: queries are longitude and latitude.
+  Point plane(Point p) const { return shown_ ? shown_.geographic()->metres(p) : p; }
+
+  void show(QueryAnswer& answer) const {
+    if (!shown_) return;
+    answer.points = shown_(std::move(answer.points));
+    answer.moves = shown_(std::move(answer.moves));
+    if (answer.nearest) answer.nearest = shown_(*answer.nearest);
+  }
+
   // A line that is wrong does not take the answers before it along.
   std::optional<QueryLine> read(QueryReader& reader, const std::string& line, int number, const QuerySource& source,
                                 const Input& input) {
@@ -123,6 +137,9 @@ class Batch {
         throw InputError(source.name(), number,
                          fmt::format("is for a map of {} x {} cells, {} has {} x {}", query->map.x, query->map.y,
                                      input.name, box.max.x, box.max.y));
+      if (query && shown_)
+        for (const Point p : {query->from, query->to})
+          shown_.geographic()->require_end(p, fmt::format("line {} of the queries: end", number));
       return query;
     } catch (const InputError&) {
       answers_.flush(true);
@@ -142,8 +159,14 @@ class Batch {
 
   /// Ends on sloped walls that bend nearby, or beside a wall within rounding: a space of their own has them there.
   QueryAnswer ask_on_walls(const World& world, const QueryLine& query) {
-    const Point ends[] = {query.from, query.to};
     const bool joins = options_.world.read.snap.what != Snap::What::nothing;
+    const Point given[] = {query.from, query.to}, ends[] = {plane(query.from), plane(query.to)};
+    if (shown_) {
+      const WorldParts parts = shown_.geographic()->in_metres(given);
+      const FreeSpace space(snapped_world(parts, options_.world.read.snap, ends).world, options_.query.robot, ends);
+      PolyanyaSearch search{Polyanya(space)};
+      return ask(space, search, NoPath(space), query);
+    }
     const FreeSpace space(joins ? snapped(world, Snap{}, ends).world : world, options_.query.robot, ends);
     PolyanyaSearch search{Polyanya(space)};
     return ask(space, search, NoPath(space), query);
@@ -172,6 +195,14 @@ class Batch {
 
   /// A start or goal in a wall is an answer here, no reason to stop.
   QueryAnswer ask(const FreeSpace& space, PolyanyaSearch& search, const NoPath& no_path, QueryLine query) {
+    query.from = plane(query.from);
+    query.to = plane(query.to);
+    QueryAnswer answer = ask_in_plane(space, search, no_path, query);
+    show(answer);
+    return answer;
+  }
+
+  QueryAnswer ask_in_plane(const FreeSpace& space, PolyanyaSearch& search, const NoPath& no_path, QueryLine query) {
     QueryAnswer answer;
     if (!settle(space, "start", query.from, answer) || !settle(space, "goal", query.to, answer)) return answer;
     const Stopwatch watch;
@@ -193,6 +224,7 @@ class Batch {
   const BatchOptions& options_;
   Run& run_;
   BatchAnswers answers_;
+  Shown shown_{ReadNotes{}};
   double rounding_ = 0;
   std::size_t nodes_ = 0;
   double lengths_ = 0, straight_ = 0;

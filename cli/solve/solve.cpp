@@ -15,6 +15,7 @@
 #include <taut/cli/solve/clearance.h>
 #include <taut/cli/solve/solve_options.h>
 #include <taut/cli/solve/solve_report.h>
+#include <taut/cli/world/geographic.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/rounding.h>
@@ -26,7 +27,6 @@
 #include <taut/io/saved/planned_roadmap.h>
 #include <taut/search/funnel.h>
 #include <taut/search/no_path.h>
-#include <taut/search/query_ends.h>
 #include <taut/search/verify.h>
 
 namespace taut::cli {
@@ -46,14 +46,15 @@ class Solver {
     result_.robot = options_.query.robot;
     keep();
     const Input input = read_input(options_.world, options_.query, run_);
+    shown_ = Shown(input.notes);
     read_ends(input);
     const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
     result_.displacement = space.report().displacement;
     // Of a disc the claim is about the polygon around it, which is larger by far more than any rounding.
     if (rounding_bound(space) > 0 && options_.query.robot.kind() != Footprint::Kind::disc)
       result_.within = rounding_bound(space);
-    require_free(space, *result_.start, "start");
-    if (result_.goal.point) require_free(space, *result_.goal.point, "goal");
+    require_free(space, *result_.start, "start", shown_);
+    if (result_.goal.point) require_free(space, *result_.goal.point, "goal", shown_);
     answer_.planned = run_.stage("roadmap", [&] { return build_or_load(space); });
     end_progress();
     result_.roadmap = answer_.kind->name;
@@ -67,7 +68,15 @@ class Solver {
   }
 
  private:
-  void keep() { run_.so_far(result_json(result_)); }
+  void keep() { run_.so_far(plan_json()); }
+
+  Json plan_json() const {
+    if (!shown_) return result_json(result_);
+    const PlanResult result = shown_(result_);
+    Json json = result_json(result);
+    json["projection"] = shown_.json(result.path.points, result.path.length.value());
+    return json;
+  }
 
   void read_ends(const Input& input) {
     require_ends(input);
@@ -148,7 +157,7 @@ class Solver {
     answer_.outcome = Outcome::none;
     result_.separation = joined_walls(*walls, space.world().box());
     answer_.reason = walls->empty()                ? "no place of the goal is free"
-                     : !result_.separation.empty() ? walls_text(result_.separation)
+                     : !result_.separation.empty() ? walls_text(shown_(result_.separation))
                                                    : "";
     if (options_.query.robot.kind() == Footprint::Kind::disc) name_gates(input);
   }
@@ -182,7 +191,7 @@ class Solver {
   void name_gates(const Input& input) {
     const auto barrier = disc_barrier(input.world, *result_.start, goals(), options_.query.robot.radius());
     if (!barrier) return;
-    answer_.reason = barrier_text(*barrier, options_.query.robot.radius());
+    answer_.reason = barrier_text(shown_(*barrier), options_.query.robot.radius());
     answer_.narrow = barrier->gate_segments();
   }
 
@@ -196,7 +205,7 @@ class Solver {
   }
 
   PathToWrite written_path() const {
-    return {.name = result_.roadmap, .points = result_.path.points, .length = result_.path.length.value()};
+    return {.name = result_.roadmap, .points = shown_(result_.path.points), .length = result_.path.length.value()};
   }
 
   int end(const FreeSpace& space, const Input& input) {
@@ -205,7 +214,7 @@ class Solver {
     answer.reason = answer_.reason;
     answer.line = solve_line(answer_, run_.seconds());
     if (run_.wants_json()) answer.result = json(input);
-    if (options_.path) answer.listing = points_text(result_.path.points);
+    if (options_.path) answer.listing = points_text(shown_(result_.path.points));
     answer.stats = solve_stats(answer_, options_, space, input);
     if (!options_.save.empty())
       answer.files.push_back({options_.save, saved_text(*answer_.kind, answer_.planned, space)});
@@ -215,7 +224,7 @@ class Solver {
   }
 
   Json json(const Input& input) const {
-    Json json = result_json(result_);
+    Json json = plan_json();
     json["snap"] = snap_json(input.notes.snap);
     json["near"] = near_json(input.notes.near);
     return json;
@@ -223,6 +232,7 @@ class Solver {
 
   const SolveOptions& options_;
   Run& run_;
+  Shown shown_{ReadNotes{}};
   SolveAnswer answer_;
   PlanResult& result_ = answer_.result;
 };

@@ -119,6 +119,8 @@ void require_consistent(const SolveOptions& options) {
     throw UsageError("--arcs has a roadmap of its own: not with --roadmap, --save, --load or --clearance");
   if (options.arcs && options.query.robot.kind() != Footprint::Kind::disc)
     throw UsageError("--arcs needs --robot disc:R");
+  if (options.world.read.project && (options.arcs || options.clearance))
+    throw UsageError("--project does not go with --arcs, --clearance, --widest and --tradeoff");
   require_method_fits(options);
   require_anytime_fits(options.anytime, options.kind, options.method_given());
   if (options.anytime.wanted && (options.shorten || options.arcs || options.clearance))

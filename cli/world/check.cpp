@@ -1,15 +1,17 @@
 // taut check: is the input valid, what is in it, and is a given path one that can be followed?
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
 #include <taut/cli/world/check_report.h>
+#include <taut/cli/world/geographic.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/io/worlds/read_path.h>
-#include <taut/search/query_ends.h>
 #include <taut/search/verify.h>
 #include <taut/search/verify_arcs.h>
 
@@ -69,24 +71,43 @@ Verdict judge(const ClaimedPath& claimed, const FreeSpace& space) {
   return verdict;
 }
 
-void require_free_ends(const FreeSpace& space) {
+// A path of longitude and latitude in metres, where its ends are on the walls that they are on in degrees.
+void project(ClaimedPath& claimed, Input& input, const Snap& snap) {
+  const GeographicWorld& geographic = *input.notes.geographic;
+  if (claimed.arcs) throw InputError({}, 0, "a path of arcs cannot be checked with --project");
+  std::vector<Point> ends;
+  if (!claimed.points.empty()) ends = {claimed.points.front(), claimed.points.back()};
+  for (Point& p : claimed.points) {
+    geographic.require_end(p, "the path's point");
+    p = geographic.metres(p);
+  }
+  // What was printed of the points is rounded.
+  const double measured = Length(claimed.points).value();
+  if (claimed.length && std::abs(*claimed.length - measured) <= 4e-7 * static_cast<double>(claimed.points.size()))
+    claimed.length.reset();
+  const std::optional<Point> start = input.world.start(), goal = input.world.goal().point;
+  input.world = snapped_world(geographic.in_metres(ends), snap).world.with_ends(start, goal);
+}
+
+void require_free_ends(const FreeSpace& space, const Shown& shown) {
   const World& world = space.world();
-  if (world.start()) require_free(space, *world.start(), "start");
-  if (world.goal().point) require_free(space, *world.goal().point, "goal");
+  if (world.start()) require_free(space, *world.start(), "start", shown);
+  if (world.goal().point) require_free(space, *world.goal().point, "goal", shown);
 }
 
 int run(const CheckOptions& options, Run& run) {
   run.source(options.world.file);
-  const Input input = read_input(options.world, options.query, run);
+  Input input = read_input(options.world, options.query, run);
   std::optional<ClaimedPath> claimed;
   if (!options.path.empty())
     claimed = read_path(read_bytes(options.path), options.path == "-" ? "<stdin>" : options.path);
+  if (claimed && input.notes.geographic) project(*claimed, input, options.world.read.snap);
   const FreeSpace space = run.stage("space", [&] {
     // What a path that is to be judged lies on must not have bent away from it.
     return FreeSpace(input.world, options.query.robot,
                      claimed ? std::span<const Point>(claimed->points) : std::span<const Point>());
   });
-  require_free_ends(space);
+  require_free_ends(space, Shown(input.notes));
   CheckReport report(input, space);
   run.so_far(report.json(), report.text());
   if (claimed) run.stage("verify", [&] { report.add_path(*claimed, judge(*claimed, space)); });

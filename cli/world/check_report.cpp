@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <taut/cli/messages.h>
+#include <taut/cli/world/geographic.h>
 #include <taut/geometry/number_lattice.h>
 #include <taut/geometry/predicates.h>
 #include <taut/io/results/snap_json.h>
@@ -78,6 +79,8 @@ std::string CheckReport::path_text() const {
 
 std::string CheckReport::text() const {
   const World& world = input_.world;
+  const Shown shown(input_.notes);
+  const Box box = shown(world.box());
   std::string out;
   const auto row = [&](const char* what, const std::string& text) { out += fmt::format("  {:<12}{}\n", what, text); };
   out += fmt::format("{}: valid, {}\n", input_.name, name(input_.notes.format));
@@ -86,8 +89,7 @@ std::string CheckReport::text() const {
   if (input_.notes.unknown_walls > 0) walls += fmt::format(", {} unknown read as open", input_.notes.unknown_walls);
   row("walls", walls);
   if (!world.solids().empty()) row("obstacles", count_text(world.solids().size(), "polygon"));
-  row("boundary",
-      fmt::format("{}, {} to {}", name_of(world.boundary()), point_text(world.box().min), point_text(world.box().max)));
+  row("boundary", fmt::format("{}, {} to {}", name_of(world.boundary()), point_text(box.min), point_text(box.max)));
   const std::optional<NumberLattice> lattice = number_lattice(world);
   row("numbers", lattice ? taut::text(*lattice) : "computed, or too many digits for a lattice");
   const SnapReport& snap = input_.notes.snap;
@@ -98,9 +100,9 @@ std::string CheckReport::text() const {
   if (world.boundary() == Boundary::limit)
     row("openings", world.openings().empty() ? "none"
                                              : fmt::format("{}: {}", world.openings().size(),
-                                                           segments_text(world.openings(), kOpeningsNamed)));
-  row("start", world.start() ? point_text(*world.start()) : "not given");
-  row("goal", text_of(world.goal()));
+                                                           segments_text(shown(world.openings()), kOpeningsNamed)));
+  row("start", world.start() ? point_text(shown(*world.start())) : "not given");
+  row("goal", text_of(shown(world.goal())));
   row("free space", fmt::format("area {:.10g}, {}, {}, {}", area_, count_text(space_.component_count(), "component"),
                                 count_text(space_.polygons().size(), "outer ring"), count_text(holes_, "hole")));
   row("corners", fmt::format("{}, {} reflex", corners_, reflex_corners_));
@@ -110,6 +112,7 @@ std::string CheckReport::text() const {
 
 Json CheckReport::json() const {
   const World& world = input_.world;
+  const Shown shown(input_.notes);
   Json json{{"format", name(input_.notes.format)}};
   json["walls"] = world.walls().size();
   json["dropped_walls"] = world.dropped_walls();
@@ -118,14 +121,14 @@ Json CheckReport::json() const {
   json["solids"] = world.solids().size();
   json["areas"] = world.areas().size();
   json["boundary"] = name_of(world.boundary());
-  json["box"] = json_of(world.box());
+  json["box"] = json_of(shown(world.box()));
   const std::optional<NumberLattice> lattice = number_lattice(world);
   json["numbers"] = lattice ? Json(taut::text(*lattice)) : Json(nullptr);
   json["snap"] = snap_json(input_.notes.snap);
   json["near"] = near_json(input_.notes.near);
-  json["openings"] = world.openings();
-  json["start"] = world.start();
-  json["goal"] = json_of(world.goal());
+  json["openings"] = shown(world.openings());
+  json["start"] = world.start() ? Json(shown(*world.start())) : Json();
+  json["goal"] = json_of(shown(world.goal()));
   json["free_space"] = {{"area", area_},
                         {"components", space_.component_count()},
                         {"polygons", space_.polygons().size()},
@@ -134,6 +137,7 @@ Json CheckReport::json() const {
                         {"reflex_corners", reflex_corners_},
                         {"triangles", space_.triangulation().triangles.size()},
                         {"displacement", space_.report().displacement}};
+  if (shown) json["projection"] = shown.json();
   json["path"] = nullptr;
   if (path_) {
     const auto& [path, verdict] = *path_;

@@ -5,10 +5,10 @@
 #include <functional>
 
 #include <taut/cli/messages.h>
+#include <taut/cli/world/geographic.h>
 #include <taut/geometry/walled_world.h>
 #include <taut/io/results/words.h>
 #include <taut/roadmaps/disc_places.h>
-#include <taut/search/query_ends.h>
 
 namespace taut::cli {
 
@@ -42,7 +42,8 @@ void move_ends(Input& input, double most, const Nearest& nearest) {
     if (!given) return std::nullopt;
     const std::optional<EndMove> move = end_move(role, *given, most, nearest);
     if (!move) return std::nullopt;
-    note(fmt::format("taut: {}: {}; moved there", input.name, blocked_text(input.world, *given, role, move->place)));
+    note(fmt::format("taut: {}: {}; moved there", input.name,
+                     blocked_text(input.world, *given, role, move->place, Shown(input.notes))));
     input.moves.push_back(*move);
     return move->place.point;
   };
@@ -69,7 +70,7 @@ Input read_input(const WorldOptions& options, const QueryOptions& query, Run& ru
   Input input = run.stage("read", [&] { return read_input(options, query); });
   if (!query.snap_ends || ends_of(input.world).empty()) return input;
   run.stage("ends", [&] { move_ends(input, *query.snap_ends, places_of(input.world, query.robot, places)); });
-  if (!input.moves.empty()) run.add_to_result("moved_ends", end_moves_json(input.moves));
+  if (!input.moves.empty()) run.add_to_result("moved_ends", end_moves_json(Shown(input.notes)(input.moves)));
   return input;
 }
 

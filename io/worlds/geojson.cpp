@@ -22,7 +22,10 @@ class GeoJson {
   explicit GeoJson(const ReadOptions& options) : source_(options.source), shapes_(options) {}
 
   WorldParts read(std::string_view bytes, ReadNotes& notes) {
-    for (const JsonTree& root : parse_json_texts(bytes, source_)) read_root(root);
+    for (const JsonTree& root : parse_json_texts(bytes, source_)) {
+      read_root(root);
+      if (const JsonTree* crs = root.find("crs")) notes.crs = name_of(*crs);
+    }
     return shapes_.take(Shapes::Alone::two, notes);
   }
 
@@ -40,6 +43,13 @@ class GeoJson {
     } else {
       read_geometry(root, {});
     }
+  }
+
+  // {"type": "name", "properties": {"name": "..."}}; RFC 7946 has no such member any more.
+  static std::string name_of(const JsonTree& crs) {
+    const JsonTree* properties = crs.find("properties");
+    const JsonTree* name = properties ? properties->find("name") : nullptr;
+    return name && !name->string.empty() ? quoted(name->string) : "in a system without a name";
   }
 
   std::string type_of(const JsonTree& value) const {

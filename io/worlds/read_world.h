@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,8 @@
 #include <taut/geometry/world.h>
 
 namespace taut {
+
+class GeographicWorld;
 
 /// What a file is written in. In every text format lines may end in CRLF, the last one in nothing; a byte order mark
 /// and blanks at line ends are skipped. Numbers are decimal, whatever the locale; nan, inf and magnitudes beyond
@@ -93,7 +96,10 @@ struct ReadOptions {
   bool unknown_is_free = false;             ///< of ros_map: cells between the thresholds
   Snap snap{};                              ///< what to join; grids, maps and pictures have nothing to join
   std::optional<double> wall_thickness{};   ///< of every wall, instead of what the bytes say
-  std::optional<Point> start{};             ///< instead of what the bytes say
+  /// Of segments, wkt and geojson: coordinates are longitude and latitude, also those of `start` and `goal`;
+  /// thicknesses and what to snap are metres, and so is the world (geographic_world.h).
+  bool project = false;
+  std::optional<Point> start{};  ///< instead of what the bytes say
   std::optional<Point> goal{};
   std::string folder{};  ///< where files lie that the bytes name; read_world_file sets it
   std::string source{};  ///< file name for messages
@@ -106,6 +112,8 @@ struct ReadNotes {
   std::vector<std::string> remarks{};  ///< what was taken in a way that one may wish to know, a line each
   SnapReport snap{};                   ///< what was joined; a remark says so too
   std::vector<NearContact> near{};     ///< what still nearly touches; a remark says how many
+  std::optional<std::string> crs{};    ///< of geojson: the name of the coordinate system that a member `crs` gives
+  std::shared_ptr<const GeographicWorld> geographic{};  ///< where a world that was projected lies
 };
 
 /// The format of these bytes, by content alone. Throws InputError when they are empty or of no known format.

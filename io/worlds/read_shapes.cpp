@@ -1,0 +1,102 @@
+#include <taut/io/worlds/detail/read_shapes.h>
+
+#include <memory>
+#include <utility>
+
+#include <taut/geometry/mend_rings.h>
+#include <taut/geometry/nested_areas.h>
+#include <taut/io/worlds/detail/text_input.h>
+#include <taut/io/worlds/geographic_world.h>
+
+namespace taut::detail {
+
+namespace {
+
+void say_nested(const std::vector<Area>& areas, ReadNotes& notes) {
+  const std::vector<NestedArea> nested = nested_areas(areas);
+  if (nested.empty()) return;
+  const auto line = [&](std::size_t i) { return "line " + std::to_string(areas[i].line); };
+  notes.remarks.push_back(line(nested[0].inner) + ": polygon lies wholly in that of " + line(nested[0].outer) +
+                          ", which is free already, and changes nothing (--polygons nested makes it a hole)" +
+                          more_like_it(nested.size() - 1));
+}
+
+// Where people know it: in longitude and latitude.
+void show(std::vector<NearContact>& contacts, const ReadNotes& notes) {
+  if (!notes.geographic) return;
+  for (NearContact& contact : contacts) {
+    contact.end = notes.geographic->lon_lat(contact.end);
+    contact.wall = notes.geographic->lon_lat(contact.wall);
+  }
+}
+
+std::vector<Point> ends_of(const ReadOptions& options) {
+  std::vector<Point> ends;
+  for (const std::optional<Point>& end : {options.start, options.goal})
+    if (end) ends.push_back(*end);
+  return ends;
+}
+
+bool names_degrees(const std::string& crs) {
+  return crs.find("CRS84") != std::string::npos || crs.find("4326") != std::string::npos;
+}
+
+void say_degrees(const WorldParts& parts, ReadNotes& notes) {
+  if (notes.format != Format::geojson) return;
+  if (notes.crs ? !names_degrees(*notes.crs) : !looks_like_degrees(parts)) return;
+  notes.remarks.emplace_back("longitude and latitude: lengths are in degrees (--project plans in metres)");
+}
+
+// What lies within rounding is joined in degrees, where it was computed; --snap T joins in metres.
+World in_metres(WorldParts parts, const ReadOptions& options, ReadNotes& seen, ReadNotes* notes) {
+  if (seen.crs && !names_degrees(*seen.crs))
+    throw InputError(options.source, 0,
+                     "says that its coordinates are " + *seen.crs + ", not longitude and latitude as --project needs");
+  const Snap snap{options.snap.what == Snap::What::nothing ? Snap::What::nothing : Snap::What::rounding, 0};
+  require_lon_lat(parts);
+  const std::vector<Point> ends = ends_of(options);
+  Snapped snapped = snapped_world(parts, snap, ends);
+  if (const std::string remark = text(snapped.report); !remark.empty()) seen.remarks.push_back(remark + " degrees");
+  const auto geographic = std::make_shared<const GeographicWorld>(snapped.world.parts());
+  ReadOptions plane = options;
+  if (options.start)
+    plane.start = (geographic->require_end(*options.start, "start"), geographic->metres(*options.start));
+  if (options.goal) plane.goal = (geographic->require_end(*options.goal, "goal"), geographic->metres(*options.goal));
+  seen.geographic = geographic;
+  seen.remarks.push_back(geographic->text());
+  return joined(geographic->in_metres(ends), plane, notes);
+}
+
+}  // namespace
+
+World joined(WorldParts parts, const ReadOptions& options, ReadNotes* notes) {
+  if (options.wall_thickness)
+    for (Wall& wall : parts.walls) wall.thickness = *options.wall_thickness;
+  const std::vector<Point> ends = ends_of(options);
+  Snapped snapped = snapped_world(parts, options.snap, ends);
+  if (!ends.empty()) snapped.world = snapped.world.with_ends(options.start, options.goal);
+  if (!notes) return std::move(snapped.world);
+  notes->near = near_contacts(snapped.world);
+  show(notes->near, *notes);
+  show(snapped.report.remaining, *notes);
+  for (const std::string& remark : {text(snapped.report), text(notes->near)})
+    if (!remark.empty()) notes->remarks.push_back(remark);
+  notes->snap = std::move(snapped.report);
+  return std::move(snapped.world);
+}
+
+World read_shapes(WorldParts parts, const ReadOptions& options, ReadNotes& seen, ReadNotes* notes) try {
+  for (std::string& remark : mend_rings(parts, options.crossings)) seen.remarks.push_back(std::move(remark));
+  say_nested(parts.areas, seen);
+  if (options.project) {
+    if (options.wall_thickness)
+      for (Wall& wall : parts.walls) wall.thickness = *options.wall_thickness;
+    return in_metres(std::move(parts), options, seen, notes);
+  }
+  say_degrees(parts, seen);
+  return joined(std::move(parts), options, notes);
+} catch (const AmbiguousRing& ring) {
+  throw InputError({}, 0, ring.what() + (" (--repair: " + ring.even_odd() + ")"));
+}
+
+}  // namespace taut::detail
