@@ -13,10 +13,9 @@
 #include <memory>
 #include <utility>
 
-#include <taut/geometry/mend_rings.h>
-#include <taut/geometry/nested_areas.h>
 #include <taut/geometry/occupancy_world.h>
 #include <taut/io/worlds/detail/formats.h>
+#include <taut/io/worlds/detail/read_shapes.h>
 #include <taut/io/worlds/detail/text_input.h>
 #include <taut/io/worlds/detail/wkt_table.h>
 #include <taut/io/worlds/gzip.h>
@@ -145,46 +144,11 @@ World read_ros_map(std::string_view bytes, const ReadOptions& options, ReadNotes
   return ros_world(grid, info, options.source);
 }
 
-void say_nested(const std::vector<Area>& areas, ReadNotes& notes) {
-  const std::vector<NestedArea> nested = nested_areas(areas);
-  if (nested.empty()) return;
-  const auto line = [&](std::size_t i) { return "line " + std::to_string(areas[i].line); };
-  notes.remarks.push_back(line(nested[0].inner) + ": polygon lies wholly in that of " + line(nested[0].outer) +
-                          ", which is free already, and changes nothing (--polygons nested makes it a hole)" +
-                          detail::more_like_it(nested.size() - 1));
-}
-
 // What the bytes say, as the options ask for it.
 World changed(World world, const ReadOptions& options) {
   if (options.wall_thickness) world = world.with_wall_thickness(*options.wall_thickness);
   if (options.start || options.goal) world = world.with_ends(options.start, options.goal);
   return world;
-}
-
-// The same of walls and polygons, and what nearly touches joined.
-World joined(WorldParts parts, const ReadOptions& options, ReadNotes* notes) {
-  if (options.wall_thickness)
-    for (Wall& wall : parts.walls) wall.thickness = *options.wall_thickness;
-  std::vector<Point> ends;
-  for (const std::optional<Point>& end : {options.start, options.goal})
-    if (end) ends.push_back(*end);
-  Snapped snapped = snapped_world(parts, options.snap, ends);
-  if (!ends.empty()) snapped.world = snapped.world.with_ends(options.start, options.goal);
-  if (!notes) return std::move(snapped.world);
-  notes->near = near_contacts(snapped.world);
-  for (const std::string& remark : {text(snapped.report), text(notes->near)})
-    if (!remark.empty()) notes->remarks.push_back(remark);
-  notes->snap = std::move(snapped.report);
-  return std::move(snapped.world);
-}
-
-// Rings of one meaning are taken for it; then what nearly touches is joined.
-World read_shapes(WorldParts parts, const ReadOptions& options, ReadNotes& seen, ReadNotes* notes) try {
-  for (std::string& remark : mend_rings(parts, options.crossings)) seen.remarks.push_back(std::move(remark));
-  say_nested(parts.areas, seen);
-  return joined(std::move(parts), options, notes);
-} catch (const AmbiguousRing& ring) {
-  throw InputError({}, 0, ring.what() + (" (--repair: " + ring.even_odd() + ")"));
 }
 
 std::string drain(std::istream& in) {
@@ -250,19 +214,20 @@ World read_world(std::string_view bytes, const ReadOptions& options, ReadNotes* 
   ReadNotes& seen = notes ? *notes : local;
   seen = {options.format ? *options.format : detect_format(bytes, options.source)};
   switch (seen.format) {
-    case Format::segments: return read_shapes(detail::read_segments(bytes, options.source), options, seen, notes);
+    case Format::segments:
+      return detail::read_shapes(detail::read_segments(bytes, options.source), options, seen, notes);
     case Format::cell_values:
       return changed(read_grid(detail::read_cell_values(bytes, options.source), options), options);
     case Format::drawing:
       return changed(read_grid(detail::read_drawing(bytes, options.source, seen.unknown_walls), options), options);
     case Format::maz: return changed(read_grid(detail::read_maz(bytes, options.source), options), options);
     case Format::num: return changed(read_grid(detail::read_num(bytes, options.source), options), options);
-    case Format::wkt: return read_shapes(detail::read_wkt(bytes, options, seen), options, seen, notes);
-    case Format::geojson: return read_shapes(detail::read_geojson(bytes, options, seen), options, seen, notes);
+    case Format::wkt: return detail::read_shapes(detail::read_wkt(bytes, options, seen), options, seen, notes);
+    case Format::geojson: return detail::read_shapes(detail::read_geojson(bytes, options, seen), options, seen, notes);
     case Format::ros_map: return changed(read_ros_map(bytes, options, seen), options);
     case Format::picture: return changed(read_picture(bytes, options), options);
-    case Format::svg: return read_shapes(detail::read_svg(bytes, options, seen), options, seen, notes);
-    case Format::blocks: return joined(detail::read_blocks(bytes, options.source), options, notes);
+    case Format::svg: return detail::read_shapes(detail::read_svg(bytes, options, seen), options, seen, notes);
+    case Format::blocks: return detail::joined(detail::read_blocks(bytes, options.source), options, notes);
     case Format::movingai: return changed(world_of(read_movingai_map(bytes, options.source), options.source), options);
   }
   throw InputError(options.source, 0, "unknown format");
