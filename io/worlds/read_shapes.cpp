@@ -1,10 +1,14 @@
 #include <taut/io/worlds/detail/read_shapes.h>
 
 #include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
+#include <taut/geometry/errors.h>
 #include <taut/geometry/mend_rings.h>
 #include <taut/geometry/nested_areas.h>
+#include <taut/geometry/snap.h>
 #include <taut/io/worlds/detail/text_input.h>
 #include <taut/io/worlds/geographic_world.h>
 
@@ -30,11 +34,63 @@ void show(std::vector<NearContact>& contacts, const ReadNotes& notes) {
   }
 }
 
-std::vector<Point> ends_of(const ReadOptions& options) {
+void thicken(WorldParts& parts, const ReadOptions& options) {
+  if (!options.wall_thickness) return;
+  for (Wall& wall : parts.walls) wall.thickness = *options.wall_thickness;
+}
+
+std::vector<Point> given_ends(const ReadOptions& options) {
   std::vector<Point> ends;
   for (const std::optional<Point>& end : {options.start, options.goal})
     if (end) ends.push_back(*end);
   return ends;
+}
+
+// What lies within rounding is joined in degrees, where it was computed; --snap T joins in metres.
+Snap in_degrees(const Snap& snap) {
+  return {snap.what == Snap::What::nothing ? Snap::What::nothing : Snap::What::rounding, 0};
+}
+
+// Nothing where that gives the rings no meaning either.
+std::optional<SnappedParts> joined_and_mended(WorldParts parts, const ReadOptions& options, ReadNotes& seen) try {
+  const Snap snap = options.project ? in_degrees(options.snap) : options.snap;
+  SnappedParts result = snapped(std::move(parts), snap, given_ends(options));
+  if (result.report.joined == 0) return std::nullopt;
+  if (snap.what == Snap::What::within && !result.report.remaining.empty()) return std::nullopt;
+  for (std::string& remark : mend_rings(result.parts, options.crossings)) seen.remarks.push_back(std::move(remark));
+  return result;
+} catch (const InputError&) {
+  return std::nullopt;
+}
+
+// What was joined to do it, if anything had to be.
+std::optional<SnapReport> mend(WorldParts& parts, const ReadOptions& options, ReadNotes& seen) {
+  WorldParts written = parts;
+  try {
+    for (std::string& remark : mend_rings(parts, options.crossings)) seen.remarks.push_back(std::move(remark));
+    return std::nullopt;
+  } catch (const AmbiguousRing&) {
+    std::optional<SnappedParts> joined = joined_and_mended(std::move(written), options, seen);
+    if (!joined) throw;
+    parts = std::move(joined->parts);
+    return std::move(joined->report);
+  }
+}
+
+// As the options say, unless all that is near was joined already.
+World joined(WorldParts parts, const ReadOptions& options, ReadNotes* notes, std::optional<SnapReport> done) {
+  const std::vector<Point> ends = given_ends(options);
+  Snapped snapped =
+      done ? Snapped{World(std::move(parts)), std::move(*done)} : snapped_world(parts, options.snap, ends);
+  if (!ends.empty()) snapped.world = snapped.world.with_ends(options.start, options.goal);
+  if (!notes) return std::move(snapped.world);
+  notes->near = near_contacts(snapped.world);
+  show(notes->near, *notes);
+  show(snapped.report.remaining, *notes);
+  for (const std::string& remark : {text(snapped.report), text(notes->near)})
+    if (!remark.empty()) notes->remarks.push_back(remark);
+  notes->snap = std::move(snapped.report);
+  return std::move(snapped.world);
 }
 
 bool names_degrees(const std::string& crs) {
@@ -47,15 +103,13 @@ void say_degrees(const WorldParts& parts, ReadNotes& notes) {
   notes.remarks.emplace_back("longitude and latitude: lengths are in degrees (--project plans in metres)");
 }
 
-// What lies within rounding is joined in degrees, where it was computed; --snap T joins in metres.
 World in_metres(WorldParts parts, const ReadOptions& options, ReadNotes& seen, ReadNotes* notes) {
   if (seen.crs && !names_degrees(*seen.crs))
     throw InputError(options.source, 0,
                      "says that its coordinates are " + *seen.crs + ", not longitude and latitude as --project needs");
-  const Snap snap{options.snap.what == Snap::What::nothing ? Snap::What::nothing : Snap::What::rounding, 0};
   require_lon_lat(parts);
-  const std::vector<Point> ends = ends_of(options);
-  Snapped snapped = snapped_world(parts, snap, ends);
+  const std::vector<Point> ends = given_ends(options);
+  Snapped snapped = snapped_world(parts, in_degrees(options.snap), ends);
   if (const std::string remark = text(snapped.report); !remark.empty()) seen.remarks.push_back(remark + " degrees");
   const auto geographic = std::make_shared<const GeographicWorld>(snapped.world.parts());
   ReadOptions plane = options;
@@ -64,37 +118,23 @@ World in_metres(WorldParts parts, const ReadOptions& options, ReadNotes& seen, R
   if (options.goal) plane.goal = (geographic->require_end(*options.goal, "goal"), geographic->metres(*options.goal));
   seen.geographic = geographic;
   seen.remarks.push_back(geographic->text());
-  return joined(geographic->in_metres(ends), plane, notes);
+  return joined(geographic->in_metres(ends), plane, notes, std::nullopt);
 }
 
 }  // namespace
 
 World joined(WorldParts parts, const ReadOptions& options, ReadNotes* notes) {
-  if (options.wall_thickness)
-    for (Wall& wall : parts.walls) wall.thickness = *options.wall_thickness;
-  const std::vector<Point> ends = ends_of(options);
-  Snapped snapped = snapped_world(parts, options.snap, ends);
-  if (!ends.empty()) snapped.world = snapped.world.with_ends(options.start, options.goal);
-  if (!notes) return std::move(snapped.world);
-  notes->near = near_contacts(snapped.world);
-  show(notes->near, *notes);
-  show(snapped.report.remaining, *notes);
-  for (const std::string& remark : {text(snapped.report), text(notes->near)})
-    if (!remark.empty()) notes->remarks.push_back(remark);
-  notes->snap = std::move(snapped.report);
-  return std::move(snapped.world);
+  thicken(parts, options);
+  return joined(std::move(parts), options, notes, std::nullopt);
 }
 
 World read_shapes(WorldParts parts, const ReadOptions& options, ReadNotes& seen, ReadNotes* notes) try {
-  for (std::string& remark : mend_rings(parts, options.crossings)) seen.remarks.push_back(std::move(remark));
+  thicken(parts, options);
+  std::optional<SnapReport> done = mend(parts, options, seen);
   say_nested(parts.areas, seen);
-  if (options.project) {
-    if (options.wall_thickness)
-      for (Wall& wall : parts.walls) wall.thickness = *options.wall_thickness;
-    return in_metres(std::move(parts), options, seen, notes);
-  }
+  if (options.project) return in_metres(std::move(parts), options, seen, notes);
   say_degrees(parts, seen);
-  return joined(std::move(parts), options, notes);
+  return joined(std::move(parts), options, notes, std::move(done));
 } catch (const AmbiguousRing& ring) {
   throw InputError({}, 0, ring.what() + (" (--repair: " + ring.even_odd() + ")"));
 }
