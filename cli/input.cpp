@@ -6,25 +6,37 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/world/foreign.h>
 #include <taut/geometry/errors.h>
+#include <taut/io/results/snap_json.h>
 
 namespace taut::cli {
 
-World read_world_of(const std::string& file, ReadOptions read, ReadNotes& notes) {
-  const std::string bytes = read_bytes(file);
+ReadOptions reading_of(const std::string& file, ReadOptions read) {
   read.source = source_name(file);
   read.folder = file == "-" ? "" : std::filesystem::path(file).parent_path().string();
+  return read;
+}
+
+World read_world_of(const std::string& file, const ReadOptions& options, ReadNotes& notes) {
+  const std::string bytes = read_bytes(file);
+  const ReadOptions read = reading_of(file, options);
   return read_own(bytes, read.source, {FileKind::world}, [&] { return read_world(bytes, read, &notes); });
 }
 
-Input read_input(const WorldOptions& options, const QueryOptions& query) {
+void tell(const ReadNotes& notes, const std::string& name, Run& run) {
+  for (const std::string& remark : notes.remarks) note("taut: " + name + ": " + remark);
+  run.add_to_result("remarks", notes.remarks);
+  run.add_to_result("snap", snap_json(notes.snap));
+  run.add_to_result("near", near_json(notes.near));
+}
+
+Input read_input(const WorldOptions& options, Run& run, const QueryOptions& query) {
   ReadNotes notes;
   ReadOptions read = options.read;
   read.start = query.from;
   read.goal = query.to;
-  World world = read_world_of(options.file, read, notes);
+  World world = run.stage("read", [&] { return read_world_of(options.file, read, notes); });
   std::string name = world.source();
-  const std::string from = "taut: " + name + ": ";
-  for (const std::string& remark : notes.remarks) note(from + remark);
+  tell(notes, name, run);
   return {std::move(world), notes, std::move(name), {}};
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <taut/cli/options.h>
+#include <taut/cli/run.h>
 #include <taut/geometry/world.h>
 #include <taut/io/results/end_moves.h>
 #include <taut/io/worlds/read_world.h>
@@ -19,11 +20,17 @@ struct Input {
   std::vector<EndMove> moves{};  ///< of ends that were no places for the robot (snap_ends.h)
 };
 
-/// read_world_file; a file that another subcommand reads is refused with that one's name.
-World read_world_of(const std::string& file, ReadOptions read, ReadNotes& notes);
+/// With the name and the folder of `file`, which is - for standard input.
+ReadOptions reading_of(const std::string& file, ReadOptions read);
 
-/// Reads FILE and applies --wall-thickness, --from and --to. Throws InputError.
-Input read_input(const WorldOptions& options, const QueryOptions& query = {});
+/// read_world_file; a file that another subcommand reads is refused with that one's name.
+World read_world_of(const std::string& file, const ReadOptions& read, ReadNotes& notes);
+
+/// Reads FILE in a stage `read` and applies --wall-thickness, --from and --to; tells its notes. Throws InputError.
+Input read_input(const WorldOptions& options, Run& run, const QueryOptions& query = {});
+
+/// A line on stderr for each remark; in the result `remarks`, `snap` and `near` (snap_json.h).
+void tell(const ReadNotes& notes, const std::string& name, Run& run);
 
 /// Throws InputError, with the options that help, when the world has no start or no goal.
 void require_ends(const Input& input);

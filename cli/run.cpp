@@ -154,9 +154,14 @@ void Run::so_far(Json result, std::string line) {
   std::swap(shared_->line, line);
 }
 
-void Run::add_to_result(std::string_view list, Json items) {
+void Run::add_to_result(std::string_view name, Json value) {
   const std::lock_guard lock(shared_->mutex);
-  for (const Json& item : *items.items()) shared_->further[list].push_back(item);
+  Json& member = shared_->further[name];
+  if (member.is_null() || !value.items()) {
+    member = std::move(value);
+    return;
+  }
+  for (const Json& item : *value.items()) member.push_back(item);
 }
 
 void Run::when_stopped(std::function<std::pair<Json, std::string>()> tell) {

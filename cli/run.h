@@ -68,8 +68,9 @@ class Run {
 
   /// What to write if the run is stopped now: a copy is kept. Cheap to call when something is finished, not in loops.
   void so_far(Json result, std::string line = {});
-  /// Items of a list in the result, however the run ends, after its own members. Not when it is refused.
-  void add_to_result(std::string_view list, Json items);
+  /// A member of the result, however the run ends, after its own; the items of an array go behind those that are there.
+  /// Not when it is refused.
+  void add_to_result(std::string_view name, Json value);
   /// For what grows with every item: `tell` is asked once the run is stopped, for the result and the line. It runs in
   /// the thread that stops the program, beside the work: it needs a lock of its own, and must not wait for it for long.
   void when_stopped(std::function<std::pair<Json, std::string>()> tell);

@@ -46,8 +46,9 @@ std::string first_given(const CommandLine& app, std::initializer_list<const char
 void require_one_kind(const CommandLine& app, const DriveOptions& options) {
   const std::string for_maps = first_given(
       app, {"--sample", "--all", "--open", "--planner", "--policy", "--walls", "--show-values", "--controls"});
-  const std::string for_cars = first_given(
-      app, {"--from", "--to", "--weight", "--wall-thickness", "--polygons", "--format", "--geojson", "--wkt", "--csv"});
+  const std::string for_cars =
+      first_given(app, {"--from", "--to", "--weight", "--wall-thickness", "--polygons", "--format", "--resolution",
+                        "--snap", "--unknown-free", "--repair", "--geojson", "--wkt", "--csv"});
   if (options.world.car && !for_maps.empty())
     throw UsageError("--car drives in a world of walls: not with " + for_maps);
   if (!options.world.car && !for_cars.empty())

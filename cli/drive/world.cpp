@@ -82,14 +82,13 @@ class Driver {
   }
 
   World read(std::string_view bytes) const {
-    ReadOptions read = options_.world.read;
-    read.source = name_;
+    ReadOptions read = reading_of(options_.world.file, options_.world.read);
     const auto point = [](const std::optional<DriveEnd>& end) { return end ? std::optional(end->at) : std::nullopt; };
     read.start = point(options_.from);
     read.goal = point(options_.to);
     ReadNotes notes;
     World world = read_world(bytes, read, &notes);
-    for (const std::string& remark : notes.remarks) note("taut: " + name_ + ": " + remark);
+    tell(notes, name_, run_);
     require_ends({world, {}, name_});
     return world;
   }

@@ -76,7 +76,7 @@ class Batch {
   int work() {
     std::ios::sync_with_stdio(false);
     QuerySource source(options_.queries);
-    const Input input = run_.stage("read", [&] { return read_input(options_.world); });
+    const Input input = read_input(options_.world, run_);
     shown_ = Shown(input.notes);
     const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
     Polyanya polyanya = run_.stage("mesh", [&] { return Polyanya(space); });

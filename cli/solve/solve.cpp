@@ -22,7 +22,6 @@
 #include <taut/io/pictures/svg.h>
 #include <taut/io/results/barrier_words.h>
 #include <taut/io/results/result_json.h>
-#include <taut/io/results/snap_json.h>
 #include <taut/io/results/words.h>
 #include <taut/io/saved/planned_roadmap.h>
 #include <taut/search/funnel.h>
@@ -213,7 +212,7 @@ class Solver {
     answer.outcome = answer_.outcome;
     answer.reason = answer_.reason;
     answer.line = solve_line(answer_, run_.seconds());
-    if (run_.wants_json()) answer.result = json(input);
+    if (run_.wants_json()) answer.result = plan_json();
     if (options_.path) answer.listing = points_text(shown_(result_.path.points));
     answer.stats = solve_stats(answer_, options_, space, input);
     if (!options_.save.empty())
@@ -221,13 +220,6 @@ class Solver {
     if (!options_.svg.empty()) answer.files.push_back({options_.svg, svg(space, solve_picture(answer_))});
     if (result_.status == SearchStatus::found) add_path_files(answer.files, options_.files, {written_path()});
     return run_.end(std::move(answer));
-  }
-
-  Json json(const Input& input) const {
-    Json json = plan_json();
-    json["snap"] = snap_json(input.notes.snap);
-    json["near"] = near_json(input.notes.near);
-    return json;
   }
 
   const SolveOptions& options_;

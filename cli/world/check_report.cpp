@@ -8,7 +8,6 @@
 #include <taut/cli/world/geographic.h>
 #include <taut/geometry/number_lattice.h>
 #include <taut/geometry/predicates.h>
-#include <taut/io/results/snap_json.h>
 
 namespace taut::cli {
 
@@ -117,15 +116,12 @@ Json CheckReport::json() const {
   json["walls"] = world.walls().size();
   json["dropped_walls"] = world.dropped_walls();
   json["unknown_walls"] = input_.notes.unknown_walls;
-  json["remarks"] = input_.notes.remarks;
   json["solids"] = world.solids().size();
   json["areas"] = world.areas().size();
   json["boundary"] = name_of(world.boundary());
   json["box"] = json_of(shown(world.box()));
   const std::optional<NumberLattice> lattice = number_lattice(world);
   json["numbers"] = lattice ? Json(taut::text(*lattice)) : Json(nullptr);
-  json["snap"] = snap_json(input_.notes.snap);
-  json["near"] = near_json(input_.notes.near);
   json["openings"] = shown(world.openings());
   json["start"] = world.start() ? Json(shown(*world.start())) : Json();
   json["goal"] = json_of(shown(world.goal()));

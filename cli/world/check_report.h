@@ -17,18 +17,16 @@ namespace taut::cli {
 /// A valid world, counted. Keys of the result, stable:
 ///  format            its name in options
 ///  walls             number; dropped_walls: of no length; unknown_walls: not looked at, read as open
-///  remarks           what was taken in a way that one may wish to know, a text each
 ///  solids, areas     numbers of obstacle polygons, and of polygons the world is made of
 ///  boundary          "walled", "limit" or "open" (world.h)
 ///  box               [xmin, ymin, xmax, ymax]
-///  snap              what was joined: {"tolerance", "joined", "displacement", "remaining"} (snap_json.h)
-///  near              [{"end", "wall", "distance", "line", "wall_line"}, ...] what nearly touches
 ///  openings          [[[x1, y1], [x2, y2]], ...]
 ///  start, goal       [x, y] or null; {"point": ...}, {"room": ...} or null
 ///  free_space        {"area", "components", "polygons", "holes", "corners", "reflex_corners", "triangles",
 ///                    "displacement"}
 ///  path              null, or {"valid", "reason", "leg", "length", "points", "clearance"} of the path to check;
 ///                    points: their number
+/// The run adds what reading noted: remarks, snap and near (tell() in input.h).
 class CheckReport {
  public:
   CheckReport(const Input& input, const FreeSpace& space);

@@ -35,7 +35,7 @@ void add_options(CommandLine& app, ConvertOptions& options) {
 int run(const ConvertOptions& options, Run& run) {
   run.source(options.world.file);
   run.promise(options.target);
-  const Input input = run.stage("read", [&] { return read_input(options.world); });
+  const Input input = read_input(options.world, run);
   std::string bytes = run.stage("convert", [&] { return write_world(input.world, options.format); });
   Json result{{"from", name(input.notes.format)}, {"as", name(options.format)}, {"bytes", bytes.size()}};
   return run.end({.result = std::move(result), .files = {{options.target, std::move(bytes)}}});

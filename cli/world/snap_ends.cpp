@@ -67,7 +67,7 @@ void add_snap_ends_option(CommandLine& app, std::optional<double>& snap_ends) {
 }
 
 Input read_input(const WorldOptions& options, const QueryOptions& query, Run& run, const EndPlaces& places) {
-  Input input = run.stage("read", [&] { return read_input(options, query); });
+  Input input = read_input(options, run, query);
   if (!query.snap_ends || ends_of(input.world).empty()) return input;
   run.stage("ends", [&] { move_ends(input, *query.snap_ends, places_of(input.world, query.robot, places)); });
   if (!input.moves.empty()) run.add_to_result("moved_ends", end_moves_json(Shown(input.notes)(input.moves)));

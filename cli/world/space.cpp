@@ -88,7 +88,7 @@ std::string bytes_of(const FreeSpace& space, Target target, const std::string& t
 int run(const SpaceOptions& options, Run& run) {
   run.source(options.world.file);
   run.promise(options.output);
-  const Input input = run.stage("read", [&] { return read_input(options.world); });
+  const Input input = read_input(options.world, run);
   const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world, options.robot); });
   const FreeSpaceSize size = size_of(space);
   std::string bytes = run.stage("write", [&] { return bytes_of(space, *options.target, title_of(input.name), size); });

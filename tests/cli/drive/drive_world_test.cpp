@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -56,6 +57,15 @@ TEST_F(DriveWorld, SaysWhyThereIsNoDrive) {
   EXPECT_THAT(unproven.out, HasSubstr("which proves nothing"));
 }
 
+TEST_F(DriveWorld, ReadsTheMapBesideARosFile) {
+  const Folder folder;
+  std::ofstream(folder / "map.pgm") << "P2 3 1 255 255 255 255\n";
+  std::ofstream(folder / "map.yaml") << "image: map.pgm\nresolution: 2\norigin: [0, 0, 0]\n";
+  const Outcome outcome = run_taut("drive " + (folder / "map.yaml").string() + car + " --from 1,1,0 --to 5,1");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("length 4.0"));
+}
+
 TEST_F(DriveWorld, EndsWithItsCode) {
   EXPECT_EQ(run_taut("drive " + maze + " --car length=0.4,width=0.2").code, 2);
   EXPECT_EQ(run_taut("drive " + maze + " --car length=0.4,width=0.2,radius=0").code, 2);
@@ -64,6 +74,8 @@ TEST_F(DriveWorld, EndsWithItsCode) {
   EXPECT_EQ(run_taut("drive " + maze + car + " --weight 0.5").code, 2);
   EXPECT_EQ(run_taut("drive " + maze + car + " --all").code, 2);
   EXPECT_EQ(run_taut("drive " TAUT_DATA_DIR "/car/lane.txt --from 1,1").code, 2);
+  for (const char* option : {"--snap auto", "--repair", "--resolution 1", "--unknown-free"})
+    EXPECT_EQ(run_taut(std::string("drive " TAUT_DATA_DIR "/car/lane.txt ") + option).code, 2) << option;
   const Outcome fixed = run_taut("drive " TAUT_DATA_DIR "/car/lane.txt" + car);
   EXPECT_EQ(fixed.code, 3);
   EXPECT_THAT(fixed.err, HasSubstr("whose rules fix the car"));
