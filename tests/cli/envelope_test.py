@@ -17,6 +17,7 @@ EXIT = {"found": 0, "done": 0, "none": 1, "differs": 1, "invalid": 1, "refused":
 ROOM = "boundary 0 0 4 4\nstart 1 1\ngoal 3 3\n2 0 2 3\n"
 SEALED = "boundary 0 0 4 4\nstart 1 1\ngoal 3 3\n2 0 2 4\n"
 SLIT = "boundary 0 0 4 4\nstart 1 1\ngoal 3 3\n2 0 2 1.9\n2 2 2 4\n"
+SLANTED = "boundary 0 0 4 4\nstart 1 1\ngoal 3 3\n2 0 2.1 3.3\n"
 WRONG = "boundary 0 0 4\n"
 GRID = "type octile\nheight 3\nwidth 3\nmap\n.@.\n.@.\n...\n"
 GRID_SEALED = "type octile\nheight 3\nwidth 3\nmap\n.@.\n.@.\n.@.\n"
@@ -34,7 +35,8 @@ PATH_THROUGH_WALL = "1 1\n3 3\n"
 
 def cases(data):
     """(words, files by name, the status that is expected, the text on standard input)"""
-    world = {"room": ROOM, "sealed": SEALED, "slit": SLIT, "wrong": WRONG, "queries": QUERIES, "through": PATH_THROUGH_WALL}
+    world = {"room": ROOM, "sealed": SEALED, "slit": SLIT, "slanted": SLANTED, "wrong": WRONG, "queries": QUERIES}
+    world["through"] = PATH_THROUGH_WALL
     yield "solve room", world, "found"
     yield "solve room --roadmap visibility --algorithm dijkstra", world, "found"
     yield "solve room --algorithm bfs", world, "found"
@@ -45,6 +47,8 @@ def cases(data):
     yield "solve room --robot disc:0.1 --arcs", world, "found"
     yield "solve room --anytime", world, "found"
     yield "solve room --roadmap prm", world, "found"
+    yield "solve slanted --wall-thickness 0.02", world, "found"
+    yield "solve slanted --robot square:0.05", world, "found"
     yield "solve sealed", world, "none"
     yield "solve sealed --roadmap visibility", world, "none"
     yield "solve sealed --widest", world, "none"
