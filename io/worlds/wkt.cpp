@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <cctype>
 #include <optional>
 #include <string>
@@ -219,8 +221,11 @@ class Wkt {
 }  // namespace
 
 WorldParts read_wkt(std::string_view bytes, const ReadOptions& options, ReadNotes& notes) {
-  const std::optional<std::string> column = wkt_column(bytes);
-  return Wkt(column ? std::string_view(*column) : bytes, options).read(notes);
+  const std::optional<WktColumn> column = wkt_column(bytes);
+  if (column && column->passed_by)
+    notes.remarks.push_back(fmt::format("geometries are read from column {}, those of column {} are left out",
+                                        column->number, *column->passed_by));
+  return Wkt(column ? std::string_view(column->bytes) : bytes, options).read(notes);
 }
 
 }  // namespace taut::detail

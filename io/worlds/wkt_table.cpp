@@ -84,15 +84,35 @@ std::string blanks(std::string_view bytes) {
   return result;
 }
 
-// The first column that `is` holds for, in the first rows; none when the first row has only one field and is it.
+// For each column, in how many of the first rows `is` holds for it.
 template <class Is>
-std::optional<std::size_t> column_of(std::string_view bytes, char separator, Is is) {
+std::vector<std::size_t> counts(std::string_view bytes, char separator, Is is) {
+  std::vector<std::size_t> result;
   Table table(bytes, separator);
   Row row;
-  for (std::size_t i = 0; i < kRowsLookedAt && table.next(row); ++i)
-    for (std::size_t c = 0; c < row.size(); ++c)
-      if (is(table.text(row[c]))) return c;
-  return std::nullopt;
+  for (std::size_t i = 0; i < kRowsLookedAt && table.next(row); ++i) {
+    if (result.size() < row.size()) result.resize(row.size());
+    for (std::size_t c = 0; c < row.size(); ++c) result[c] += is(table.text(row[c]));
+  }
+  return result;
+}
+
+// Longer than a name of a column could be.
+bool is_geometry(std::string_view text) {
+  return begins_wkt(text) && (text.find('(') != std::string_view::npos || text.ends_with("EMPTY"));
+}
+
+// All but that column becomes blanks, and its name, if it has one.
+std::string only(std::size_t column, std::string_view bytes, char separator) {
+  std::string result = blanks(bytes);
+  Table table(bytes, separator);
+  Row row;
+  for (bool is_first = true; table.next(row); is_first = false)
+    if (column < row.size() && (!is_first || is_geometry(table.text(row[column]))))
+      std::copy(bytes.begin() + static_cast<std::ptrdiff_t>(row[column].begin),
+                bytes.begin() + static_cast<std::ptrdiff_t>(row[column].end),
+                result.begin() + static_cast<std::ptrdiff_t>(row[column].begin));
+  return result;
 }
 
 // Neither WKT as it is nor JSON.
@@ -103,11 +123,6 @@ bool may_be_table(std::string_view bytes) {
     return line[0] != '{' && line[0] != '[' && line[0] != '\x1e' && !begins_wkt(line);
   }
   return false;
-}
-
-// Longer than a name of a column could be.
-bool is_geometry(std::string_view text) {
-  return begins_wkt(text) && (text.find('(') != std::string_view::npos || text.ends_with("EMPTY"));
 }
 
 constexpr std::array kSeparators{',', ';', '\t', '|'};
@@ -132,19 +147,16 @@ bool begins_wkt(std::string_view text) {
   });
 }
 
-std::optional<std::string> wkt_column(std::string_view bytes) {
+std::optional<WktColumn> wkt_column(std::string_view bytes) {
   if (!may_be_table(bytes)) return std::nullopt;
   for (const char separator : kSeparators) {
-    const auto column = column_of(bytes, separator, is_geometry);
-    if (!column) continue;
-    std::string result = blanks(bytes);
-    Table table(bytes, separator);
-    Row row;
-    for (bool is_first = true; table.next(row); is_first = false)
-      if (*column < row.size() && (!is_first || is_geometry(table.text(row[*column]))))
-        std::copy(bytes.begin() + static_cast<std::ptrdiff_t>(row[*column].begin),
-                  bytes.begin() + static_cast<std::ptrdiff_t>(row[*column].end),
-                  result.begin() + static_cast<std::ptrdiff_t>(row[*column].begin));
+    const std::vector<std::size_t> geometries = counts(bytes, separator, is_geometry);
+    const auto most = std::ranges::max_element(geometries);
+    if (most == geometries.end() || *most == 0) continue;
+    const auto column = static_cast<std::size_t>(most - geometries.begin());
+    WktColumn result{only(column, bytes, separator), column + 1, std::nullopt};
+    for (std::size_t c = geometries.size(); c-- > 0;)
+      if (c != column && geometries[c] > 0) result.passed_by = c + 1;
     return result;
   }
   return std::nullopt;
@@ -161,7 +173,7 @@ bool is_hex_wkb(std::string_view text) {
 
 bool has_hex_wkb_column(std::string_view bytes) {
   return may_be_table(bytes) && std::ranges::any_of(kSeparators, [&](char separator) {
-           return column_of(bytes, separator, is_hex_wkb).has_value();
+           return std::ranges::any_of(counts(bytes, separator, is_hex_wkb), [](std::size_t n) { return n > 0; });
          });
 }
 

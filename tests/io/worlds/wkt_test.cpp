@@ -63,6 +63,16 @@ TEST(Wkt, MayStandInAColumnOfATable) {
   EXPECT_EQ(read_world(tables[1]).walls()[0].line, 5);
 }
 
+TEST(Wkt, StandsInTheColumnWithTheMostGeometries) {
+  ReadNotes notes;
+  const World world = read_world(
+      "note,wkt\n\"POINT (9 9)\",\"POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\"\nx,\"LINESTRING (1 1, 2 2)\"\n", {}, &notes);
+  EXPECT_EQ(world.areas().size(), 1U);
+  EXPECT_EQ(world.walls().size(), 1U);
+  EXPECT_EQ(notes.remarks,
+            std::vector<std::string>{"geometries are read from column 2, those of column 1 are left out"});
+}
+
 std::string message_of(const std::string& bytes) {
   return test::refusal_of([&] { read_world(bytes); });
 }
