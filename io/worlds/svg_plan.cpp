@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,8 +22,8 @@ bool is_one_of(std::string_view name, std::initializer_list<std::string_view> na
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// Of `fill:none;stroke:#000`, or an attribute of that name.
-std::string_view property(const pugi::xml_node& node, std::string_view name) {
+// Of `style="fill:none;stroke:#000"`.
+std::optional<std::string_view> css(const pugi::xml_node& node, std::string_view name) {
   std::string_view style = node.attribute("style").value();
   while (!style.empty()) {
     const std::string_view part = style.substr(0, style.find(';'));
@@ -31,7 +32,12 @@ std::string_view property(const pugi::xml_node& node, std::string_view name) {
     if (colon != std::string_view::npos && trimmed(part.substr(0, colon)) == name)
       return trimmed(part.substr(colon + 1));
   }
-  return node.attribute(std::string(name).c_str()).value();
+  return std::nullopt;
+}
+
+// There, or in an attribute of that name.
+std::string_view property(const pugi::xml_node& node, std::string_view name) {
+  return css(node, name).value_or(node.attribute(std::string(name).c_str()).value());
 }
 
 class Plan {
@@ -77,14 +83,16 @@ class Plan {
     const std::string_view name = local_name(node);
     const Place place{source_, line_of(node)};
     // What is not drawn, and what others keep in the file.
-    if (is_one_of(name, {"defs", "title", "desc", "metadata", "style", "script", "symbol", "clipPath", "mask",
-                         "pattern", "marker", "linearGradient", "radialGradient", "filter", "namedview"}) ||
+    if (is_one_of(name, {"defs", "title", "desc", "metadata", "script", "symbol", "clipPath", "mask", "pattern",
+                         "marker", "linearGradient", "radialGradient", "filter", "namedview"}) ||
         property(node, "display") == "none")
       return;
-    if (is_one_of(name, {"text", "image"})) {
+    if (is_one_of(name, {"text", "image", "style"})) {
       ++left_out_[std::string(name)];
       return;
     }
+    if (node.attribute("transform-origin") || css(node, "transform") || css(node, "transform-origin"))
+      place.fail("of what transforms <" + std::string(name) + "> only an attribute transform=\"...\" is read");
     const SvgTransform transform = outer.after(svg_transform(node.attribute("transform").value(), place));
     const std::string_view fill = property(node, "fill");
     if (!fill.empty()) unfilled = fill == "none" || fill == "transparent";

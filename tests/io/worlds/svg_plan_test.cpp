@@ -70,6 +70,12 @@ TEST(SvgPlan, TransformsCountAndDecimalsStayDecimals) {
   EXPECT_NEAR(plan("<line y2='1' transform='skewX(45)'/>").walls()[0].b.x, 1, 1e-14);
 }
 
+TEST(SvgPlan, SaysThatStyleSheetsCountForNothing) {
+  ReadNotes notes;
+  plan("<style>.a{fill:none}</style><rect class='a' width='4' height='4'/>", &notes);
+  EXPECT_EQ(notes.remarks, std::vector<std::string>{"1 <style> left out"});
+}
+
 TEST(SvgPlan, NamesWhatItDoesNotRead) {
   EXPECT_EQ(message_of("<circle r='1'/>"), "line 3: <circle> is not read; line, polyline, polygon, rect and path are");
   EXPECT_EQ(message_of("<rect width='1' height='1' rx='.1'/>"), "line 3: <rect> with round corners is not read");
@@ -78,6 +84,9 @@ TEST(SvgPlan, NamesWhatItDoesNotRead) {
   EXPECT_EQ(message_of("<path d='0 0L1 1'/>"), "line 3: a path begins with M, not '0 0L1 1'");
   EXPECT_EQ(message_of("\n<line x1='1cm'/>"), "line 4: '1cm' is not in the drawing's own units");
   EXPECT_EQ(message_of("<line transform='turn(3)'/>"), "line 3: transform 'turn' with 1 numbers is not known");
+  for (const char* how : {"transform-origin='4 4' transform='rotate(90)'", "style='fill:none;transform:scale(2)'"})
+    EXPECT_EQ(message_of(std::string("<line x2='1' ") + how + "/>"),
+              "line 3: of what transforms <line> only an attribute transform=\"...\" is read");
   EXPECT_EQ(message_of("<polyline points='0 0 1'/>"), "line 3: a number is expected, not the end");
   EXPECT_EQ(message_of("<g>"), "line 4: not valid XML: Start-end tags mismatch");
   EXPECT_EQ(test::refusal_of([] { read_world("<?xml version='1.0'?>\n<kml/>"); }),
