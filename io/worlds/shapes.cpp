@@ -35,7 +35,8 @@ void Shapes::add_solid(Polygon polygon, int line) { parts_.solids.push_back({std
 
 void Shapes::add_walls(const Ring& chain, double thickness, int line) {
   if (chain.size() < 2) at(line).fail("a line needs at least two points");
-  for (std::size_t i = 1; i < chain.size(); ++i) parts_.walls.push_back({chain[i - 1], chain[i], thickness, line});
+  const double thick = thickness_.value_or(thickness);
+  for (std::size_t i = 1; i < chain.size(); ++i) parts_.walls.push_back({chain[i - 1], chain[i], thick, line});
 }
 
 void Shapes::add_point(Point p) { points_.push_back(p); }

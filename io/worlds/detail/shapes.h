@@ -1,6 +1,7 @@
 // What wkt and geojson have in common: polygons, lines and points that become a World.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,10 @@ namespace taut::detail {
 class Shapes {
  public:
   explicit Shapes(const ReadOptions& options)
-      : source_(options.source), as_(options.polygons), closes_(options.crossings == Crossings::even_odd) {
+      : source_(options.source),
+        as_(options.polygons),
+        thickness_(options.wall_thickness),
+        closes_(options.crossings == Crossings::even_odd) {
     parts_.source = source_;
   }
 
@@ -27,7 +31,7 @@ class Shapes {
   void add_free(Polygon polygon, int line);
   void add_solid(Polygon polygon, int line);
 
-  /// Each leg a wall; at least two points.
+  /// Each leg a wall; at least two points. ReadOptions may know better how thick: doors are as wide as drawn.
   void add_walls(const Ring& chain, double thickness, int line);
 
   /// A point that says nothing of itself: see take().
@@ -52,6 +56,7 @@ class Shapes {
 
   std::string source_;
   ReadOptions::Polygons as_;
+  std::optional<double> thickness_;  // of all walls, whatever they say
   bool closes_;
   Boundary boundary_ = Boundary::walled;
   WorldParts parts_;

@@ -129,6 +129,19 @@ TEST(GeoJson, OpensTheWallThatADoorLiesOn) {
   EXPECT_EQ(notes.remarks.at(0), "the door (1, 1)-(1, 2) lies on no wall and is left out");
 }
 
+TEST(GeoJson, DoorsStayAsWideAsDrawnInWallsThatAreMadeThick) {
+  ReadOptions options;
+  options.wall_thickness = 0.5;
+  const World thick =
+      read_world(collection(feature("{}", "Polygon", kSquare) + "," + feature("{}", "LineString", "[[2, 4], [2, 0]]") +
+                            "," + feature(R"({"role": "door"})", "LineString", "[[2, 1], [2, 2]]")),
+                 options);
+  ASSERT_EQ(thick.walls().size(), 2U);
+  EXPECT_EQ(thick.walls()[0].b, (Point{2, 0.75}));
+  EXPECT_EQ(thick.walls()[1].a, (Point{2, 2.25}));
+  EXPECT_EQ(thick.walls()[0].thickness, 0.5);
+}
+
 TEST(GeoJson, ReadsOneFeatureALineWithOrWithoutRecordSeparators) {
   const std::string square = feature("{}", "Polygon", kSquare), wall = feature("{}", "LineString", "[[1, 1], [1, 2]]");
   for (const std::string& text :
