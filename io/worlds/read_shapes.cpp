@@ -1,6 +1,7 @@
 #include <taut/io/worlds/detail/read_shapes.h>
 
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include <taut/geometry/mend_rings.h>
@@ -37,6 +38,43 @@ std::vector<Point> ends_of(const ReadOptions& options) {
   return ends;
 }
 
+void thicken(WorldParts& parts, const ReadOptions& options) {
+  if (!options.wall_thickness) return;
+  for (Wall& wall : parts.walls) wall.thickness = *options.wall_thickness;
+}
+
+// As written: in degrees where --project is given, and there only what lies within rounding.
+Snap snap_as_written(const ReadOptions& options) {
+  if (!options.project) return options.snap;
+  return {options.snap.what == Snap::What::nothing ? Snap::What::nothing : Snap::What::rounding, 0};
+}
+
+// Nothing where that gives the rings no meaning either.
+std::optional<SnappedParts> joined_and_mended(WorldParts parts, const ReadOptions& options, ReadNotes& seen) try {
+  const Snap snap = snap_as_written(options);
+  SnappedParts result = snapped(std::move(parts), snap, ends_of(options));
+  if (result.report.joined == 0) return std::nullopt;
+  if (snap.what == Snap::What::within && !result.report.remaining.empty()) return std::nullopt;
+  for (std::string& remark : mend_rings(result.parts, options.crossings)) seen.remarks.push_back(std::move(remark));
+  return result;
+} catch (const InputError&) {
+  return std::nullopt;
+}
+
+// What was joined to do it, if anything had to be.
+std::optional<SnapReport> mend(WorldParts& parts, const ReadOptions& options, ReadNotes& seen) {
+  WorldParts written = parts;
+  try {
+    for (std::string& remark : mend_rings(parts, options.crossings)) seen.remarks.push_back(std::move(remark));
+    return std::nullopt;
+  } catch (const AmbiguousRing&) {
+    std::optional<SnappedParts> joined = joined_and_mended(std::move(written), options, seen);
+    if (!joined) throw;
+    parts = std::move(joined->parts);
+    return std::move(joined->report);
+  }
+}
+
 bool names_degrees(const std::string& crs) {
   return crs.find("CRS84") != std::string::npos || crs.find("4326") != std::string::npos;
 }
@@ -52,10 +90,9 @@ World in_metres(WorldParts parts, const ReadOptions& options, ReadNotes& seen, R
   if (seen.crs && !names_degrees(*seen.crs))
     throw InputError(options.source, 0,
                      "says that its coordinates are " + *seen.crs + ", not longitude and latitude as --project needs");
-  const Snap snap{options.snap.what == Snap::What::nothing ? Snap::What::nothing : Snap::What::rounding, 0};
   require_lon_lat(parts);
   const std::vector<Point> ends = ends_of(options);
-  Snapped snapped = snapped_world(parts, snap, ends);
+  Snapped snapped = snapped_world(parts, snap_as_written(options), ends);
   if (const std::string remark = text(snapped.report); !remark.empty()) seen.remarks.push_back(remark + " degrees");
   const auto geographic = std::make_shared<const GeographicWorld>(snapped.world.parts());
   ReadOptions plane = options;
@@ -67,13 +104,11 @@ World in_metres(WorldParts parts, const ReadOptions& options, ReadNotes& seen, R
   return joined(geographic->in_metres(ends), plane, notes);
 }
 
-}  // namespace
-
-World joined(WorldParts parts, const ReadOptions& options, ReadNotes* notes) {
-  if (options.wall_thickness)
-    for (Wall& wall : parts.walls) wall.thickness = *options.wall_thickness;
+// As the options say, unless all that is near was joined already.
+World joined(WorldParts parts, const ReadOptions& options, ReadNotes* notes, std::optional<SnapReport> done) {
   const std::vector<Point> ends = ends_of(options);
-  Snapped snapped = snapped_world(parts, options.snap, ends);
+  Snapped snapped =
+      done ? Snapped{World(std::move(parts)), std::move(*done)} : snapped_world(parts, options.snap, ends);
   if (!ends.empty()) snapped.world = snapped.world.with_ends(options.start, options.goal);
   if (!notes) return std::move(snapped.world);
   notes->near = near_contacts(snapped.world);
@@ -85,16 +120,20 @@ World joined(WorldParts parts, const ReadOptions& options, ReadNotes* notes) {
   return std::move(snapped.world);
 }
 
+}  // namespace
+
+World joined(WorldParts parts, const ReadOptions& options, ReadNotes* notes) {
+  thicken(parts, options);
+  return joined(std::move(parts), options, notes, std::nullopt);
+}
+
 World read_shapes(WorldParts parts, const ReadOptions& options, ReadNotes& seen, ReadNotes* notes) try {
-  for (std::string& remark : mend_rings(parts, options.crossings)) seen.remarks.push_back(std::move(remark));
+  thicken(parts, options);
+  std::optional<SnapReport> done = mend(parts, options, seen);
   say_nested(parts.areas, seen);
-  if (options.project) {
-    if (options.wall_thickness)
-      for (Wall& wall : parts.walls) wall.thickness = *options.wall_thickness;
-    return in_metres(std::move(parts), options, seen, notes);
-  }
+  if (options.project) return in_metres(std::move(parts), options, seen, notes);
   say_degrees(parts, seen);
-  return joined(std::move(parts), options, notes);
+  return joined(std::move(parts), options, notes, std::move(done));
 } catch (const AmbiguousRing& ring) {
   throw InputError({}, 0, ring.what() + (" (--repair: " + ring.even_odd() + ")"));
 }
