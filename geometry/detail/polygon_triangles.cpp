@@ -1,6 +1,8 @@
 #include <taut/geometry/detail/polygon_triangles.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include <taut/geometry/detail/noding.h>
 #include <taut/geometry/detail/triangulate.h>
@@ -57,19 +59,40 @@ class Regions {
     return region;
   }
 
+  // By the widest triangle: a narrow one may lie between a side as written and as it was rounded.
   void decide(const std::vector<std::uint32_t>& region) {
+    double widest = 0;
+    std::optional<Point> place;
     for (const std::uint32_t t : region) {
-      const auto [a, b, c] = corners(t);
-      const Point m{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
-      if (written::orientation(a, b, m) <= 0 || written::orientation(b, c, m) <= 0 ||
-          written::orientation(c, a, m) <= 0)
-        continue;
-      const bool covered =
-          std::any_of(polygons_.begin(), polygons_.end(), [m](const Polygon* p) { return contains(*p, m); });
-      for (const std::uint32_t u : region) covered_[u] = covered;
-      return;
+      const double w = width(t);
+      if (place && w <= widest) continue;
+      if (const std::optional<Point> m = middle(t)) {
+        widest = w;
+        place = m;
+      }
     }
     // No triangle has a point with double coordinates in it: nobody can be there, and it counts as not covered.
+    if (!place) return;
+    const bool covered =
+        std::any_of(polygons_.begin(), polygons_.end(), [&](const Polygon* p) { return contains(*p, *place); });
+    for (const std::uint32_t u : region) covered_[u] = covered;
+  }
+
+  // A point with double coordinates inside.
+  std::optional<Point> middle(std::uint32_t t) const {
+    const auto [a, b, c] = corners(t);
+    const Point m{(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
+    if (written::orientation(a, b, m) <= 0 || written::orientation(b, c, m) <= 0 || written::orientation(c, a, m) <= 0)
+      return std::nullopt;
+    return m;
+  }
+
+  // About the radius of the inscribed circle: it only compares.
+  double width(std::uint32_t t) const {
+    const auto [a, b, c] = corners(t);
+    const double round =
+        std::hypot(b.x - a.x, b.y - a.y) + std::hypot(c.x - b.x, c.y - b.y) + std::hypot(a.x - c.x, a.y - c.y);
+    return std::abs((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / round;
   }
 
   const Triangulation& tri_;

@@ -3,12 +3,9 @@
 #include <memory>
 #include <optional>
 #include <utility>
-#include <vector>
 
-#include <taut/geometry/errors.h>
 #include <taut/geometry/mend_rings.h>
 #include <taut/geometry/nested_areas.h>
-#include <taut/geometry/snap.h>
 #include <taut/io/worlds/detail/text_input.h>
 #include <taut/io/worlds/geographic_world.h>
 
@@ -34,27 +31,28 @@ void show(std::vector<NearContact>& contacts, const ReadNotes& notes) {
   }
 }
 
-void thicken(WorldParts& parts, const ReadOptions& options) {
-  if (!options.wall_thickness) return;
-  for (Wall& wall : parts.walls) wall.thickness = *options.wall_thickness;
-}
-
-std::vector<Point> given_ends(const ReadOptions& options) {
+std::vector<Point> ends_of(const ReadOptions& options) {
   std::vector<Point> ends;
   for (const std::optional<Point>& end : {options.start, options.goal})
     if (end) ends.push_back(*end);
   return ends;
 }
 
-// What lies within rounding is joined in degrees, where it was computed; --snap T joins in metres.
-Snap in_degrees(const Snap& snap) {
-  return {snap.what == Snap::What::nothing ? Snap::What::nothing : Snap::What::rounding, 0};
+void thicken(WorldParts& parts, const ReadOptions& options) {
+  if (!options.wall_thickness) return;
+  for (Wall& wall : parts.walls) wall.thickness = *options.wall_thickness;
+}
+
+// As written: in degrees where --project is given, and there only what lies within rounding.
+Snap snap_as_written(const ReadOptions& options) {
+  if (!options.project) return options.snap;
+  return {options.snap.what == Snap::What::nothing ? Snap::What::nothing : Snap::What::rounding, 0};
 }
 
 // Nothing where that gives the rings no meaning either.
 std::optional<SnappedParts> joined_and_mended(WorldParts parts, const ReadOptions& options, ReadNotes& seen) try {
-  const Snap snap = options.project ? in_degrees(options.snap) : options.snap;
-  SnappedParts result = snapped(std::move(parts), snap, given_ends(options));
+  const Snap snap = snap_as_written(options);
+  SnappedParts result = snapped(std::move(parts), snap, ends_of(options));
   if (result.report.joined == 0) return std::nullopt;
   if (snap.what == Snap::What::within && !result.report.remaining.empty()) return std::nullopt;
   for (std::string& remark : mend_rings(result.parts, options.crossings)) seen.remarks.push_back(std::move(remark));
@@ -77,9 +75,38 @@ std::optional<SnapReport> mend(WorldParts& parts, const ReadOptions& options, Re
   }
 }
 
+bool names_degrees(const std::string& crs) {
+  return crs.find("CRS84") != std::string::npos || crs.find("4326") != std::string::npos;
+}
+
+void say_degrees(const WorldParts& parts, ReadNotes& notes) {
+  if (notes.format != Format::geojson) return;
+  if (notes.crs ? !names_degrees(*notes.crs) : !looks_like_degrees(parts)) return;
+  notes.remarks.emplace_back("longitude and latitude: lengths are in degrees (--project plans in metres)");
+}
+
+// What lies within rounding is joined in degrees, where it was computed; --snap T joins in metres.
+World in_metres(WorldParts parts, const ReadOptions& options, ReadNotes& seen, ReadNotes* notes) {
+  if (seen.crs && !names_degrees(*seen.crs))
+    throw InputError(options.source, 0,
+                     "says that its coordinates are " + *seen.crs + ", not longitude and latitude as --project needs");
+  require_lon_lat(parts);
+  const std::vector<Point> ends = ends_of(options);
+  Snapped snapped = snapped_world(parts, snap_as_written(options), ends);
+  if (const std::string remark = text(snapped.report); !remark.empty()) seen.remarks.push_back(remark + " degrees");
+  const auto geographic = std::make_shared<const GeographicWorld>(snapped.world.parts());
+  ReadOptions plane = options;
+  if (options.start)
+    plane.start = (geographic->require_end(*options.start, "start"), geographic->metres(*options.start));
+  if (options.goal) plane.goal = (geographic->require_end(*options.goal, "goal"), geographic->metres(*options.goal));
+  seen.geographic = geographic;
+  seen.remarks.push_back(geographic->text());
+  return joined(geographic->in_metres(ends), plane, notes);
+}
+
 // As the options say, unless all that is near was joined already.
 World joined(WorldParts parts, const ReadOptions& options, ReadNotes* notes, std::optional<SnapReport> done) {
-  const std::vector<Point> ends = given_ends(options);
+  const std::vector<Point> ends = ends_of(options);
   Snapped snapped =
       done ? Snapped{World(std::move(parts)), std::move(*done)} : snapped_world(parts, options.snap, ends);
   if (!ends.empty()) snapped.world = snapped.world.with_ends(options.start, options.goal);
@@ -91,34 +118,6 @@ World joined(WorldParts parts, const ReadOptions& options, ReadNotes* notes, std
     if (!remark.empty()) notes->remarks.push_back(remark);
   notes->snap = std::move(snapped.report);
   return std::move(snapped.world);
-}
-
-bool names_degrees(const std::string& crs) {
-  return crs.find("CRS84") != std::string::npos || crs.find("4326") != std::string::npos;
-}
-
-void say_degrees(const WorldParts& parts, ReadNotes& notes) {
-  if (notes.format != Format::geojson) return;
-  if (notes.crs ? !names_degrees(*notes.crs) : !looks_like_degrees(parts)) return;
-  notes.remarks.emplace_back("longitude and latitude: lengths are in degrees (--project plans in metres)");
-}
-
-World in_metres(WorldParts parts, const ReadOptions& options, ReadNotes& seen, ReadNotes* notes) {
-  if (seen.crs && !names_degrees(*seen.crs))
-    throw InputError(options.source, 0,
-                     "says that its coordinates are " + *seen.crs + ", not longitude and latitude as --project needs");
-  require_lon_lat(parts);
-  const std::vector<Point> ends = given_ends(options);
-  Snapped snapped = snapped_world(parts, in_degrees(options.snap), ends);
-  if (const std::string remark = text(snapped.report); !remark.empty()) seen.remarks.push_back(remark + " degrees");
-  const auto geographic = std::make_shared<const GeographicWorld>(snapped.world.parts());
-  ReadOptions plane = options;
-  if (options.start)
-    plane.start = (geographic->require_end(*options.start, "start"), geographic->metres(*options.start));
-  if (options.goal) plane.goal = (geographic->require_end(*options.goal, "goal"), geographic->metres(*options.goal));
-  seen.geographic = geographic;
-  seen.remarks.push_back(geographic->text());
-  return joined(geographic->in_metres(ends), plane, notes, std::nullopt);
 }
 
 }  // namespace
