@@ -33,7 +33,9 @@ TEST(RoadmapKindTable, CountWhatWasDrawnAndKeptWhereTheySample) {
     if (std::string(kind.name).starts_with("cells")) continue;  // no grid
     const PlannedRoadmap planned = kind.build(space, {});
     EXPECT_EQ(planned.counts.has_value(), kind.samples) << kind.name;
-    if (planned.counts) EXPECT_EQ(planned.counts->kept, planned.roadmap->vertex_count()) << kind.name;
+    if (planned.counts) {
+      EXPECT_EQ(planned.counts->kept, planned.roadmap->vertex_count()) << kind.name;
+    }
   }
 }
 

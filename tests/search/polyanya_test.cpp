@@ -202,7 +202,9 @@ TEST(Polyanya, GivesTheLengthsOfTheFullGraphOnAGridMap) {
   std::mt19937_64 engine(3);
   std::size_t compared = 0;
   while (compared < 200) {
-    const auto place = [&] { return Point{engine() % 41 + 0.5, engine() % 31 + 0.5}; };
+    const auto place = [&] {
+      return Point{static_cast<int>(engine() % 41) + 0.5, static_cast<int>(engine() % 31) + 0.5};
+    };
     const Point from = place(), to = place();
     if (space.locate(from).kind == Location::Kind::outside || space.locate(to).kind == Location::Kind::outside)
       continue;

@@ -45,7 +45,7 @@ TurnedMaze turned_maze(int cells, std::uint64_t seed) {
 class TurnedMazes : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(TurnedMazes, HaveTheWidestWayThatTheGatesHave) {
-  const TurnedMaze maze = turned_maze(4 + GetParam() % 9, GetParam());
+  const TurnedMaze maze = turned_maze(static_cast<int>(4 + GetParam() % 9), GetParam());
   const FreeSpace space(maze.world);
   const VoronoiRoadmap diagram(space);
   EXPECT_LT(diagram.max_error(), 1e-8);  // some units in the last place of a northing

@@ -19,9 +19,9 @@ using testing::StartsWith;
 /// A certificate, won in a maze of the generator.
 struct Won {
   GridMaze maze = [] {
-    GridMaze maze = generate_backtracker(8, 8, 3);
-    open_centre_room(maze);
-    return maze;
+    GridMaze made = generate_backtracker(8, 8, 3);
+    open_centre_room(made);
+    return made;
   }();
   micromouse::CertifiedRun certified = [this] {
     const auto robot = micromouse::make_explorer(micromouse::Explorer::prove, micromouse::task_of(maze));
