@@ -4,19 +4,17 @@
 #include <cmath>
 
 #include <taut/geometry/detail/implied_area.h>
+#include <taut/geometry/detail/written_integers.h>
 #include <taut/geometry/segment_distance.h>
 #include <taut/geometry/written.h>
 
 namespace taut::detail {
 
-namespace {
-
-// Whole numbers, which most are, are told at once.
-bool is_computed_number(double v) {
-  return !(v == std::floor(v) && std::abs(v) < 1e15) && !written::decimal(v).has_value();
+bool is_computed(Point p) {
+  // Three places, which are as many as most numbers have, are told at once.
+  const auto is_computed = [](double v) { return std::isnan(integer_over(v, 3)) && !written::decimal(v); };
+  return is_computed(p.x) || is_computed(p.y);
 }
-
-}  // namespace
 
 Foot foot(Point p, const Segment& s) {
   const double dx = s.b.x - s.a.x, dy = s.b.y - s.a.y, square = dx * dx + dy * dy;
@@ -65,7 +63,7 @@ NearPairs::NearPairs(const WorldParts& parts, std::span<const Point> ends) {
     boxes.push_back(box_around(points_[pieces_[i].a], points_[pieces_[i].b]));
   }
   index_ = BoxIndex(std::move(boxes));
-  for (const Point p : points_) computed_.push_back(is_computed_number(p.x) || is_computed_number(p.y));
+  for (const Point p : points_) computed_.push_back(detail::is_computed(p));
 }
 
 void NearPairs::add_ring(const Ring& ring, std::uint32_t area, int line) {

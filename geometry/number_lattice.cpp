@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include <taut/geometry/detail/written_integers.h>
 #include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/text.h>
 #include <taut/geometry/written.h>
@@ -25,6 +26,8 @@ std::vector<Point> points_of(const World& world) {
   return points;
 }
 
+constexpr int kMostPlaces = 22;  // of integer_over
+
 /// The number of places after the point, in base 10 or 2, that differences of coordinates need.
 class Places {
  public:
@@ -33,6 +36,8 @@ class Places {
   void add(double v) {
     if (v == std::floor(v) && std::abs(v) < 1e15) return;  // needs none
     if (base_ == 10) {
+      // As many places as another number had are told at once.
+      if (count_ <= kMostPlaces && !std::isnan(detail::integer_over(v, count_))) return;
       const auto d = written::decimal(v);
       if (!d && v != std::floor(v)) exists_ = false;
       if (d) count_ = std::max(count_, d->places);

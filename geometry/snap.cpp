@@ -25,12 +25,9 @@ bool is_valid(const WorldParts& parts) {
   return valid;
 }
 
-bool is_computed(double v) { return !(v == std::floor(v) && std::abs(v) < 1e15) && !written::decimal(v); }
-bool is_computed(Point p) { return is_computed(p.x) || is_computed(p.y); }
-
 bool any_computed(const WorldParts& parts) {
   bool any = false;
-  detail::for_each_place(parts, [&](Point p) { any = any || is_computed(p); });
+  detail::for_each_place(parts, [&](Point p) { any = any || detail::is_computed(p); });
   return any;
 }
 
@@ -57,7 +54,7 @@ std::vector<Point> all_ends(const WorldParts& parts, std::span<const Point> ends
 
 /// Nothing to do for numbers that were written, which most are.
 bool is_plain(const WorldParts& parts, std::vector<Point> ends, double rounding) {
-  std::erase_if(ends, [](Point p) { return !is_computed(p); });
+  std::erase_if(ends, [](Point p) { return !detail::is_computed(p); });
   return ends.size() <= kFewEnds && !any_beside(ends, parts, rounding);
 }
 

@@ -6,7 +6,6 @@
 
 #include <taut/cli/messages.h>
 #include <taut/cli/world/geographic.h>
-#include <taut/geometry/number_lattice.h>
 #include <taut/geometry/predicates.h>
 
 namespace taut::cli {
@@ -47,7 +46,8 @@ std::string text_of(const NearContact& c) {
 
 }  // namespace
 
-CheckReport::CheckReport(const Input& input, const FreeSpace& space) : input_(input), space_(space) {
+CheckReport::CheckReport(const Input& input, const FreeSpace& space)
+    : input_(input), space_(space), lattice_(number_lattice(input.world)) {
   for (const Polygon& polygon : space.polygons()) {
     area_ += ring_area(polygon.outer) / 2;
     for (const Ring& hole : polygon.holes) area_ += ring_area(hole) / 2;
@@ -89,8 +89,7 @@ std::string CheckReport::text() const {
   row("walls", walls);
   if (!world.solids().empty()) row("obstacles", count_text(world.solids().size(), "polygon"));
   row("boundary", fmt::format("{}, {} to {}", name_of(world.boundary()), point_text(box.min), point_text(box.max)));
-  const std::optional<NumberLattice> lattice = number_lattice(world);
-  row("numbers", lattice ? taut::text(*lattice) : "computed, or too many digits for a lattice");
+  row("numbers", lattice_ ? taut::text(*lattice_) : "computed, or too many digits for a lattice");
   const SnapReport& snap = input_.notes.snap;
   if (snap.joined > 0)
     row("joined", fmt::format("{}, moved by at most {:.3g}; nothing by more than {:.3g}",
@@ -120,8 +119,7 @@ Json CheckReport::json() const {
   json["areas"] = world.areas().size();
   json["boundary"] = name_of(world.boundary());
   json["box"] = json_of(shown(world.box()));
-  const std::optional<NumberLattice> lattice = number_lattice(world);
-  json["numbers"] = lattice ? Json(taut::text(*lattice)) : Json(nullptr);
+  json["numbers"] = lattice_ ? Json(taut::text(*lattice_)) : Json(nullptr);
   json["openings"] = shown(world.openings());
   json["start"] = world.start() ? Json(shown(*world.start())) : Json();
   json["goal"] = json_of(shown(world.goal()));

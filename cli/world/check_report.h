@@ -8,6 +8,7 @@
 
 #include <taut/cli/input.h>
 #include <taut/geometry/free_space.h>
+#include <taut/geometry/number_lattice.h>
 #include <taut/io/results/json.h>
 #include <taut/io/worlds/read_path.h>
 #include <taut/search/verify.h>
@@ -47,6 +48,7 @@ class CheckReport {
   const Input& input_;
   const FreeSpace& space_;
   std::optional<std::pair<ClaimedPath, Verdict>> path_;
+  std::optional<NumberLattice> lattice_;
   double area_ = 0;
   std::size_t holes_ = 0;
   std::size_t corners_ = 0;

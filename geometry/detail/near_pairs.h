@@ -13,6 +13,9 @@
 
 namespace taut::detail {
 
+/// Has the point a coordinate that was computed: a double that no decimal of at most 15 digits means?
+bool is_computed(Point p);
+
 /// Where a segment is nearest to a point.
 struct Foot {
   double distance = 0;
