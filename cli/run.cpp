@@ -191,15 +191,24 @@ void Run::rasterise(std::vector<OutputFile>& files) {
     if (is_png(file.name) && file.bytes.starts_with("<svg")) file.bytes = stage("draw", [&] { return png_of(file); });
 }
 
-int Run::end(Answer answer) {
-  rasterise(answer.files);
-  when_stopped({});
-  so_far(std::move(answer.result), answer.line);  // where nobody reads a stream, this is what is written
+// A stream may wait for its reader for ever, so limits count while it is written; what is stopped then tells all of it.
+void Run::write_streams(const Answer& answer) {
   begin_stage("write");
   for (const OutputFile& file : answer.files)
     if (is_stream(file.name)) write_file(file.name, file.bytes);
   if (is_stream(options_.json)) say(answer);
-  finish();
+}
+
+int Run::end(Answer answer) {
+  rasterise(answer.files);
+  const bool to_stream = is_stream(options_.json) || std::ranges::any_of(answer.files, is_stream, &OutputFile::name);
+  if (!to_stream) finish();
+  when_stopped({});
+  so_far(std::move(answer.result), answer.line);
+  if (to_stream) {
+    write_streams(answer);
+    finish();
+  }
   for (const OutputFile& file : answer.files)
     if (!is_stream(file.name)) write_file(file.name, file.bytes);
   if (!is_stream(options_.json)) say(answer);

@@ -98,6 +98,7 @@ class Run {
 
   void note_stages(const Answer& answer) const;
   void rasterise(std::vector<OutputFile>& files);
+  void write_streams(const Answer& answer);
   void say(const Answer& answer);
 
   const CommonOptions& options_;
