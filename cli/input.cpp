@@ -1,5 +1,7 @@
 #include <taut/cli/input.h>
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <utility>
 
@@ -23,7 +25,7 @@ World read_world_of(const std::string& file, const ReadOptions& options, ReadNot
 }
 
 void tell(const ReadNotes& notes, const std::string& name, Run& run) {
-  for (const std::string& remark : notes.remarks) note("taut: " + name + ": " + remark);
+  for (const std::string& remark : notes.remarks) note(fmt::format("taut: {}: {}", name, remark));
   run.add_to_result("remarks", notes.remarks);
   run.add_to_result("snap", snap_json(notes.snap));
   run.add_to_result("near", near_json(notes.near));

@@ -111,10 +111,10 @@ constexpr std::uint64_t kMostCells = 400'000'000;
 /// The map, and what its scenarios scale it to.
 class ScaledMaps {
  public:
-  ScaledMaps(const OccupancyGrid& grid, std::string name) : name_(std::move(name)) {
+  ScaledMaps(OccupancyGrid grid, std::string name) : name_(std::move(name)) {
     width_ = grid.width;
     height_ = grid.height;
-    maps_.try_emplace({width_, height_}, grid);
+    maps_.try_emplace({width_, height_}, std::move(grid));
   }
 
   struct Map {
