@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include <taut/geometry/box.h>
 #include <taut/geometry/point.h>
 
 namespace taut {
@@ -32,10 +33,5 @@ class BoxIndex {
   std::vector<Box> boxes_;
   std::unique_ptr<Tree> tree_;
 };
-
-/// The smallest box that holds both points.
-inline Box box_around(Point p, Point q) {
-  return {{p.x < q.x ? p.x : q.x, p.y < q.y ? p.y : q.y}, {p.x < q.x ? q.x : p.x, p.y < q.y ? q.y : p.y}};
-}
 
 }  // namespace taut

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include <taut/geometry/box.h>
 #include <taut/geometry/detail/outline.h>
 #include <taut/geometry/snap.h>
 #include <taut/geometry/text.h>
@@ -17,8 +18,6 @@ namespace {
 
 constexpr double kHullCovered = 0.75;
 constexpr double kRounding = 1e-9;  // of a covered share
-
-Ring ring_of(const Box& b) { return {b.min, {b.max.x, b.min.y}, b.max, {b.min.x, b.max.y}}; }
 
 Bounds bounds_of_everything(const WorldParts& parts) {
   Bounds bounds;

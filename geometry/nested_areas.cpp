@@ -25,15 +25,6 @@ struct Side {
   Segment segment() const { return {a, b}; }
 };
 
-Box box_of(const Ring& ring) {
-  Box box{ring.front(), ring.front()};
-  for (Point p : ring) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
-  }
-  return box;
-}
-
 bool holds(const Box& outer, const Box& inner) {
   return outer.min.x <= inner.min.x && outer.min.y <= inner.min.y && inner.max.x <= outer.max.x &&
          inner.max.y <= outer.max.y;
@@ -43,7 +34,7 @@ class Nesting {
  public:
   explicit Nesting(const std::vector<Area>& areas) : areas_(areas) {
     for (std::uint32_t i = 0; i < areas.size(); ++i) {
-      boxes_.push_back(box_of(areas[i].polygon.outer));
+      boxes_.push_back(box_around(areas[i].polygon.outer));
       first_side_.push_back(sides_.size());
       for (std::uint32_t r = 0; r <= areas[i].polygon.holes.size(); ++r) add_sides(i, r);
     }

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include <taut/geometry/box.h>
 #include <taut/geometry/detail/near_pairs.h>
 #include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/written.h>
@@ -19,15 +20,6 @@ std::vector<Point> with_ends(const WorldParts& parts, std::span<const Point> pla
   if (parts.start) all.push_back(*parts.start);
   if (parts.goal.point) all.push_back(*parts.goal.point);
   return all;
-}
-
-Box box_of(const std::vector<Point>& points) {
-  Box box{points.front(), points.front()};
-  for (const Point p : points) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
-  }
-  return box;
 }
 
 class Noder {
@@ -79,7 +71,7 @@ class Noder {
       const Segment s = pairs_.segment(i);
       boxes.push_back(box_around(s.a, s.b));
     }
-    const DecimalUnit unit(box_of(pairs_.points()));
+    const DecimalUnit unit(box_around(pairs_.points()));
     const BoxIndex index(boxes);
     for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
       if (is_thick(i) || along_axis(pairs_.segment(i))) continue;

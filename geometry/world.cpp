@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include <taut/geometry/box.h>
 #include <taut/geometry/detail/coordinate_gate.h>
 #include <taut/geometry/detail/implied_area.h>
 #include <taut/geometry/detail/outline.h>
@@ -17,8 +18,6 @@ namespace taut {
 namespace {
 
 using Gate = detail::CoordinateGate;
-
-Ring ring_of(const Box& b) { return {b.min, {b.max.x, b.min.y}, b.max, {b.min.x, b.max.y}}; }
 
 Box box_of(const std::vector<Area>& areas) {
   detail::Bounds bounds;

@@ -32,12 +32,6 @@ PrmClear::PrmClear(const FreeSpace& space, double clearance)
 }
 
 /// Holds every point nearer to the box than `by`, however its sides are rounded.
-Box PrmClear::widened(const Box& box, double by) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return {{std::nextafter(box.min.x - by, -kInfinity), std::nextafter(box.min.y - by, -kInfinity)},
-          {std::nextafter(box.max.x + by, kInfinity), std::nextafter(box.max.y + by, kInfinity)}};
-}
-
 bool PrmClear::point(Point p) const { return is_untouched(p) && keeps_distance({p, p}); }
 
 bool PrmClear::leg(Point p, Point q) const { return space_.sees(p, q) && keeps_distance({p, q}); }

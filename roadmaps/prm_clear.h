@@ -24,7 +24,6 @@ class PrmClear {
   }
 
  private:
-  static Box widened(const Box& box, double by);
   bool is_untouched(Point p) const;
   bool keeps_distance(const Segment& s) const;
 

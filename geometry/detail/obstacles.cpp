@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <taut/geometry/box.h>
 #include <taut/geometry/detail/polygon_triangles.h>
 #include <taut/geometry/written.h>
 
@@ -34,17 +35,6 @@ bool is_box(const Ring& ring) {
          ((ring[0].x == ring[1].x && ring[2].x == ring[3].x && ring[0].y == ring[3].y && ring[1].y == ring[2].y) ||
           (ring[0].y == ring[1].y && ring[2].y == ring[3].y && ring[0].x == ring[3].x && ring[1].x == ring[2].x));
 }
-
-Box bounds(const Ring& ring) {
-  Box box{ring[0], ring[0]};
-  for (const Point p : ring) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
-  }
-  return box;
-}
-
-Ring corners(const Box& b) { return {b.min, {b.max.x, b.min.y}, b.max, {b.min.x, b.max.y}}; }
 
 /// a's box widened by w on each side, rounded outwards.
 Box widened(const Box& a, double left, double below, double right, double above) {
@@ -99,9 +89,9 @@ class Builder {
   Ring rectangle(const Wall& wall) {
     const double h = written::middle(0, wall.thickness);
     if (wall.a.x == wall.b.x || wall.a.y == wall.b.y) {
-      const Box box = bounds({wall.a, wall.b});
+      const Box box = box_around(wall.a, wall.b);
       note(widening_error(box, h));
-      return corners(widened(box, h, h, h, h));
+      return ring_of(widened(box, h, h, h, h));
     }
     const double dx = wall.b.x - wall.a.x, dy = wall.b.y - wall.a.y, length = std::hypot(dx, dy);
     // Directions are good to 4 ulp, corners to 8 of their magnitude: that much is added on all sides.
@@ -118,9 +108,9 @@ class Builder {
   void add_summed(const Ring& points, std::uint32_t wall) {
     if (footprint_is_box_ &&
         (points.size() == 2 ? points[0].x == points[1].x || points[0].y == points[1].y : is_box(points))) {
-      const Box box = bounds(points), f = bounds(reflected_);
+      const Box box = box_around(points), f = box_around(reflected_);
       note(std::max(widening_error(box, f.max.x), widening_error(box, f.max.y)));
-      result_.pieces.push_back({corners(widened(box, -f.min.x, -f.min.y, f.max.x, f.max.y)), wall});
+      result_.pieces.push_back({ring_of(widened(box, -f.min.x, -f.min.y, f.max.x, f.max.y)), wall});
       return;
     }
     bool exact = true;
@@ -171,7 +161,7 @@ class Builder {
   void add_outside() {
     const Box box = world_.box();
     const double least =
-        std::max({box.max.x - box.min.x, box.max.y - box.min.y, 1e-300}) / 4 + magnitude(corners(box)) * kUlp * 64;
+        std::max({box.max.x - box.min.x, box.max.y - box.min.y, 1e-300}) / 4 + magnitude(ring_of(box)) * kUlp * 64;
     // One digit, so that the frame lies on the lattice of the world.
     const double margin = written::number(1, -static_cast<int>(std::ceil(std::log10(least))));
     const Box frame = widened(box, margin, margin, margin, margin);
@@ -189,7 +179,7 @@ class Builder {
                          {{box.max.x, frame.min.y}, frame.max},
                          {{box.min.x, frame.min.y}, {box.max.x, box.min.y}},
                          {{box.min.x, box.max.y}, {box.max.x, frame.max.y}}};
-    for (const Box& part : parts) add_convex(corners(part), grows);
+    for (const Box& part : parts) add_convex(ring_of(part), grows);
   }
 
   void add_triangles(const PolygonTriangles& tiles, bool summed) {

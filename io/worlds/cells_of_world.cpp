@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include <taut/geometry/box.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/text.h>
 #include <taut/geometry/written.h>
@@ -90,9 +91,7 @@ bool holds(const Area& area, Point p) {
 
 /// Marks the cells of the area: those whose middles it holds, within its own box.
 void mark(OccupancyGrid& grid, const Area& area, std::uint8_t value) {
-  Box box{area.polygon.outer.front(), area.polygon.outer.front()};
-  for (const Point p : area.polygon.outer)
-    box = {{std::min(box.min.x, p.x), std::min(box.min.y, p.y)}, {std::max(box.max.x, p.x), std::max(box.max.y, p.y)}};
+  const Box box = box_around(area.polygon.outer);
   const auto first = [](double v) { return static_cast<std::uint32_t>(std::max(0.0, v)); };
   for (std::uint32_t row = first(box.min.y); row < std::min<double>(grid.height, box.max.y); ++row)
     for (std::uint32_t column = first(box.min.x); column < std::min<double>(grid.width, box.max.x); ++column)

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include <taut/geometry/box.h>
 #include <taut/geometry/noded_parts.h>
 #include <taut/geometry/text.h>
 #include <taut/geometry/written.h>
@@ -62,16 +63,6 @@ std::vector<Point> places_of(const WorldParts& parts) {
   return places;
 }
 
-/// Precondition: not empty.
-Box box_of(std::span<const Point> points) {
-  Box box{points.front(), points.front()};
-  for (const Point p : points) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
-  }
-  return box;
-}
-
 Box widened(const Box& box, Point p) {
   return {{std::min(box.min.x, p.x), std::min(box.min.y, p.y)}, {std::max(box.max.x, p.x), std::max(box.max.y, p.y)}};
 }
@@ -105,7 +96,7 @@ GeographicWorld::GeographicWorld(WorldParts degrees) : degrees_(std::move(degree
   require_lon_lat(degrees_);
   const std::vector<Point> places = places_of(degrees_);
   if (places.empty()) throw InputError(degrees_.source, 0, "has no wall or polygon to project");
-  box_ = box_of(places);
+  box_ = box_around(places);
   const double width = box_.max.x - box_.min.x;
   if (width > kWidest)
     throw InputError(
@@ -186,7 +177,7 @@ double GeographicWorld::error_within(const Box& box) const {
 
 double GeographicWorld::length_error(std::span<const Point> points, double length) const {
   if (points.empty()) return 0;
-  return error_within(box_of(points)) * length + 3 * rounding() * static_cast<double>(points.size());
+  return error_within(box_around(points)) * length + 3 * rounding() * static_cast<double>(points.size());
 }
 
 std::string GeographicWorld::text() const {
@@ -197,7 +188,7 @@ std::string GeographicWorld::text() const {
 bool looks_like_degrees(const WorldParts& parts) {
   const std::vector<Point> places = places_of(parts);
   if (places.empty() || !std::all_of(places.begin(), places.end(), is_lon_lat)) return false;
-  const Box box = box_of(places);
+  const Box box = box_around(places);
   const double extent = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
   if (!(extent < 1)) return false;
   const auto from_zero = [](double low, double high) { return low > 0 ? low : high < 0 ? -high : 0; };

@@ -1,16 +1,17 @@
 #include <taut/roadmaps/detail/navmesh_triangles.h>
 
 #include <algorithm>
+#include <array>
+
+#include <taut/geometry/box.h>
 
 namespace taut::detail {
 
 namespace {
 
 Box box_of(const Triangulation& tri, std::uint32_t t) {
-  const Point a = tri.points[tri.triangles[t][0]], b = tri.points[tri.triangles[t][1]],
-              c = tri.points[tri.triangles[t][2]];
-  return {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
-          {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}};
+  const auto& [a, b, c] = tri.triangles[t];
+  return box_around(std::array{tri.points[a], tri.points[b], tri.points[c]});
 }
 
 bool meet(const Box& a, const Box& b) {

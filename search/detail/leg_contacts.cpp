@@ -18,13 +18,6 @@ std::vector<Box> boxes_of(std::span<const Segment> legs) {
   return result;
 }
 
-/// Holds every point within `margin` of the box.
-Box widened(const Box& box, double margin) {
-  const auto down = [margin](double v) { return std::nextafter(v - margin, -HUGE_VAL); };
-  const auto up = [margin](double v) { return std::nextafter(v + margin, HUGE_VAL); };
-  return {{down(box.min.x), down(box.min.y)}, {up(box.max.x), up(box.max.y)}};
-}
-
 /// Calls f with every number below n once, each far from the one before.
 template <class F>
 void for_each_scattered(std::size_t n, F f) {

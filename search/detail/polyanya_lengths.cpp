@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <taut/geometry/box.h>
+
 namespace taut::detail {
 
 namespace {
@@ -15,10 +17,6 @@ double gap(const Box& a, const Box& b) {
   const double dx = std::max({0.0, a.min.x - b.max.x, b.min.x - a.max.x}),
                dy = std::max({0.0, a.min.y - b.max.y, b.min.y - a.max.y});
   return std::sqrt(dx * dx + dy * dy);
-}
-
-Box box_of(Point a, Point b) {
-  return {{std::min(a.x, b.x), std::min(a.y, b.y)}, {std::max(a.x, b.x), std::max(a.y, b.y)}};
 }
 
 double cross(Point o, Point a, Point b) { return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x); }
@@ -120,7 +118,7 @@ double PolyanyaEngine::bound_through(const Cone& cone, Point a, Point b, bool ri
     else
       rest = distance(r, goal);
   } else {
-    const Box part = box_of(right.point, left.point), here{r, r};
+    const Box part = box_around(right.point, left.point), here{r, r};
     rest = gap(here, part);
     if (nearest_) rest = std::max(gap(here, goal_box_), rest + gap(part, goal_box_));
   }

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include <taut/geometry/box.h>
 #include <taut/geometry/corridor_width.h>
 
 namespace taut::detail {
@@ -15,8 +16,6 @@ namespace taut::detail {
 namespace {
 
 double longer_side(const Box& box) { return std::max(box.max.x - box.min.x, box.max.y - box.min.y); }
-
-Ring ring_of(const Box& b) { return {b.min, {b.max.x, b.min.y}, b.max, {b.min.x, b.max.y}}; }
 
 bool same(const Ring& a, const Ring& b) { return std::is_permutation(a.begin(), a.end(), b.begin(), b.end()); }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <taut/geometry/box.h>
 #include <taut/geometry/predicates.h>
 
 namespace taut::car::detail {
@@ -10,15 +11,6 @@ namespace taut::car::detail {
 namespace {
 
 constexpr double kSlack = 1e-9;  // of filters, relative: far above rounding
-
-Box around(const std::vector<Point>& points, double by) {
-  Box box{points.front(), points.front()};
-  for (const Point p : points) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
-  }
-  return {{box.min.x - by, box.min.y - by}, {box.max.x + by, box.max.y + by}};
-}
 
 bool apart(const Box& s, const Box& t) {
   return s.max.x < t.min.x || t.max.x < s.min.x || s.max.y < t.min.y || t.max.y < s.min.y;
@@ -46,7 +38,7 @@ void add_corners(const Rectangle<Approx>& r, std::vector<Point>& corners) {
 NearWall::NearWall(const Segment& s, Point origin)
     : a(difference<Approx>(origin, s.a)), b(difference<Approx>(origin, s.b)), wall(s) {
   const double slack = a.x.e + a.y.e + b.x.e + b.y.e;
-  box = around({point(a), point(b)}, slack);
+  box = widened(box_around(point(a), point(b)), slack);
 }
 
 PreparedLeg::PreparedLeg(const Leg& leg, const CarShape& shape)
@@ -71,7 +63,7 @@ PreparedLeg::PreparedLeg(const Leg& leg, const CarShape& shape)
     outer_ *= 1 + kSlack;
     inner_ *= 1 - kSlack;
   }
-  box_ = around(corners, bulge + kSlack * (length_ + shape.outer_radius()));
+  box_ = widened(box_around(corners), bulge + kSlack * (length_ + shape.outer_radius()));
 }
 
 bool PreparedLeg::is_outside_ring(const NearWall& wall) const {
