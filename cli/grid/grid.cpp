@@ -11,6 +11,8 @@
 #include <taut/cli/options.h>
 #include <taut/cli/world/foreign.h>
 #include <taut/geometry/errors.h>
+#include <taut/io/results/words.h>
+#include <taut/io/worlds/grid_formula.h>
 #include <taut/io/worlds/read_world.h>
 
 namespace taut::cli {
@@ -72,9 +74,11 @@ GridMoves grid_moves_of(const std::string& text) {
 }
 
 GridHeuristic grid_heuristic_of(const std::string& text) {
-  if (auto heuristic = grid_heuristic_named(text)) return *std::move(heuristic);
-  throw UsageError("'" + text + "' is no heuristic; they are " + grid_estimate_names() +
-                   ", and several joined by commas for their maximum");
+  try {
+    return grid_heuristic(text);
+  } catch (const InputError& error) {
+    throw UsageError(error.what());
+  }
 }
 
 GridAlgorithm grid_algorithm_of(const std::string& text) {
@@ -175,6 +179,19 @@ void explain_grid_heuristics(CommandLine& app) {
                              {"biased-row", "rows, negative above the goal"},
                              {"biased-column", "columns, negative left of the goal"},
                              {"exact", "the true cost, by a search backwards beforehand"}});
+}
+
+std::vector<std::string> facts_of(const GridResult& result) {
+  std::vector<std::string> all{count_text(result.steps, "step")};
+  if (result.status == SearchStatus::found) {
+    all.push_back("cost " + cost_text(result.cost));
+    all.push_back(count_text(result.path.size(), "cell"));
+    all.emplace_back(result.optimal ? "proven least" : "not proven least");
+  } else {
+    const bool none = result.status == SearchStatus::none;
+    all.emplace_back(none ? "no path" : "stopped: out of steps, --max-steps allows more");
+  }
+  return all;
 }
 
 std::string cost_text(GridCost cost) {

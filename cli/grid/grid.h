@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <taut/cli/command_line.h>
 #include <taut/io/results/envelope.h>
@@ -56,6 +57,8 @@ GridResult checked_search(const GridInput& input, GridMoves moves, const GridQue
 /// found, none or stopped.
 Outcome outcome_of(SearchStatus status);
 
+/// What is said of a result: steps, cost, cells, is it proven.
+std::vector<std::string> facts_of(const GridResult& result);
 /// `7`, `3 + 2 sqrt(2)`: exact.
 std::string cost_text(GridCost cost);
 /// `(2,5)`: row and column.

@@ -1,6 +1,8 @@
 // taut grid heuristics: which estimates can be trusted on a map.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include <taut/cli/command.h>
 #include <taut/cli/grid/grid.h>
 #include <taut/cli/run.h>
@@ -20,11 +22,13 @@ void add_options(CommandLine& app, HeuristicsOptions& options) {
   add_grid_options(app, options.grid, false);
   app.add_each_function(
          "--heuristic", [&options](const std::string& word) { options.chosen.push_back(grid_heuristic_of(word)); },
-         "Only this one, or a maximum of several joined by commas (default: each, see below)")
+         "Only this one: a name, an expression of cx, cy (column, row), gx and gy, or a maximum of several joined by "
+         "commas (default: each, see below)")
       .type_name("NAME")
       .group("Search");
   explain_grid_heuristics(app);
   app.example("taut grid heuristics data/pocket.csv --moves 8 --heuristic manhattan --heuristic octile");
+  app.example("taut grid heuristics data/pocket.csv --heuristic 'max(abs(cx-gx), abs(cy-gy)) * 1.1'");
 }
 
 std::string why_not_admissible(const Overestimate& o) {
@@ -37,10 +41,10 @@ std::string why_not_consistent(const InconsistentMove& m) {
                      place_text(m.to), m.estimate_to, cost_text(m.cost));
 }
 
-std::string line_of(const GridHeuristic& heuristic, const HeuristicVerdict& verdict) {
-  std::string text =
-      fmt::format("{:<14} {:<14} {:<14}", name(heuristic), verdict.admissible() ? "admissible" : "not admissible",
-                  verdict.consistent() ? "consistent" : "not consistent");
+std::string line_of(const GridHeuristic& heuristic, std::size_t width, const HeuristicVerdict& verdict) {
+  std::string text = fmt::format("{:<{}} {:<14} {:<14}", name(heuristic), width,
+                                 verdict.admissible() ? "admissible" : "not admissible",
+                                 verdict.consistent() ? "consistent" : "not consistent");
   if (verdict.overestimate) text += "  " + why_not_admissible(*verdict.overestimate);
   if (verdict.violation) text += (verdict.overestimate ? "; " : "  ") + why_not_consistent(*verdict.violation);
   return text.erase(text.find_last_not_of(' ') + 1) + "\n";
@@ -57,10 +61,13 @@ int run(const HeuristicsOptions& options, Run& run) {
   const GridInput input = run.stage("read", [&] { return read_grid_input(options.grid, false); });
   std::string text;
   Json all{{"moves", name(input.moves)}, {"goal", grid_place_json(*input.task.goal)}, {"heuristics", Json::array()}};
-  for (const GridHeuristic& heuristic : options.chosen.empty() ? all_heuristics() : options.chosen) {
+  const std::vector<GridHeuristic> chosen = options.chosen.empty() ? all_heuristics() : options.chosen;
+  std::size_t width = 14;
+  for (const GridHeuristic& heuristic : chosen) width = std::max(width, name(heuristic).size());
+  for (const GridHeuristic& heuristic : chosen) {
     const HeuristicVerdict verdict = run.stage(
         "search", [&] { return heuristic_verdict(input.task.grid, input.moves, *input.task.goal, heuristic); });
-    text += line_of(heuristic, verdict);
+    text += line_of(heuristic, width, verdict);
     all["heuristics"].push_back(heuristic_json(heuristic, verdict));
     run.so_far(all, text);
   }

@@ -14,7 +14,9 @@ Ties ties_of(const std::string& text) {
 void add_grid_search_options(CommandLine& app, GridSearchOptions& options) {
   app.add_option_function(
          "--heuristic", [&options](const std::string& text) { options.heuristic = grid_heuristic_of(text); },
-         "Which estimate, see below; several joined by commas: their maximum. Default: manhattan with 4 neighbours, "
+         "Which estimate, see below, or an expression of cx, cy (column, row), gx and gy; several joined by commas: "
+         "their "
+         "maximum. Default: manhattan with 4 neighbours, "
          "else octile; euclidean for greedy")
       .type_name("NAME")
       .group("Search");

@@ -61,19 +61,6 @@ std::string title(const GridQuery& query) {
   return is_informed(query.algorithm) ? text + " (" + name(query.heuristic) + ")" : text;
 }
 
-std::vector<std::string> facts(const GridResult& result) {
-  std::vector<std::string> all{count_text(result.steps, "step")};
-  if (result.status == SearchStatus::found) {
-    all.push_back("cost " + cost_text(result.cost));
-    all.push_back(count_text(result.path.size(), "cell"));
-    all.emplace_back(result.optimal ? "proven least" : "not proven least");
-  } else {
-    const bool none = result.status == SearchStatus::none;
-    all.emplace_back(none ? "no path" : "stopped: out of steps, --max-steps allows more");
-  }
-  return all;
-}
-
 std::string path_text(const std::vector<GridPlace>& path) {
   std::string text;
   for (const GridPlace& place : path) text += fmt::format("{},{}\n", place.row, place.column);
@@ -107,13 +94,13 @@ int solve(const GridSolveOptions& options, Run& run) {
   const GridResult result = run.stage("search", [&] { return checked_search(input, moves, query); });
   std::vector<OutputFile> files = run.stage("draw", [&] {
     return pictures(options, input,
-                    {title_of(input.name) + ", " + title(query), facts(result), result.visited, result.frontier,
+                    {title_of(input.name) + ", " + title(query), facts_of(result), result.visited, result.frontier,
                      result.path, input.task.start, input.task.goal, false});
   });
   return run.end({.outcome = outcome_of(result.status),
                   .reason = reason_of(result, query),
                   .result = grid_result_json(result, query, moves),
-                  .line = fmt::format("{}: {}: {}, {}\n", input.name, title(query), fmt::join(facts(result), ", "),
+                  .line = fmt::format("{}: {}: {}, {}\n", input.name, title(query), fmt::join(facts_of(result), ", "),
                                       seconds_text(run.seconds("search").cpu)),
                   .listing = options.path ? path_text(result.path) : "",
                   .files = std::move(files)});

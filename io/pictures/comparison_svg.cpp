@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include <taut/io/pictures/detail/svg_layers.h>
+#include <taut/io/pictures/detail/svg_panels.h>
 #include <taut/io/results/words.h>
 
 namespace taut {
@@ -18,20 +20,12 @@ using detail::SvgLayers;
 using detail::SvgPath;
 
 constexpr std::size_t kEdgesDrawn = 6000;
-constexpr double kInner = 952, kGap = 20;  // of the page between its margins, between panels
-constexpr double kHead = 26, kRow = 20;    // a panel's title, a row of its numbers
-constexpr double kRim = 6;                 // what may stick out of a map
-
-std::string px(double v) { return detail::svg_number(v); }
 
 // Beside what all pictures have; a finer line would be lost in a small map.
 std::string more_style(const detail::SvgStrokes& strokes) {
-  return fmt::format(".taut .panel{{font-weight:600}}\n.taut .roadmap{{stroke-width:{}}}\n",
-                     px(std::max(0.6, strokes.roadmap())));
+  return detail::SvgPanels::style() +
+         fmt::format(".taut .roadmap{{stroke-width:{}}}\n", detail::svg_number(std::max(0.6, strokes.roadmap())));
 }
-
-// Side by side as many as leave each 300 pixels; of wide worlds fewer.
-std::size_t columns_for(Point size) { return size.x > 2 * size.y ? 2 : 3; }
 
 class Sheet {
  public:
@@ -40,39 +34,26 @@ class Sheet {
       : comparison_(comparison), space_(space), moves_(moves) {
     for (const PlannerRuns& p : comparison.planners)
       if (!p.runs.empty()) panels_.push_back(&p);
-    const Point whole = SvgLayers::size(space.world(), 1);
-    columns_ = std::min(columns_for(whole), std::max<std::size_t>(1, panels_.size()));
-    width_ = (kInner - kGap * static_cast<double>(columns_ - 1)) / static_cast<double>(columns_);
-    pixels_ = std::min(width_ / whole.x, 1.25 * width_ / whole.y);
-    map_ = {whole.x * pixels_, whole.y * pixels_};
+    std::vector<detail::SvgPanel> texts;
+    for (const PlannerRuns* p : panels_) texts.push_back({std::string(p->planner->name), numbers(*p)});
+    layout_.emplace(SvgLayers::size(space.world(), 1), texts);
+    pixels_ = layout_->scale();
     title_ = title;
-    for (std::size_t i = 0; i < panels_.size(); i += columns_) tops_.push_back(tops_.back() + height_of_row(i));
   }
 
   std::string draw() {
-    const detail::SvgFrame frame({kInner, tops_.back()}, title_, facts(), keys());
+    const detail::SvgFrame frame(layout_->size(), title_, facts(), keys());
     const SvgLayers layers(space_, {}, pixels_);
     out_ = frame.head("", detail::style(layers.strokes()) + more_style(layers.strokes()));
     out_ += "<g xmlns:xlink=\"http://www.w3.org/1999/xlink\">\n<defs>\n<g id=\"taut-ground\">" + layers.solid() +
             layers.free() + layers.rooms(comparison_.goal) + "</g>\n<g id=\"taut-walls\">" + layers.openings() +
             layers.walls() + "</g>\n</defs>\n";
-    for (std::size_t i = 0; i < panels_.size(); ++i) {
-      const Point at{frame.map().min.x + static_cast<double>(i % columns_) * (width_ + kGap),
-                     frame.map().min.y + tops_[i / columns_]};
-      panel(*panels_[i], layers, at);
-    }
+    for (std::size_t i = 0; i < panels_.size(); ++i)
+      out_ += layout_->panel(i, frame.map().min, map(*panels_[i], layers));
     return std::move(out_ += "</g>\n" + frame.foot());
   }
 
  private:
-  // As its longest list of numbers needs it.
-  double height_of_row(std::size_t first) const {
-    std::size_t rows = 0;
-    for (std::size_t i = first; i < std::min(first + columns_, panels_.size()); ++i)
-      rows = std::max(rows, numbers(*panels_[i]).size());
-    return kHead + map_.y + kRow * static_cast<double>(rows) + 1.5 * kGap;
-  }
-
   std::vector<std::string> facts() const {
     std::vector<std::string> facts;
     facts.push_back(comparison_.optimum   ? "shortest path " + length_text(*comparison_.optimum)
@@ -106,23 +87,16 @@ class Sheet {
   static bool has_drawn_edges(const PlannerRun& run) { return run.edges > 0 && run.edges <= kEdgesDrawn; }
   static bool has_milestones(const PlannerRun& run) { return run.counts && run.vertices <= kEdgesDrawn; }
 
-  void panel(const PlannerRuns& p, const SvgLayers& layers, Point at) {
+  std::string map(const PlannerRuns& p, const SvgLayers& layers) {
     const PlannerRun& run = p.typical();
-    const Point map{at.x + (width_ - map_.x) / 2, at.y + kHead};
-    text("panel", at.x, at.y + 14, p.planner->name);
-    out_ += fmt::format("<svg x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" viewBox=\"{} {} {} {}\">", px(map.x - kRim),
-                        px(map.y - kRim), px(map_.x + 2 * kRim), px(map_.y + 2 * kRim), px(-kRim), px(-kRim),
-                        px(map_.x + 2 * kRim), px(map_.y + 2 * kRim));
-    out_ += "<use xlink:href=\"#taut-ground\"/>\n";
-    if (has_drawn_edges(run)) shared("roadmap", layers.edges(*run.roadmap));
-    if (has_milestones(run)) shared("milestones", layers.dots(*run.roadmap));
-    out_ += "<use xlink:href=\"#taut-walls\"/>\n";
-    if (run.solved) out_ += SvgLayers::path(line(layers, run.path));
-    out_ += layers.marker("start", comparison_.start);
-    if (const auto goal = goal_of(run)) out_ += layers.marker("goal", *goal);
-    out_ += "</svg>\n";
-    double y = map.y + map_.y + kRow;
-    for (const std::string& row : numbers(p)) text("facts", at.x, std::exchange(y, y + kRow), row);
+    std::string out = "<use xlink:href=\"#taut-ground\"/>\n";
+    if (has_drawn_edges(run)) out += shared("roadmap", layers.edges(*run.roadmap));
+    if (has_milestones(run)) out += shared("milestones", layers.dots(*run.roadmap));
+    out += "<use xlink:href=\"#taut-walls\"/>\n";
+    if (run.solved) out += SvgLayers::path(line(layers, run.path));
+    out += layers.marker("start", comparison_.start);
+    if (const auto goal = goal_of(run)) out += layers.marker("goal", *goal);
+    return out;
   }
 
   static SvgPath line(const SvgLayers& layers, const Path& path) {
@@ -137,13 +111,12 @@ class Sheet {
   }
 
   // What stands on the page already is used again.
-  void shared(const char* kind, const SvgPath& path) {
+  std::string shared(const char* kind, const SvgPath& path) {
     const auto [place, is_new] = ids_.try_emplace(path.text(), ids_.size());
     const std::string id = fmt::format("taut-roadmap-{}", place->second);
-    out_ += fmt::format("<g class=\"{}\">", kind);
-    out_ += is_new ? fmt::format("<path id=\"{}\" d=\"{}\"/>", id, path.text())
-                   : fmt::format("<use xlink:href=\"#{}\"/>", id);
-    out_ += "</g>\n";
+    const std::string use = is_new ? fmt::format("<path id=\"{}\" d=\"{}\"/>", id, path.text())
+                                   : fmt::format("<use xlink:href=\"#{}\"/>", id);
+    return fmt::format("<g class=\"{}\">{}</g>\n", kind, use);
   }
 
   std::vector<std::string> numbers(const PlannerRuns& p) const {
@@ -154,7 +127,7 @@ class Sheet {
     if (run.counts) facts.push_back(fmt::format("{} samples drawn, {} kept", run.counts->drawn, run.counts->kept));
     if (!run.counts && run.vertices > 0) facts.push_back(count_text(run.vertices, "vertex", "vertices"));
     if (run.edges > 0) facts.push_back(count_text(run.edges, "edge") + (run.edges > kEdgesDrawn ? ", not drawn" : ""));
-    return detail::wrapped(facts, width_);
+    return facts;
   }
 
   std::string ratio_text(const Length& length) const {
@@ -162,20 +135,13 @@ class Sheet {
     return fmt::format("{:.4f}", length.value() / comparison_.optimum->value());
   }
 
-  void text(const char* kind, double x, double y, const std::string& words) {
-    out_ +=
-        fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", kind, px(x), px(y), detail::xml_text(words));
-  }
-
   const Comparison& comparison_;
   const FreeSpace& space_;
   const std::vector<EndMove>& moves_;
   std::string title_;
   std::vector<const PlannerRuns*> panels_;
-  std::size_t columns_ = 3;
-  double width_ = 0, pixels_ = 0;  // of a panel, of its map's longer side
-  std::vector<double> tops_{0};    // of the rows of panels, and below the last
-  Point map_;                      // its size
+  std::optional<detail::SvgPanels> layout_;
+  double pixels_ = 0;  // of a map's longer side
   std::map<std::string, std::size_t> ids_;
   std::string out_;
 };

@@ -1,160 +1,64 @@
 #include <taut/io/pictures/grid_svg.h>
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
-#include <taut/io/pictures/colour_scale.h>
-#include <taut/io/pictures/detail/svg_frame.h>
+#include <taut/io/pictures/detail/grid_drawing.h>
 #include <taut/io/pictures/detail/svg_motion.h>
+#include <taut/io/pictures/detail/svg_panels.h>
 
 namespace taut {
 
 namespace {
 
-constexpr std::size_t kShades = 64;
-constexpr double kPlaySeconds = 8;
-constexpr double kPathSeconds = 2;
+using detail::GridDrawing;
 
-std::string colour_of(std::size_t shade) { return flood_colour(static_cast<double>(shade) / (kShades - 1)); }
+double cell_pixels(const OccupancyGrid& grid) {
+  return std::clamp(detail::kMapPixels / std::max(grid.width, grid.height), 0.5, 64.0);
+}
 
-constexpr const char* kStyle = ".taut.grid .path .line{fill:none;stroke-linejoin:round;stroke-linecap:round}\n";
+std::vector<detail::SvgKey> keys_of(const GridPicture& picture, double cell) {
+  std::vector<detail::SvgKey> keys = GridDrawing::keys(picture);
+  keys.push_back(detail::ruler_key(cell, "cell", "cells"));
+  return keys;
+}
 
-class GridPage {
- public:
-  GridPage(const OccupancyGrid& grid, const GridPicture& what)
-      : grid_(grid),
-        what_(what),
-        cell_(std::clamp(detail::kMapPixels / std::max(grid.width, grid.height), 0.5, 64.0)),
-        frame_({cell_ * grid.width, cell_ * grid.height}, what.title, what.facts, keys()) {}
-
-  std::string text() {
-    out_ = frame_.head("grid", kStyle);
-    out_ += fmt::format("<g transform=\"translate({:.3f} {:.3f}) scale({:.6f})\">\n", frame_.map().min.x,
-                        frame_.map().min.y, cell_);
-    cells();
-    if (cell_ >= 6) lines();
-    frontier();
-    path();
-    out_ += "</g>\n";
-    ends();
-    if (what_.animated) out_ += detail::film_controls({frame_.width() - 4, 3}, kPlaySeconds + kPathSeconds);
-    return out_ + frame_.foot();
+// What any of them shows.
+GridPicture together(std::span<const GridPicture> pictures) {
+  GridPicture all;
+  for (const GridPicture& p : pictures) {
+    if (!all.start) all.start = p.start;
+    if (!all.goal) all.goal = p.goal;
+    if (all.path.size() < 2) all.path = p.path;
+    if (all.frontier.empty()) all.frontier = p.frontier;
+    if (all.visited.empty()) all.visited = p.visited;
   }
-
- private:
-  static constexpr std::uint8_t kFree = 255, kBlocked = 254;
-
-  std::vector<detail::SvgKey> keys() const {
-    using enum detail::SvgKey::Sample;
-    std::vector<detail::SvgKey> keys;
-    if (what_.start) keys.push_back({"start", "start", marker, {}});
-    if (what_.goal) keys.push_back({"goal", "goal", marker, {}});
-    if (what_.path.size() >= 2) keys.push_back({"path", "path", line, {}});
-    if (!what_.frontier.empty()) keys.push_back({"frontier", "frontier", line, {}});
-    if (!what_.visited.empty()) {
-      std::vector<std::string> colours;
-      for (std::size_t s = 0; s < kShades; s += 3) colours.push_back(colour_of(s));
-      keys.push_back({"visited", "visited, first to last", scale, std::move(colours)});
-    }
-    keys.push_back({"obstacle", "blocked", patch});
-    keys.push_back(detail::ruler_key(cell_, "cell", "cells"));
-    return keys;
-  }
-
-  void cells() {
-    std::vector<std::uint8_t> kind(grid_.blocked.size(), kFree);
-    for (std::size_t i = 0; i < kind.size(); ++i)
-      if (grid_.blocked[i] != 0) kind[i] = kBlocked;
-    const std::size_t count = std::max<std::size_t>(what_.visited.size(), 1);
-    for (std::size_t n = what_.visited.size(); n-- > 0;)  // the first taking counts
-      kind[index(what_.visited[n])] = static_cast<std::uint8_t>(n * kShades / count);
-    std::array<std::string, 256> runs;
-    for (std::uint32_t row = 0; row < grid_.height; ++row)
-      for (std::uint32_t column = 0, end; column < grid_.width; column = end) {
-        const std::uint8_t here = kind[index({row, column})];
-        for (end = column + 1; end < grid_.width && kind[index({row, end})] == here;) ++end;
-        runs[here] += fmt::format("M{} {}h{}v1h-{}z", column, row, end - column, end - column);
-      }
-    const auto put = [&](const std::string& d, const std::string& ink, const std::string& more) {
-      if (!d.empty()) out_ += fmt::format("<path {} shape-rendering=\"crispEdges\" d=\"{}\"{}\n", ink, d, more);
-    };
-    put(runs[kFree], "class=\"free\"", "/>");
-    put(runs[kBlocked], "class=\"obstacle\"", "/>");
-    for (std::size_t s = 0; s < kShades; ++s) {
-      if (what_.animated) put(runs[s], "class=\"free\"", "/>");
-      put(runs[s], fmt::format("class=\"appears\" fill=\"{}\"", colour_of(s)),
-          appears(kPlaySeconds * static_cast<double>(s) / kShades));
-    }
-  }
-
-  /// The rest of an element: hidden until then, when it is animated.
-  std::string appears(double seconds) const {
-    if (!what_.animated) return "/>";
-    return fmt::format(
-        " visibility=\"hidden\"><set attributeName=\"visibility\" to=\"visible\" begin=\"{:.3f}s\"/></path>", seconds);
-  }
-
-  void lines() {
-    std::string d;
-    for (std::uint32_t c = 0; c <= grid_.width; ++c) d += fmt::format("M{} 0v{}", c, grid_.height);
-    for (std::uint32_t r = 0; r <= grid_.height; ++r) d += fmt::format("M0 {}h{}", r, grid_.width);
-    out_ += fmt::format("<path class=\"grid\" stroke-width=\"0.02\" d=\"{}\"/>\n", d);
-  }
-
-  void frontier() {
-    std::string d;
-    for (const GridPlace& p : what_.frontier)
-      d += fmt::format("M{:.2f} {:.2f}h.7v.7h-.7z", p.column + 0.15, p.row + 0.15);
-    if (!d.empty())
-      out_ += "<path class=\"frontier appears\" stroke-width=\"0.12\" d=\"" + d + "\"" + appears(kPlaySeconds) + "\n";
-  }
-
-  void path() {
-    if (what_.path.size() < 2) return;
-    std::string d;
-    double length = 0;
-    for (std::size_t i = 0; i < what_.path.size(); ++i) {
-      const GridPlace& p = what_.path[i];
-      d += fmt::format("{}{} {}", i == 0 ? "M" : "L", p.column + 0.5, p.row + 0.5);
-      if (i > 0)
-        length += std::hypot(double(p.column) - what_.path[i - 1].column, double(p.row) - what_.path[i - 1].row);
-    }
-    const double stroke = std::max(0.22, 2.5 / cell_);
-    std::string more = "/>";
-    if (what_.animated)
-      more = fmt::format(
-          " stroke-dasharray=\"{0:.3f}\" stroke-dashoffset=\"{0:.3f}\"><animate attributeName=\"stroke-dashoffset\" "
-          "from=\"{0:.3f}\" to=\"0\" begin=\"{1}s\" dur=\"{2}s\" fill=\"freeze\"/></path>",
-          length, kPlaySeconds, kPathSeconds);
-    out_ += fmt::format("<g class=\"path\"><path class=\"line appears\" stroke-width=\"{:.3f}\" d=\"{}\"{}</g>\n",
-                        stroke, d, more);
-  }
-
-  void ends() {
-    const double radius = std::clamp(0.32 * cell_, 5.0, 14.0);
-    const auto put = [&](const char* kind, const std::optional<GridPlace>& place) {
-      if (!place) return;
-      const Point at{frame_.map().min.x + cell_ * (place->column + 0.5),
-                     frame_.map().min.y + cell_ * (place->row + 0.5)};
-      out_ += detail::marker(kind, at, radius, cell_);
-    };
-    put("start", what_.start);
-    put("goal", what_.goal);
-  }
-
-  std::size_t index(GridPlace p) const { return std::size_t{p.row} * grid_.width + p.column; }
-
-  const OccupancyGrid& grid_;
-  const GridPicture& what_;
-  double cell_;
-  detail::SvgFrame frame_;
-  std::string out_;
-};
+  return all;
+}
 
 }  // namespace
 
-std::string grid_svg(const OccupancyGrid& grid, const GridPicture& picture) { return GridPage(grid, picture).text(); }
+std::string grid_svg(const OccupancyGrid& grid, const GridPicture& picture) {
+  const double cell = cell_pixels(grid);
+  const detail::SvgFrame frame({cell * grid.width, cell * grid.height}, picture.title, picture.facts,
+                               keys_of(picture, cell));
+  std::string out = frame.head("grid", GridDrawing::style());
+  out += GridDrawing(grid, picture, cell, frame.map().min).text();
+  if (picture.animated)
+    out += detail::film_controls({frame.width() - 4, 3}, detail::kGridPlaySeconds + detail::kGridPathSeconds);
+  return out + frame.foot();
+}
+
+std::string grid_comparison_svg(const OccupancyGrid& grid, std::span<const GridPicture> pictures,
+                                const std::string& title, const std::vector<std::string>& facts) {
+  std::vector<detail::SvgPanel> texts;
+  for (const GridPicture& picture : pictures) texts.push_back({picture.title, picture.facts});
+  const detail::SvgPanels layout({static_cast<double>(grid.width), static_cast<double>(grid.height)}, texts);
+  const detail::SvgFrame frame(layout.size(), title, facts, keys_of(together(pictures), layout.scale()));
+  std::string out = frame.head("grid", GridDrawing::style() + detail::SvgPanels::style());
+  for (std::size_t i = 0; i < pictures.size(); ++i)
+    out += layout.panel(i, frame.map().min, GridDrawing(grid, pictures[i], layout.scale(), {}).text());
+  return out + frame.foot();
+}
 
 }  // namespace taut

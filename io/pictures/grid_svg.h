@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,5 +28,10 @@ struct GridPicture {
 /// yellow, stand for the order, so that the size grows with the outline of what was visited, not with its cells. Same
 /// input, same bytes.
 std::string grid_svg(const OccupancyGrid& grid, const GridPicture& picture);
+
+/// Searches of one grid side by side on a page of 1000 pixels' width: a panel for each, its title above and its facts
+/// below, in letters of 15 pixels; one legend, `title` and `facts` head it. Films stand still. Same input, same bytes.
+std::string grid_comparison_svg(const OccupancyGrid& grid, std::span<const GridPicture> pictures,
+                                const std::string& title, const std::vector<std::string>& facts);
 
 }  // namespace taut

@@ -72,6 +72,7 @@ std::string_view name(GridEstimate estimate) { return kNames[static_cast<std::si
 std::string name(const GridHeuristic& heuristic) {
   std::string names;
   for (const GridEstimate e : heuristic.members) names.append(names.empty() ? "" : ",").append(name(e));
+  for (const GridFormula& f : heuristic.formulas) names.append(names.empty() ? "" : ",").append(f.text);
   return names.empty() ? "zero" : names;
 }
 
@@ -99,6 +100,7 @@ GridHeuristic natural_heuristic(GridMoves moves) {
 
 bool consistent_everywhere(const GridHeuristic& heuristic, GridMoves moves) {
   const auto& all = heuristic.members;
+  if (!heuristic.formulas.empty()) return false;
   return moves == GridMoves::four || std::find(all.begin(), all.end(), GridEstimate::manhattan) == all.end();
 }
 

@@ -1,6 +1,7 @@
 // Estimates of the cost to the goal on a grid, and what is true of them on a given map.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,10 +25,22 @@ enum class GridEstimate {
   exact,          ///< the true cost, by a search backwards from the goal over the whole map before the search proper
 };
 
+/// An estimate of one's own, rounded to the nearest multiple of 1 / GridCost::kStraight (2e-9).
+struct GridFormula {
+  /// Larger values, infinite ones and those that are no number are refused.
+  static constexpr double kLargest = 1e9;
+
+  std::string text;  ///< stands for it where two are compared or it is named
+  std::function<double(GridPlace cell, GridPlace goal)> value;
+
+  friend bool operator==(const GridFormula& a, const GridFormula& b) { return a.text == b.text; }
+};
+
 /// The maximum of a set of estimates; of none, 0. Rounding Euclidean lengths down keeps them consistent: a diagonal
 /// move counts as slightly more than sqrt(2) (GridCost), a straight one as a whole number of units.
 struct GridHeuristic {
   std::vector<GridEstimate> members{GridEstimate::zero};
+  std::vector<GridFormula> formulas = {};
 
   friend bool operator==(const GridHeuristic&, const GridHeuristic&) = default;
 };
@@ -43,7 +56,7 @@ std::string grid_estimate_names();
 /// Manhattan for four neighbours, else octile: the largest that is consistent on every map.
 GridHeuristic natural_heuristic(GridMoves moves);
 
-/// Consistent on every map: all but Manhattan (and maxima with it) where moves are diagonal. What is consistent is
+/// Consistent on every map: all but formulas, and Manhattan where moves are diagonal, and maxima with them. What is consistent is
 /// admissible.
 bool consistent_everywhere(const GridHeuristic& heuristic, GridMoves moves);
 
@@ -75,7 +88,7 @@ struct HeuristicVerdict {
 };
 
 /// Compares the estimate with the true cost in every cell that can reach the goal, and across every move between them.
-/// All integers: nothing is tolerated. Throws InputError when the goal is outside or blocked. O(cells log cells).
+/// All integers: nothing is tolerated. Throws InputError when the goal is outside or blocked, or a formula's value refused. O(cells log cells).
 HeuristicVerdict heuristic_verdict(const OccupancyGrid& grid, GridMoves moves, GridPlace goal,
                                    const GridHeuristic& heuristic);
 

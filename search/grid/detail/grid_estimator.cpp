@@ -2,7 +2,10 @@
 
 #include <cmath>
 #include <queue>
+#include <string>
 #include <utility>
+
+#include <taut/geometry/errors.h>
 
 namespace taut::detail {
 
@@ -39,8 +42,25 @@ std::vector<std::int64_t> costs_to(const GridBoard& board, BoardCell target) {
 GridEstimator::GridEstimator(const GridBoard& board, const GridHeuristic& heuristic, BoardCell target)
     : board_(board), members_(heuristic.members), target_(board.place(target)) {
   const auto has = [&](GridEstimate e) { return std::find(members_.begin(), members_.end(), e) != members_.end(); };
-  if (members_ == std::vector{GridEstimate::zero}) members_.clear();
+  if (members_ == std::vector{GridEstimate::zero} && heuristic.formulas.empty()) members_.clear();
   if (has(GridEstimate::exact)) exact_ = costs_to(board, target);
+  if (heuristic.formulas.empty()) return;
+  formulas_.resize(board.size());
+  for (BoardCell c = 0; c < board.size(); ++c) {
+    if (!board.free(c)) continue;
+    formulas_[c] = std::numeric_limits<std::int64_t>::min();
+    for (const GridFormula& f : heuristic.formulas) formulas_[c] = std::max(formulas_[c], formula(f, c));
+  }
+}
+
+std::int64_t GridEstimator::formula(const GridFormula& f, BoardCell c) const {
+  const GridPlace place = board_.place(c);
+  const double value = f.value(place, target_);
+  if (!(std::abs(value) <= GridFormula::kLargest))
+    throw InputError("", 0,
+                     "the estimate " + f.text + " has no value up to 1e9 in cell (" + std::to_string(place.row) + "," +
+                         std::to_string(place.column) + ")");
+  return std::llround(value * static_cast<double>(GridCost::kStraight));
 }
 
 }  // namespace taut::detail

@@ -22,15 +22,17 @@ std::vector<std::int64_t> costs_to(const GridBoard& board, BoardCell target);
 
 class GridEstimator {
  public:
-  /// Runs the backwards search when `exact` is among the members. The board must outlive it.
+  /// Runs the backwards search when `exact` is among the members, and evaluates formulas in all free cells. The board
+  /// must outlive it. Throws InputError where the value of a formula is refused.
   GridEstimator(const GridBoard& board, const GridHeuristic& heuristic, BoardCell target);
 
   /// kUnreached where the exact estimate knows that there is no way.
   std::int64_t operator()(BoardCell c) const {
-    if (members_.empty()) return 0;
+    if (members_.empty()) return formulas_.empty() ? 0 : formulas_[c];
     const GridPlace p = board_.place(c);
     const std::int64_t dr = std::int64_t{p.row} - target_.row, dc = std::int64_t{p.column} - target_.column;
     std::int64_t most = value(members_.front(), dr, dc, c);
+    if (!formulas_.empty()) most = std::max(most, formulas_[c]);
     for (std::size_t i = 1; i < members_.size(); ++i) most = std::max(most, value(members_[i], dr, dc, c));
     return most;
   }
@@ -52,10 +54,12 @@ class GridEstimator {
     return 0;
   }
 
+  std::int64_t formula(const GridFormula& f, BoardCell c) const;
+
   const GridBoard& board_;
-  std::vector<GridEstimate> members_;  // none for zero alone
+  std::vector<GridEstimate> members_;  // none for zero alone, or formulas alone
   GridPlace target_;
-  std::vector<std::int64_t> exact_;
+  std::vector<std::int64_t> exact_, formulas_;  // by cell, where there are any
 };
 
 }  // namespace taut::detail

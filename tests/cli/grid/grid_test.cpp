@@ -260,6 +260,23 @@ TEST_F(GridCompare, SaysNoneOnlyWhenProven) {
   EXPECT_EQ(run_taut("grid compare - --max-steps 2", kBend).code, 4);
 }
 
+TEST_F(GridCompare, DrawsThemSideBySide) {
+  const Outcome run = run_taut("grid compare - --moves octile --svg " + in_folder("searches.svg"), kBend);
+  EXPECT_EQ(run.code, 0);
+  const std::string picture = contents(in_folder("searches.svg"));
+  EXPECT_EQ(count(picture, "class=\"panel\""), answer("compare - --moves octile", kBend)["searches"].size());
+  EXPECT_THAT(picture, HasSubstr(">bidirectional-astar<"));
+}
+
+TEST_F(GridHeuristics, TakesAnExpression) {
+  const json judged = answer("heuristics - --moves octile --heuristic 'max(abs(cx-gx), abs(cy-gy))*1.5'", kBend);
+  EXPECT_EQ(judged["heuristics"][0]["heuristic"], "max(abs(cx-gx), abs(cy-gy))*1.5");
+  EXPECT_EQ(judged["heuristics"][0]["admissible"], false);
+  EXPECT_EQ(answer("solve - --heuristic 'abs(cx-gx)'", kBend)["cost"], answer("solve -", kBend)["cost"]);
+  EXPECT_EQ(run_taut("grid solve - --heuristic cx+", kBend).code, 2);
+  EXPECT_EQ(run_taut("grid solve - --heuristic '1/(cx-gx)'", kBend).code, 3);
+}
+
 TEST_F(GridHeuristics, NamesAWitness) {
   const json all = answer("heuristics - --moves 8", kBend);
   ASSERT_EQ(all["heuristics"].size(), 8U);

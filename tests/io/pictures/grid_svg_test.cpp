@@ -69,5 +69,20 @@ TEST(GridSvg, GrowsWithOutlinesNotWithCells) {
   EXPECT_EQ(grid_svg(open, picture), grid_svg(open, picture));
 }
 
+TEST(GridComparisonSvg, HasAPanelForEachSearchAndOneLegend) {
+  std::vector<GridPicture> pictures;
+  for (const char* title : {"first", "second", "third", "fourth"}) {
+    pictures.push_back(picture_of(kBend.grid, GridMoves::four, kBend.start, kBend.goal));
+    pictures.back().title = title;
+  }
+  const std::string text = grid_comparison_svg(kBend.grid, pictures, "bend", {"4 moves"});
+  EXPECT_EQ(count(text, "class=\"panel\""), 4U);
+  EXPECT_EQ(count(text, "<svg x="), 4U);
+  EXPECT_EQ(count(text, "class=\"legend\""), 1U);
+  EXPECT_THAT(text, HasSubstr(">fourth<"));
+  EXPECT_THAT(text, HasSubstr("width=\"1000\""));
+  EXPECT_EQ(text, grid_comparison_svg(kBend.grid, pictures, "bend", {"4 moves"}));
+}
+
 }  // namespace
 }  // namespace taut::test
