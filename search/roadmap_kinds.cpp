@@ -44,6 +44,22 @@ RoadmapKind visibility(const char* name, const char* title, const char* what, Vi
           RoadmapKind::Keeping::rebuilt};
 }
 
+/// The textbook's way to the full one: the reference that the fast one agrees with, edge for edge.
+RoadmapKind brute_visibility() {
+  return {"visibility-brute",
+          "full visibility graph, each pair against each wall",
+          "the full visibility graph from its definition, O(n^3): to see it agree with full, edge for edge",
+          true,
+          false,
+          [](const FreeSpace& space, const BuildRequest&) {
+            constexpr auto kFull = VisibilityKind::full;
+            const auto graph =
+                std::make_shared<const VisibilityGraph>(space, kFull, visibility_graph_brute_force(space, kFull));
+            return planned(graph, search_visibility, visibility_query);
+          },
+          RoadmapKind::Keeping::rebuilt};
+}
+
 RoadmapKind cells(const char* name, const char* title, const char* what, CellNeighbours neighbours) {
   return {name,
           title,
@@ -158,6 +174,7 @@ std::span<const RoadmapKind> roadmap_kinds() {
                  VisibilityKind::reduced),
       visibility("full", "full visibility graph", "all corners, and all pairs that see each other; the shortest path",
                  VisibilityKind::full),
+      brute_visibility(),
       cells("cells", "cells with 4 neighbours", "the cells of a grid maze, joined to those beside them",
             CellNeighbours::four),
       cells("cells8", "cells with 8 neighbours", "likewise, and across corners", CellNeighbours::eight),

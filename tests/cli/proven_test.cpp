@@ -64,7 +64,7 @@ class ForgedRoadmap : public ProgramTest {
 };
 
 TEST_F(ForgedRoadmap, IsRefusedWithTheLineOfAnEdgeThatIsMissing) {
-  for (const char* kind : {"visibility", "full", "cells", "cells8"}) {
+  for (const char* kind : {"visibility", "full", "visibility-brute", "cells", "cells8"}) {
     SCOPED_TRACE(kind);
     save(kind);
     const Edges edges = edges_of(saved_.roadmap);

@@ -161,6 +161,18 @@ TEST_F(SavedRoadmaps, AnswerAsTheRoadmapsTheyCameFrom) {
   }
 }
 
+TEST_F(SavedRoadmaps, OfTheDefinitionAndOfTheFastWayAreTheSame) {
+  const auto edges = [](const std::string& kind) {
+    return json::parse(run_taut("roadmap --json - --kind " + kind + " " + data_file("maze_5x7.txt")).out)["result"];
+  };
+  json brute = edges("visibility-brute"), fast = edges("full");
+  EXPECT_THAT(brute["kind"].get<std::string>(), HasSubstr("each pair against each wall"));
+  brute["kind"] = fast["kind"];
+  EXPECT_EQ(brute, fast);
+  const std::string solve = "solve --path -q " + data_file("maze_5x7.txt") + " --roadmap ";
+  EXPECT_EQ(run_taut(solve + "visibility-brute").out, run_taut(solve + "full").out);
+}
+
 TEST_F(SavedRoadmaps, RefuseAnotherMazeKindAndDamageInOneLine) {
   const std::string file = in_folder("kept"), load = " --load " + file;
   ASSERT_EQ(run_taut("solve " + data_file("maze_25x25.txt") + " --save " + file).code, 0);
