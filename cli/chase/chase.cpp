@@ -22,20 +22,20 @@ namespace {
 
 std::string planner_list() {
   std::string names;
-  for (const NamedPlanner& p : chase_planners()) names += (names.empty() ? "" : ", ") + std::string(p.name);
+  for (const NamedPursuer& p : chase_pursuers()) names += (names.empty() ? "" : ", ") + std::string(p.name);
   return names;
 }
 
-const NamedPlanner* planner_of(const std::string& name) {
+const NamedPursuer* pursuer_of(const std::string& name) {
   if (name == "report") throw UsageError("--planner: report is entry now; did you mean `--planner entry`?");
-  const NamedPlanner* found = chase_planner(name);
+  const NamedPursuer* found = chase_pursuer(name);
   if (!found) throw UsageError("--planner: '" + name + "' is not one of " + planner_list());
   return found;
 }
 
 struct ChaseOptions {
   std::string file;
-  const NamedPlanner* planner = chase_planner("exact");
+  const NamedPursuer* pursuer = chase_pursuer("exact");
   bool names_planner = false;
   ChaseRuleOptions rules;
   bool online = false;
@@ -52,7 +52,7 @@ void add_options(CommandLine& app, ChaseOptions& options) {
   app.add_option_function(
          "--planner",
          [&options](const std::string& text) {
-           options.planner = planner_of(text);
+           options.pursuer = pursuer_of(text);
            options.names_planner = true;
          },
          "Who plans, see below (default: exact)")
@@ -84,7 +84,7 @@ void add_options(CommandLine& app, ChaseOptions& options) {
 }
 
 ChaseRequest request_of(const ChaseOptions& options) {
-  ChaseRequest request = options.rules.request(options.planner);
+  ChaseRequest request = options.rules.request(*options.pursuer);
   if (options.online) request.horizon = options.horizon.value_or(0);
   return request;
 }

@@ -20,13 +20,18 @@ struct ChaseCompareOptions {
   std::vector<std::string> files;
   ChaseRuleOptions rules;
   CommonOptions common;
+  std::string csv;
 };
 
 void add_compare_options(CommandLine& app, ChaseCompareOptions& options) {
   app.add_option("MAP", options.files, "Cost maps").required();
   add_chase_rule_options(app, options.rules);
+  app.add_option("--csv", options.csv,
+                 "Write the rows as a table: map, planner, caught (1 or 0), time, moves, cost, ...")
+      .type_name("FILE")
+      .group("Output");
   explain_chase_planners(app);
-  app.example("taut chase compare data/town_60x40.chase --free-planning");
+  app.example("taut chase compare data/town_60x40.chase --free-planning --csv chases.csv");
 }
 
 /// All planners on all maps: the rows, and what they say of each map.
@@ -37,8 +42,8 @@ class Comparison {
   void add(const std::string& file) {
     const ChaseMap map = run_.stage("read", [&] { return read_chase_file(file); });
     Outcome best = Outcome::unproven;
-    for (const NamedPlanner& planner : chase_planners()) {
-      const Outcome one = add(map, planner);
+    for (const NamedPursuer& pursuer : chase_pursuers()) {
+      const Outcome one = add(map, pursuer);
       // Caught by anybody, or proven by anybody to be out of reach, is an answer.
       if (one == Outcome::found || best == Outcome::unproven) best = one;
     }
@@ -48,14 +53,16 @@ class Comparison {
     }
   }
 
+  const std::string& csv() const { return csv_; }
+
   Answer answer() const {
     return {.outcome = outcome_, .reason = reason_, .result = {{"chases", rows_}}, .line = table_};
   }
 
  private:
-  Outcome add(const ChaseMap& map, const NamedPlanner& planner) {
+  Outcome add(const ChaseMap& map, const NamedPursuer& pursuer) {
     const double before = run_.seconds("chase").cpu;
-    const ChaseRun chase = run_.stage("chase", [&] { return run_chase(map, rules_.request(&planner)); });
+    const ChaseRun chase = run_.stage("chase", [&] { return run_chase(map, rules_.request(pursuer)); });
     const double cpu = run_.seconds("chase").cpu - before;
     Json json = checked_json(map, chase);
     const Outcome outcome = chase.is_caught()     ? Outcome::found
@@ -66,9 +73,10 @@ class Comparison {
     json["cpu_seconds"] = cpu;
     rows_.push_back(std::move(json));
     table_ += line_of(map, chase, cpu);
+    csv_ += csv_of(map, chase, cpu);
     if (!chase.is_caught()) {
       why_not_ = chase.why_not();
-      note(fmt::format("taut: {}: {}: {}", title_of(map.source()), planner.name, why_not_));
+      note(fmt::format("taut: {}: {}: {}", title_of(map.source()), pursuer.name, why_not_));
     }
     run_.so_far({{"chases", rows_}}, table_);
     return outcome;
@@ -82,8 +90,16 @@ class Comparison {
                        seconds_text(r.first_thought), seconds_text(r.longest_thought), seconds_text(cpu));
   }
 
+  static std::string csv_of(const ChaseMap& map, const ChaseRun& chase, double cpu) {
+    const ChaseResult& r = chase.result;
+    return fmt::format("{},{},{},{},{},{},{},{:.6f}\n", csv_field(title_of(map.source())), chase.request.planner_name(),
+                       chase.is_caught() ? 1 : 0, r.time, r.moves, map.cost_text(r.cost),
+                       chase.is_proven(map) || chase.is_hopeless() ? 1 : 0, cpu);
+  }
+
   const ChaseRuleOptions& rules_;
   Run& run_;
+  std::string csv_ = "map,planner,caught,time,moves,cost,proven,cpu_seconds\n";
   std::string table_ =
       fmt::format("{:<20} {:<9} {:>6} {:>6} {:>6} {:>12} {:>7} {:>12} {:>12} {:>10}\n", "map", "planner", "caught",
                   "time", "moves", "cost", "proven", "first plan", "slowest", "cpu");
@@ -93,10 +109,13 @@ class Comparison {
 };
 
 int run_compare(const ChaseCompareOptions& options, Run& run) {
+  run.promise(options.csv);
   run.sources(options.files);
   Comparison comparison(options.rules, run);
   for (const std::string& file : options.files) comparison.add(file);
-  return run.end(comparison.answer());
+  Answer answer = comparison.answer();
+  if (!options.csv.empty()) answer.files.push_back({options.csv, comparison.csv()});
+  return run.end(std::move(answer));
 }
 
 }  // namespace

@@ -25,8 +25,15 @@ Clock clock_of(const std::string& text) {
 
 }  // namespace
 
-ChaseRequest ChaseRuleOptions::request(const NamedPlanner* planner) const {
-  return {planner, clock, free_planning, plan_seconds.value_or(free_planning ? 0 : kPlanSeconds), std::nullopt};
+ChaseRequest ChaseRuleOptions::request(const NamedPursuer& pursuer) const {
+  ChaseRequest request;
+  request.planner = pursuer.planner;
+  request.clock = clock;
+  request.free_planning = free_planning;
+  request.plan_seconds = plan_seconds.value_or(free_planning ? 0 : kPlanSeconds);
+  request.ahead = pursuer.name == "ahead" && ahead ? ahead : pursuer.ahead;
+  request.weight = static_cast<std::uint32_t>(weight);
+  return request;
 }
 
 void add_chase_rule_options(CommandLine& app, ChaseRuleOptions& rules) {
@@ -46,11 +53,19 @@ void add_chase_rule_options(CommandLine& app, ChaseRuleOptions& rules) {
          "0.9, with --free-planning 0)")
       .type_name("S")
       .group("Rules");
+  app.add_option("--weight", rules.weight, "How heavy the heuristic of weighted is, 1 to 1000 (default: 3)")
+      .type_name("W")
+      .range(1, 1000)
+      .group("Rules");
+  app.add_option("--ahead", rules.ahead, "How many seconds later ahead heads for the target's place (default: 20)")
+      .type_name("S")
+      .range(0, 1'000'000)
+      .group("Rules");
 }
 
 void explain_chase_planners(CommandLine& app) {
   std::vector<Choice> choices;
-  for (const NamedPlanner& planner : chase_planners()) choices.emplace_back(planner.name, planner.description);
+  for (const NamedPursuer& pursuer : chase_pursuers()) choices.emplace_back(pursuer.name, pursuer.description);
   app.explain("Planners", choices);
 }
 

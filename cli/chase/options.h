@@ -15,11 +15,13 @@ struct ChaseRuleOptions {
   pursuit::Clock clock = pursuit::Clock::zero;
   bool free_planning = false;
   std::optional<double> plan_seconds{};
+  int weight = 3;              ///< of weighted
+  std::optional<int> ahead{};  ///< of ahead
 
-  pursuit::ChaseRequest request(const pursuit::NamedPlanner* planner) const;
+  pursuit::ChaseRequest request(const pursuit::NamedPursuer& pursuer) const;
 };
 
-/// --clock, --free-planning, --plan-seconds.
+/// --clock, --free-planning, --plan-seconds, --weight, --ahead.
 void add_chase_rule_options(CommandLine& app, ChaseRuleOptions& rules);
 
 /// A line for each planner, for --help.

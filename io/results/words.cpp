@@ -43,6 +43,13 @@ std::string segments_text(const std::vector<Segment>& segments, std::size_t most
   return segments.size() > most ? out + fmt::format(" and {} more", segments.size() - most) : out;
 }
 
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string field = "\"";
+  for (const char c : text) field.append(c == '"' ? 2 : 1, c);
+  return field + "\"";
+}
+
 std::string title_of(const std::string& source) { return source.substr(source.find_last_of('/') + 1); }
 
 }  // namespace taut

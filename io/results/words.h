@@ -32,6 +32,9 @@ std::string points_text(const std::vector<Point>& points);
 std::string segment_text(const Segment& s);
 std::string segments_text(const std::vector<Segment>& segments, std::size_t most);
 
+/// As a field of a CSV row (RFC 4180): in quotes where it has to be.
+std::string csv_field(const std::string& text);
+
 /// A file's name without its folder.
 std::string title_of(const std::string& source);
 

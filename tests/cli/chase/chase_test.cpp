@@ -76,7 +76,7 @@ TEST_F(ChaseProgram, LetsEachPlannerChase) {
   EXPECT_EQ(run.code, 0) << run.err;
   for (const char* line : {"exact +yes +40 +40 +71 +yes", "entry +yes +83 +78 +83 +no", "weighted +yes", "first +yes"})
     EXPECT_THAT(run.out, ContainsRegex(line));
-  EXPECT_EQ(json::parse(run_taut("chase compare --json - " + town()).out)["result"]["chases"].size(), 4U);
+  EXPECT_EQ(json::parse(run_taut("chase compare --json - " + town()).out)["result"]["chases"].size(), 6U);
   EXPECT_EQ(run_taut("chase compare -q " + town()).out, "");
   EXPECT_THAT(run_taut("chase --planner entry " + town()).out, HasSubstr("not proven optimal"));
   const Outcome old = run_taut("chase --planner report " + town());
@@ -85,6 +85,39 @@ TEST_F(ChaseProgram, LetsEachPlannerChase) {
 }
 
 // A building so large that the least cost is not proven for a while; its first plan comes soon.
+TEST_F(ChaseProgram, HeadsForWhereTheTargetWillBe) {
+  const std::string map = "N 1,9 C 9 R 1,1 T 1,9 1,8 1,7 1,6 1,5 1,4 1,3 1,2 1,1 M 1,1,1,1,1,1,1,1,1";
+  const json ahead = json::parse(run_taut("chase - --planner ahead --ahead 0 --json -", map).out)["result"];
+  EXPECT_EQ(ahead["planner"], "ahead");
+  EXPECT_EQ(ahead["caught"], true);
+  EXPECT_EQ(ahead["time"], 4);
+  EXPECT_EQ(ahead["proven"], false);
+  EXPECT_EQ(run_taut("chase - --planner fixed", map).code, 0);
+  // Straight on it is dear and in time, around the obstacles cheap and two seconds late.
+  const char* kTwoLanes = "N 3,4 C 9 R 1,1 T 1,4 1,4 1,4 1,4 M 1,8,8,1 1,9,9,1 1,1,1,1";
+  const Outcome late = run_taut("chase - --planner fixed", kTwoLanes);
+  EXPECT_EQ(late.code, 4);
+  EXPECT_THAT(late.out, HasSubstr("the target got away"));
+  EXPECT_EQ(run_taut("chase - --planner exact", kTwoLanes).code, 0);
+}
+
+TEST_F(ChaseProgram, TakesAnyWeightAndWritesTheTableAsCsv) {
+  const auto cost = [&](const std::string& weight) {
+    return json::parse(
+               run_taut("chase --planner weighted --json - --weight " + weight + " " + town()).out)["result"]["cost"]
+        .get<double>();
+  };
+  EXPECT_EQ(cost("1"), 83);
+  EXPECT_GE(cost("50"), 71);
+  const std::string file = (folder / "chases.csv").string();
+  EXPECT_EQ(run_taut("chase compare --free-planning --csv " + file + " " + town()).code, 0);
+  const std::string table = contents(file);
+  EXPECT_THAT(table, StartsWith("map,planner,caught,time,moves,cost,proven,cpu_seconds\n"));
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 7);
+  EXPECT_THAT(table, HasSubstr("town_60x40.chase,exact,1,40,40,71,1,"));
+  EXPECT_EQ(run_taut("chase --weight 0 " + town()).code, 2);
+}
+
 TEST_F(ChaseProgram, WritesTheBestPlanSoFarWhenStopped) {
   const std::string map = (folder / "large.chase").string(), file = (folder / "a.json").string();
   ASSERT_EQ(run_taut("chase generate --building --costly --size 700 --duration 3000 --seed 2 -o " + map).code, 0);
@@ -111,7 +144,7 @@ TEST_F(ChaseProgram, KeepsFinishedRowsWhenTheComparisonIsStopped) {
   EXPECT_THAT(run.out, ContainsRegex("first +yes"));
   const json envelope = json::parse(contents(file));
   EXPECT_EQ(envelope["status"], "stopped");
-  EXPECT_EQ(envelope["result"]["chases"].size(), 4U);
+  EXPECT_EQ(envelope["result"]["chases"].size(), 6U);
 }
 
 TEST_F(ChaseProgram, SaysWhyATargetCannotBeCaught) {
