@@ -41,10 +41,12 @@ struct Piece {
   std::uint32_t line;
   std::uint32_t from;
   std::uint32_t to;
-  std::uint32_t edge;
+  std::int32_t turn;
+  std::uint32_t wall;
 };
 
-/// The pieces of one direction by line, then along it; and what they cover together.
+/// The pieces of one direction by line, then along it, walls that overlap or touch as one; and what they cover
+/// together.
 class Lines {
  public:
   Lines(std::vector<Piece> pieces, std::size_t line_count, std::size_t rank_count)
@@ -52,13 +54,14 @@ class Lines {
     const int bits = bits_of(rank_count);
     radix_sort(pieces_, bits + bits_of(line_count),
                [bits](const Piece& p) { return std::uint64_t{p.line} << bits | p.from; });
+    merge_walls();
     for (const Piece& p : pieces_) ++first_[p.line + 1];
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     for (const Piece& p : pieces_) {
       if (!runs_.empty() && runs_.back().line == p.line && p.from <= runs_.back().to)
         runs_.back().to = std::max(runs_.back().to, p.to);
       else
-        runs_.push_back({p.line, p.from, p.to, kNone});
+        runs_.push_back({p.line, p.from, p.to, 0, kNone});
     }
   }
 
@@ -69,6 +72,24 @@ class Lines {
   const std::vector<Piece>& runs() const { return runs_; }  ///< maximal, by line
 
  private:
+  /// A run keeps the lowest of the walls that begin where it does.
+  void merge_walls() {
+    std::size_t kept = 0, wall = kNone;  // where the last wall is
+    for (const Piece& p : pieces_) {
+      if (p.turn == 0) {
+        if (wall != kNone && pieces_[wall].line == p.line && p.from <= pieces_[wall].to) {
+          Piece& run = pieces_[wall];
+          run.to = std::max(run.to, p.to);
+          if (run.from == p.from) run.wall = std::min(run.wall, p.wall);
+          continue;
+        }
+        wall = kept;
+      }
+      pieces_[kept++] = p;
+    }
+    pieces_.resize(kept);
+  }
+
   std::vector<Piece> pieces_;
   std::vector<std::uint32_t> first_;
   std::vector<Piece> runs_;
@@ -135,8 +156,8 @@ struct Part {
 /// Splits the pieces of a direction. `passed[contact]` counts the directions of which a piece passes through it.
 class Splitter {
  public:
-  Splitter(const Lines& lines, const Marks& marks, const std::vector<Edge>& edges, std::vector<std::uint8_t>& passed)
-      : lines_(lines), marks_(marks), edges_(edges), passed_(passed) {}
+  Splitter(const Lines& lines, const Marks& marks, std::vector<std::uint8_t>& passed)
+      : lines_(lines), marks_(marks), passed_(passed) {}
 
   std::vector<Part> parts() {
     for (std::uint32_t line = 0; line < lines_.count(); ++line)
@@ -171,12 +192,11 @@ class Splitter {
   }
 
   void add(const Piece& piece) {
-    const Edge& edge = edges_[piece.edge];
     auto i = static_cast<std::size_t>(std::lower_bound(cuts_.begin(), cuts_.end(), piece.from) - cuts_.begin());
     for (bool inside = false; cuts_[i] != piece.to; ++i, inside = true) {
       Stretch& s = stretches_[i];
-      s.turn += edge.turn;
-      s.wall = std::min(s.wall, edge.wall);
+      s.turn += piece.turn;
+      s.wall = std::min(s.wall, piece.wall);
       s.is_covered = true;
       s.is_passed = s.is_passed || inside;
     }
@@ -184,7 +204,6 @@ class Splitter {
 
   const Lines& lines_;
   const Marks& marks_;
-  const std::vector<Edge>& edges_;
   std::vector<std::uint8_t>& passed_;
   std::vector<std::uint32_t> cuts_;
   std::vector<Stretch> stretches_;
@@ -224,20 +243,22 @@ Noded node_axis_parallel(const std::vector<Edge>& edges) {
   const Ranks xs = ranks(x), ys = ranks(y);
   std::vector<Piece> across, upright;
   for (std::uint32_t i = 0; i < edges.size(); ++i) {
-    if (edges[i].a.y == edges[i].b.y)
-      across.push_back({ys.of[2 * i], xs.of[2 * i], xs.of[2 * i + 1], i});
-    else
-      upright.push_back({xs.of[2 * i], ys.of[2 * i], ys.of[2 * i + 1], i});
+    const Edge& e = edges[i];
+    const bool is_across = e.a.y == e.b.y;
+    const Ranks &line = is_across ? ys : xs, &along = is_across ? xs : ys;
+    const std::uint32_t from = along.of[2 * i], to = along.of[2 * i + 1];
+    if (from == to) continue;
+    const int turn = from < to ? e.turn : -e.turn;
+    (is_across ? across : upright).push_back({line.of[2 * i], std::min(from, to), std::max(from, to), turn, e.wall});
   }
   const Lines horizontal(std::move(across), ys.values.size(), xs.values.size());
   const Lines vertical(std::move(upright), xs.values.size(), ys.values.size());
   const std::vector<Contact> met = contacts(horizontal, vertical);
   std::vector<std::uint8_t> passed(met.size(), 0);
   Noded result;
-  std::vector<Part> rows =
-      Splitter(horizontal, marks(met, &Contact::y, &Contact::x, ys.values.size()), edges, passed).parts();
+  std::vector<Part> rows = Splitter(horizontal, marks(met, &Contact::y, &Contact::x, ys.values.size()), passed).parts();
   const std::vector<Part> columns =
-      Splitter(vertical, marks(met, &Contact::x, &Contact::y, xs.values.size()), edges, passed).parts();
+      Splitter(vertical, marks(met, &Contact::x, &Contact::y, xs.values.size()), passed).parts();
   result.crossings = static_cast<std::size_t>(std::count(passed.begin(), passed.end(), 2));
   result.edges = merged(std::move(rows), columns, xs.values, ys.values);
   return result;

@@ -9,8 +9,7 @@ namespace taut::detail {
 
 inline bool is_axis_parallel(const Edge& e) { return e.a.x == e.b.x || e.a.y == e.b.y; }
 
-/// What node() gives for axis-parallel edges of some length, a < b, of which those without a turn do not overlap or
-/// touch on one line. Coordinates become ranks, by sorting; a line that sweeps the horizontal runs from below to above
+/// What node() gives for axis-parallel edges. Coordinates become ranks, by sorting; a line that sweeps the horizontal runs from below to above
 /// knows the vertical ones that it crosses, as bits, and so finds all contacts; on each line what lies between two of
 /// them is added up. Nothing is rounded: a crossing has coordinates of the edges. O(n + k) for k contacts and pieces,
 /// and a 64th of the vertical lines that a horizontal run passes over.

@@ -212,7 +212,6 @@ class Splitting {
 }  // namespace
 
 Noded node(std::vector<Edge> edges, const DecimalUnit& unit, std::span<const Point> fixed, Rounding rounding) {
-  edges = merged_runs(std::move(edges));
   if (std::all_of(edges.begin(), edges.end(), is_axis_parallel)) return node_axis_parallel(edges);
   return node_general(std::move(edges), unit, fixed, rounding);
 }
