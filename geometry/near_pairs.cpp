@@ -12,7 +12,10 @@ namespace taut::detail {
 
 bool is_computed(Point p) {
   // Three places, which are as many as most numbers have, are told at once.
-  const auto is_computed = [](double v) { return std::isnan(integer_over(v, 3)) && !written::decimal(v); };
+  const auto is_computed = [](double v) {
+    if (std::abs(v) < 0x1p49 && v * 2 == std::floor(v * 2)) return false;  // halves, the same
+    return std::isnan(integer_over(v, 3)) && !written::decimal(v);
+  };
   return is_computed(p.x) || is_computed(p.y);
 }
 

@@ -43,6 +43,8 @@ class Places {
       if (d) count_ = std::max(count_, d->places);
       return;
     }
+    // With so few digits a number means the double that it is.
+    if (count_ <= 6 && std::abs(v) < 0x1p29 && v * (1 << count_) == std::floor(v * (1 << count_))) return;
     if (!written::is_plain(v)) exists_ = false;
     while (exists_ && std::ldexp(v, count_) != std::floor(std::ldexp(v, count_)))
       if (++count_ > 1100) exists_ = false;

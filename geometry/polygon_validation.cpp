@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <taut/geometry/box_index.h>
+#include <taut/geometry/detail/axis_rings.h>
 #include <taut/geometry/detail/polygon_mend.h>
 #include <taut/geometry/detail/ring_corner.h>
 #include <taut/geometry/text.h>
@@ -36,6 +37,10 @@ class Gate {
 
   /// Is the polygon as World guarantees it?
   bool run() {
+    if (is_surely_regular(polygon_)) {
+      turn_all();
+      return true;
+    }
     clean(polygon_.outer);
     for (Ring& hole : polygon_.holes) clean(hole);
     std::erase_if(polygon_.holes, [](const Ring& hole) { return hole.size() < 3; });
@@ -43,8 +48,7 @@ class Gate {
     regular_ = true;
     check_rings();
     if (!regular_) return false;
-    turn(polygon_.outer, 1);
-    for (Ring& hole : polygon_.holes) turn(hole, -1);
+    turn_all();
     if (!polygon_.holes.empty()) check_holes();
     return regular_;
   }
@@ -77,6 +81,11 @@ class Gate {
     for (std::uint32_t i = 0; i < sides_.size(); ++i) check_contacts(i);
     if (!regular_) return;
     for (std::uint32_t hole = 1; hole <= polygon_.holes.size(); ++hole) check_nesting(hole);
+  }
+
+  void turn_all() {
+    turn(polygon_.outer, 1);
+    for (Ring& hole : polygon_.holes) turn(hole, -1);
   }
 
   static void turn(Ring& ring, int wanted) {

@@ -58,6 +58,13 @@ bool is_plain(const WorldParts& parts, std::vector<Point> ends, double rounding)
   return ends.size() <= kFewEnds && !any_beside(ends, parts, rounding);
 }
 
+/// Is it so, or is nothing to be joined? False says nothing.
+bool is_passed_through(const WorldParts& parts, const Snap& snap, std::span<const Point> ends) {
+  if (snap.what == Snap::What::nothing) return true;
+  return snap.what == Snap::What::rounding && is_valid(parts) && !any_computed(parts) &&
+         is_plain(parts, all_ends(parts, ends), rounding_tolerance(parts));
+}
+
 /// Of the ends that could not be joined those that still touch nothing there, no farther than all may have moved; and
 /// what came to be near by moving.
 std::vector<NearContact> remaining(const SnappedParts& joined, double reach) {
@@ -132,6 +139,11 @@ Snapped snapped_world(const WorldParts& parts, const Snap& snap, std::span<const
     }
   }
   return {World(parts), {}};
+}
+
+Snapped snapped_world(WorldParts&& parts, const Snap& snap, std::span<const Point> ends) {
+  if (!is_passed_through(parts, snap, ends)) return snapped_world(std::as_const(parts), snap, ends);
+  return {World(std::move(parts)), {}};
 }
 
 Snapped snapped(const World& world, const Snap& snap, std::span<const Point> ends) {

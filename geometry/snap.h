@@ -70,6 +70,8 @@ struct Snapped {
   SnapReport report;
 };
 Snapped snapped_world(const WorldParts& parts, const Snap& snap = {}, std::span<const Point> ends = {});
+/// Likewise, and without a copy where there is nothing to join.
+Snapped snapped_world(WorldParts&& parts, const Snap& snap = {}, std::span<const Point> ends = {});
 
 /// What is no farther apart than `tolerance` is joined; 0: nothing is. What remains is listed, not refused.
 Snapped snapped(const World& world, double tolerance);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <taut/geometry/box_index.h>
+#include <taut/geometry/detail/axis_noding.h>
 #include <taut/geometry/detail/quick_crossing.h>
 #include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/written.h>
@@ -28,11 +29,11 @@ Edge ordered(Edge c) {
   return c;
 }
 
-bool axis_parallel(const Edge& c) { return c.a.x == c.b.x || c.a.y == c.b.y; }
-
-/// Walls on one axis-parallel line that overlap or touch become one. Precondition: ordered.
-std::vector<Edge> merge_runs(std::vector<Edge> pieces) {
-  const auto is_straight_wall = [](const Edge& c) { return c.turn == 0 && axis_parallel(c); };
+/// Those with a length, ordered. Walls on one axis-parallel line that overlap or touch become one.
+std::vector<Edge> merged_runs(std::vector<Edge> pieces) {
+  std::erase_if(pieces, [](const Edge& c) { return c.a == c.b; });
+  for (Edge& c : pieces) c = ordered(c);
+  const auto is_straight_wall = [](const Edge& c) { return c.turn == 0 && is_axis_parallel(c); };
   const auto straight = std::partition(pieces.begin(), pieces.end(), is_straight_wall);
   const auto key = [](const Edge& c) {
     const bool vertical = c.a.x == c.b.x;
@@ -116,7 +117,7 @@ class Splitting {
 
   /// Does a rounded crossing stay on the piece? On axis-parallel ones whose line is a multiple of the unit.
   bool keeps_straight(const Edge& c) const {
-    if (!axis_parallel(c)) return false;
+    if (!is_axis_parallel(c)) return false;
     const double line = c.a.x == c.b.x ? c.a.x : c.a.y;
     return unit_.nearest(meaning(line)) == line;
   }
@@ -211,10 +212,13 @@ class Splitting {
 }  // namespace
 
 Noded node(std::vector<Edge> edges, const DecimalUnit& unit, std::span<const Point> fixed, Rounding rounding) {
+  if (std::all_of(edges.begin(), edges.end(), is_axis_parallel)) return node_axis_parallel(edges);
+  return node_general(std::move(edges), unit, fixed, rounding);
+}
+
+Noded node_general(std::vector<Edge> edges, const DecimalUnit& unit, std::span<const Point> fixed, Rounding rounding) {
   Noded result;
-  std::erase_if(edges, [](const Edge& c) { return c.a == c.b; });
-  for (Edge& c : edges) c = ordered(c);
-  std::vector<Edge> pieces = unite_equal(merge_runs(std::move(edges)));
+  std::vector<Edge> pieces = unite_equal(merged_runs(std::move(edges)));
   for (int round = 0; round < kRounds; ++round) {
     Splitting splitting(pieces, unit, fixed, rounding, result);
     const bool contacts = splitting.find();

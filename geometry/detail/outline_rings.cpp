@@ -1,7 +1,7 @@
 #include <taut/geometry/detail/outline_rings.h>
 
 #include <algorithm>
-#include <unordered_map>
+#include <span>
 
 #include <taut/geometry/written.h>
 
@@ -15,7 +15,10 @@ using Chain = std::vector<std::uint32_t>;  // vertices
 class Tracer {
  public:
   explicit Tracer(const Tri& tri)
-      : tri_(tri), region_(tri.triangles.size(), kNone), done_(3 * tri.triangles.size(), false) {}
+      : tri_(tri),
+        region_(tri.triangles.size(), kNone),
+        done_(3 * tri.triangles.size(), false),
+        place_(tri.points.size(), kNone) {}
 
   std::vector<Polygon> run() {
     for (std::uint32_t t = 0; t < tri_.triangles.size(); ++t)
@@ -70,28 +73,25 @@ class Tracer {
 
   /// Cuts a chain where it comes back to a vertex.
   void split(const Chain& chain, std::uint32_t region) {
-    std::unordered_map<std::uint32_t, std::size_t> place;
     Chain open;
     for (const std::uint32_t v : chain) {
-      const auto [seen, fresh] = place.emplace(v, open.size());
-      if (!fresh) {
-        const auto first = open.begin() + static_cast<std::ptrdiff_t>(seen->second);
-        const Chain loop(first, open.end());
-        for (const std::uint32_t w : loop) place.erase(w);
+      if (place_[v] != kNone) {
+        const auto first = open.begin() + static_cast<std::ptrdiff_t>(place_[v]);
+        add(std::span(first, open.end()), region);
         open.erase(first, open.end());
-        place.emplace(v, open.size());
-        add(loop, region);
       }
+      place_[v] = static_cast<std::uint32_t>(open.size());
       open.push_back(v);
     }
     add(open, region);
   }
 
-  void add(const Chain& loop, std::uint32_t region) {
+  void add(std::span<const std::uint32_t> loop, std::uint32_t region) {
     Ring ring;
     for (std::size_t k = 0; k < loop.size(); ++k) {
-      const Point before = tri_.points[loop[(k + loop.size() - 1) % loop.size()]], p = tri_.points[loop[k]],
-                  after = tri_.points[loop[(k + 1) % loop.size()]];
+      place_[loop[k]] = kNone;
+      const Point before = tri_.points[loop[k == 0 ? loop.size() - 1 : k - 1]], p = tri_.points[loop[k]],
+                  after = tri_.points[loop[k + 1 == loop.size() ? 0 : k + 1]];
       if (written::orientation(before, p, after) != 0) ring.push_back(p);
     }
     if (ring.size() < 3) return;
@@ -105,6 +105,7 @@ class Tracer {
   const Tri& tri_;
   std::vector<std::uint32_t> region_;
   std::vector<bool> done_;
+  std::vector<std::uint32_t> place_;  // by vertex: where it is in the chain that is split
   std::uint32_t regions_ = 0;
   std::vector<Polygon> polygons_;
 };

@@ -185,6 +185,22 @@ std::vector<std::uint32_t> edges_along_sides(const Triangulation& tri, std::span
   return edge_of;
 }
 
+/// The same as binary_integers for integers and multiples of a half to a 64th, in one glance each; else empty. With so
+/// few digits a number means the double that it is.
+std::vector<double> small_fractions(std::span<const double> values, double limit) {
+  std::vector<double> integers(values.size());
+  for (double scale = 1; scale <= 64; scale *= 2) {
+    std::size_t i = 0;
+    for (; i < values.size(); ++i) {
+      const double v = values[i] * scale;
+      if (!(std::abs(v) < limit) || v != static_cast<double>(static_cast<std::int32_t>(v))) break;
+      integers[i] = v;
+    }
+    if (i == values.size()) return integers;
+  }
+  return {};
+}
+
 /// The values as multiples of a power of two, counted from zero; empty when some are none below the limit.
 std::vector<double> binary_integers(std::span<const double> values, double limit) {
   int lowest = 0;  // the exponent of the lowest bit in use, at most 0
@@ -220,7 +236,8 @@ std::vector<Point> lattice_places(std::span<const Point> points) {
   std::vector<double> values;
   values.reserve(2 * points.size());
   for (const Point p : points) values.insert(values.end(), {p.x, p.y});
-  std::vector<double> integers = binary_integers(values, kLimit);
+  std::vector<double> integers = small_fractions(values, kLimit);
+  if (integers.empty()) integers = binary_integers(values, kLimit);
   if (integers.empty()) integers = decimal_integers(values, kLimit);
   std::vector<Point> result(integers.size() / 2);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] = {integers[2 * i], integers[2 * i + 1]};
@@ -228,6 +245,11 @@ std::vector<Point> lattice_places(std::span<const Point> points) {
 }
 
 Mesh triangulate(std::span<const Edge> edges) {
+  if (std::optional<Mesh> mesh = triangulate_axis_parallel(edges)) return std::move(*mesh);
+  return triangulate_general(edges);
+}
+
+Mesh triangulate_general(std::span<const Edge> edges) {
   Mesh mesh;
   Triangulation& tri = mesh.triangulation;
   tri.points = ends_of(edges);

@@ -1,6 +1,7 @@
 // From edges that meet only at end points to the flat triangulation.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include <taut/geometry/detail/noding.h>
@@ -16,10 +17,19 @@ struct Mesh {
 };
 
 /// Triangulates the convex hull of the edges' ends; edges become constrained sides. Precondition: they meet only at
-/// end points. CGAL's constrained Delaunay triangulation of what the points mean; on lattices with predicates in int64
-/// and int128, which decide the many cocircular quadruples of a grid without multi-precision. Deterministic. O(n log n)
-/// expected.
+/// end points. A constrained Delaunay triangulation of what the points mean, points along a Hilbert curve, triangles in
+/// the order of their points. Deterministic. Axis-parallel edges on a lattice by triangulate_axis_parallel, else
+/// triangulate_general.
 Mesh triangulate(std::span<const Edge> edges);
+
+/// The same by CGAL's constrained Delaunay triangulation; on lattices with predicates in int64 and int128, which decide
+/// the many cocircular quadruples of a grid without multi-precision. O(n log n) expected.
+Mesh triangulate_general(std::span<const Edge> edges);
+
+/// The same by one sweep and turned sides (axis_sweep.h); nothing when an edge is not axis-parallel, when the ends are
+/// on no lattice (lattice_places), or when more sides had to be turned than pays. Of points on a circle it may choose
+/// others. O(n), and as many turns.
+std::optional<Mesh> triangulate_axis_parallel(std::span<const Edge> edges);
 
 /// The winding number of each triangle: `outside` beyond the hull, and it changes by an edge's turn across it.
 /// Precondition: the edges' turns form closed chains (std::logic_error otherwise). O(n).

@@ -63,12 +63,14 @@ std::optional<SnappedParts> joined_and_mended(WorldParts parts, const ReadOption
 
 // What was joined to do it, if anything had to be.
 std::optional<SnapReport> mend(WorldParts& parts, const ReadOptions& options, ReadNotes& seen) {
-  WorldParts written = parts;
+  std::vector<Area> areas = parts.areas, solids = parts.solids;
   try {
     for (std::string& remark : mend_rings(parts, options.crossings)) seen.remarks.push_back(std::move(remark));
     return std::nullopt;
   } catch (const AmbiguousRing&) {
-    std::optional<SnappedParts> joined = joined_and_mended(std::move(written), options, seen);
+    parts.areas = std::move(areas);
+    parts.solids = std::move(solids);
+    std::optional<SnappedParts> joined = joined_and_mended(parts, options, seen);
     if (!joined) throw;
     parts = std::move(joined->parts);
     return std::move(joined->report);
@@ -108,7 +110,7 @@ World in_metres(WorldParts parts, const ReadOptions& options, ReadNotes& seen, R
 World joined(WorldParts parts, const ReadOptions& options, ReadNotes* notes, std::optional<SnapReport> done) {
   const std::vector<Point> ends = ends_of(options);
   Snapped snapped =
-      done ? Snapped{World(std::move(parts)), std::move(*done)} : snapped_world(parts, options.snap, ends);
+      done ? Snapped{World(std::move(parts)), std::move(*done)} : snapped_world(std::move(parts), options.snap, ends);
   if (!ends.empty()) snapped.world = snapped.world.with_ends(options.start, options.goal);
   if (!notes) return std::move(snapped.world);
   notes->near = near_contacts(snapped.world);

@@ -1,7 +1,9 @@
 #include <taut/io/worlds/detail/text_input.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <system_error>
 
@@ -83,7 +85,38 @@ bool Fields::next(std::string_view& field) {
   return true;
 }
 
+namespace {
+
+/// Up to 15 digits, with a point among or before them: the quotient of two exact doubles is the nearest. NaN for
+/// anything else.
+double short_decimal(std::string_view field) {
+  constexpr std::array<double, 16> kPowers{1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                           1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+  const bool negative = field.starts_with('-');
+  field.remove_prefix(negative);
+  std::int64_t digits = 0;
+  std::size_t places = 0, count = 0;
+  bool after_point = false;
+  for (const char c : field) {
+    if (c == '.' && !after_point) {
+      after_point = true;
+    } else if (c >= '0' && c <= '9' && count < 15) {
+      digits = 10 * digits + (c - '0');
+      ++count;
+      places += after_point;
+    } else {
+      return NAN;
+    }
+  }
+  if (count == 0) return NAN;
+  const double value = static_cast<double>(digits) / kPowers[places];
+  return negative ? -value : value;
+}
+
+}  // namespace
+
 double coordinate(std::string_view field, const Place& place) {
+  if (const double quick = short_decimal(field); !std::isnan(quick)) return quick + 0.0;
   std::string_view digits = field;
   if (digits.size() > 1 && digits[0] == '+' && starts_number(digits[1])) digits.remove_prefix(1);
   double value = 0;
