@@ -29,6 +29,7 @@ Command generate_command(CommandLine& app);
 Command convert_command(CommandLine& app);
 Command space_command(CommandLine& app);
 Command batch_command(CommandLine& app);
+Command matrix_command(CommandLine& app);
 /// The group `grid`.
 std::vector<Command> grid_commands(CommandLine& app);
 Command grid_solve_command(CommandLine& grid);

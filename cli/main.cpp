@@ -107,6 +107,7 @@ std::vector<Command> all_commands(CommandLine& app) {
   commands.push_back(convert_command(app));
   commands.push_back(space_command(app));
   commands.push_back(batch_command(app));
+  commands.push_back(matrix_command(app));
   for (Command& command : grid_commands(app)) commands.push_back(std::move(command));
   commands.push_back(diff_command(app));
   for (Command& mouse : mouse_commands(app)) commands.push_back(std::move(mouse));

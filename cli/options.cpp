@@ -192,11 +192,11 @@ void add_reading_options(CommandLine& app, WorldOptions& options) {
          "--project",
          [app, &read = options.read] {
            const std::string name = app.full_name();
-           if (name != "taut solve" && name != "taut check" && name != "taut batch")
-             throw UsageError("--project goes with solve, check and batch, not with '" + name + "'");
+           if (name != "taut solve" && name != "taut check" && name != "taut batch" && name != "taut matrix")
+             throw UsageError("--project goes with solve, check, batch and matrix, not with '" + name + "'");
            read.project = true;
          },
-         "Of solve, check, batch: coordinates are longitude,latitude; plan in metres")
+         "Of solve, check, batch, matrix: coordinates are longitude,latitude; plan in metres")
       .group("World");
   app.add_flag("--unknown-free", options.read.unknown_is_free, "Cells of a ROS map that nobody knows are free")
       .group("World");

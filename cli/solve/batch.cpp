@@ -6,6 +6,7 @@
 #include <iostream>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
@@ -13,12 +14,11 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
 #include <taut/cli/solve/batch_answers.h>
+#include <taut/cli/solve/ends_on_walls.h>
 #include <taut/cli/solve/query_source.h>
 #include <taut/cli/world/geographic.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
-#include <taut/geometry/written.h>
-#include <taut/geometry/written_places.h>
 #include <taut/io/worlds/query_lines.h>
 #include <taut/search/no_path.h>
 #include <taut/search/polyanya.h>
@@ -81,8 +81,6 @@ class Batch {
     const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
     Polyanya polyanya = run_.stage("mesh", [&] { return Polyanya(space); });
     const NoPath no_path(space);
-    rounding_ = rounding_tolerance(input.world.parts());
-    if (shown_) rounding_ = std::max(rounding_, 2 * input.world.uncertainty());
     answers_.prepared_in(run_.seconds());
     run_.stage("search", [&] { answer_all(source, input, space, polyanya, no_path); });
     note(answers_.totals());
@@ -97,17 +95,14 @@ class Batch {
   void answer_all(QuerySource& source, const Input& input, const FreeSpace& space, Polyanya& polyanya,
                   const NoPath& no_path) {
     PolyanyaSearch search(polyanya);
-    const WrittenPlaces places(space);
+    const EndsOnWalls walls(input, options_.world.read.snap, space);
     QueryReader reader(source.name());
     std::string line;
     for (int number = 1; source.next(line); ++number) {
       const std::optional<QueryLine> query = read(reader, line, number, source, input);
       if (!query) continue;
-      bool on_walls = false;
-      for (const Point p : {plane(query->from), plane(query->to)})
-        on_walls = on_walls || places.is_moved(p) || is_beside_a_wall(space, p);
-      answers_.add(*query, on_walls ? ask_on_walls(input.world, *query) : ask(space, search, no_path, *query),
-                   source.name());
+      const bool on_walls = walls.concern(plane(query->from)) || walls.concern(plane(query->to));
+      answers_.add(*query, on_walls ? ask_on_walls(walls, *query) : ask(space, search, no_path, *query), source.name());
       answers_.flush(source.may_wait());
       if (!is_worth_landmarks(polyanya)) continue;
       const Stopwatch watch;
@@ -147,27 +142,9 @@ class Batch {
     }
   }
 
-  /// Within rounding, with a computed number among theirs: then snapped() puts it on the wall.
-  bool is_beside_a_wall(const FreeSpace& space, Point p) const {
-    const bool written = written::decimal(p.x) && written::decimal(p.y) && space.world().uncertainty() == 0;
-    if (written || options_.world.read.snap.what == Snap::What::nothing) return false;
-    if (space.footprint().kind() != Footprint::Kind::point) return false;
-    if (space.locate(p).kind == Location::Kind::outside) return true;
-    const double distance = space.clearance(p).distance;
-    return distance > 0 && distance <= rounding_;
-  }
-
-  /// Ends on sloped walls that bend nearby, or beside a wall within rounding: a space of their own has them there.
-  QueryAnswer ask_on_walls(const World& world, const QueryLine& query) {
-    const bool joins = options_.world.read.snap.what != Snap::What::nothing;
-    const Point given[] = {query.from, query.to}, ends[] = {plane(query.from), plane(query.to)};
-    if (shown_) {
-      const WorldParts parts = shown_.geographic()->in_metres(given);
-      const FreeSpace space(snapped_world(parts, options_.world.read.snap, ends).world, options_.query.robot, ends);
-      PolyanyaSearch search{Polyanya(space)};
-      return ask(space, search, NoPath(space), query);
-    }
-    const FreeSpace space(joins ? snapped(world, Snap{}, ends).world : world, options_.query.robot, ends);
+  /// A space of their own has the ends where they are.
+  QueryAnswer ask_on_walls(const EndsOnWalls& walls, const QueryLine& query) {
+    const FreeSpace space = walls.space_with(std::vector{query.from, query.to});
     PolyanyaSearch search{Polyanya(space)};
     return ask(space, search, NoPath(space), query);
   }
@@ -225,7 +202,6 @@ class Batch {
   Run& run_;
   BatchAnswers answers_;
   Shown shown_{ReadNotes{}};
-  double rounding_ = 0;
   std::size_t nodes_ = 0;
   double lengths_ = 0, straight_ = 0;
 };

@@ -30,6 +30,7 @@ ROADS = (
     "samples 1\n1\n"
 )
 QUERIES = "1 1 3 3\n"
+PLACES = "x,y\n1,1\n3,3\n"
 PATH_THROUGH_WALL = "1 1\n3 3\n"
 
 
@@ -37,6 +38,7 @@ def cases(data):
     """(words, files by name, the status that is expected, the text on standard input)"""
     world = {"room": ROOM, "sealed": SEALED, "slit": SLIT, "slanted": SLANTED, "wrong": WRONG, "queries": QUERIES}
     world["through"] = PATH_THROUGH_WALL
+    world["places"] = PLACES
     yield "solve room", world, "found"
     yield "solve room --roadmap visibility --algorithm dijkstra", world, "found"
     yield "solve room --algorithm bfs", world, "found"
@@ -60,6 +62,12 @@ def cases(data):
     yield "solve room --from 9,9", world, "refused"
     yield "batch room queries", world, "done"
     yield "batch wrong queries", world, "refused"
+    yield "matrix room places", world, "done"
+    yield "matrix room places -o out --as npy", world, "done"
+    yield "matrix sealed places", world, "none"
+    yield "matrix room through", world, "done"
+    yield "matrix room queries", world, "refused"
+    yield "matrix wrong places", world, "refused"
     yield "passage room", world, "found"
     yield "passage slit --robot disc:0.2", world, "none"
     yield "passage wrong", world, "refused"
