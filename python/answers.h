@@ -1,0 +1,40 @@
+// What planners answer, as Python sees it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <taut/python/bind.h>
+#include <taut/search/path.h>
+
+namespace taut::python {
+
+/// A path, and what it is a path of.
+struct FoundPath {
+  FreeSpace space;
+  Point from;
+  Goal to;
+  Path path;
+  bool optimal = true;  ///< the shortest, proven; with `within` as far as that goes
+  double within = 0;    ///< rounding_bound; 0 for a disc, whose claim is about its polygon
+  std::string planner = {};
+  std::size_t expanded = 0;
+};
+
+/// Of a proven `none`: why.
+struct Apart {
+  FreeSpace space;
+  Point from;
+  Goal to;
+  std::vector<Segment> walls;  ///< that separate, in order; none where no place of the goal is free
+};
+
+/// That there is no path, proven; nothing when that is not. Without Python's lock.
+std::optional<Apart> apart(const FreeSpace& space, Point from, const Goal& to);
+/// What Unproven says.
+std::string unproven_text(const FreeSpace& space);
+/// `within` of a FoundPath.
+double within_of(const FreeSpace& space);
+
+}  // namespace taut::python
