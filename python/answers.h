@@ -30,6 +30,12 @@ struct Apart {
   std::vector<Segment> walls;  ///< that separate, in order; none where no place of the goal is free
 };
 
+/// The ends of a query: those given, or the world's. Throws Refusal where there is neither.
+Point start_of(const World& world, const std::optional<Point>& given);
+Goal goal_of_query(const World& world, const Goal& given);
+/// Throws Refusal when an end is no place for the robot.
+void require_ends(const FreeSpace& space, Point from, const Goal& to);
+
 /// That there is no path, proven; nothing when that is not. Without Python's lock.
 std::optional<Apart> apart(const FreeSpace& space, Point from, const Goal& to);
 /// What Unproven says.

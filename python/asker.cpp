@@ -117,8 +117,7 @@ std::optional<FoundPath> Asker::find(Point from, const Goal& to) const {
       const Asker knowing = with_places(from, to);
       if (!knowing.is_moved(from, to)) return knowing.find(from, to);
     }
-    require_free(space(), from, "start");
-    if (to.point) require_free(space(), *to.point, "goal");
+    require_ends(space(), from, to);
     Loan loan(*this);
     if (loan.search().find(from, to) == SearchStatus::found)
       return FoundPath{space(),    from,
@@ -184,6 +183,24 @@ void Asker::answer(PolyanyaSearch& search, const Ends& ends, std::size_t i, Answ
                       : status == QueryStatus::none ? kInfinity
                                                     : kNoNumber;
   if (path && status == QueryStatus::found) path->assign(search.points().begin(), search.points().end());
+}
+
+std::vector<double> Asker::distances(std::span<const Point> starts, std::span<const Point> goals, unsigned threads,
+                                     const std::function<bool()>& is_over) const {
+  const auto is_blocked = [&](Point p) { return space().locate(p).kind == Location::Kind::outside; };
+  std::vector<double> lengths(starts.size() * goals.size(), kNoNumber);
+  const auto begin = [&] {
+    return [&, loan = std::make_unique<Loan>(*this)](std::size_t row) {
+      if (is_blocked(starts[row])) return;
+      const auto found = loan->search().find_each(starts[row], goals);
+      for (std::size_t i = 0; i < goals.size(); ++i)
+        lengths[row * goals.size() + i] = found[i]               ? found[i]->length.value()
+                                          : is_blocked(goals[i]) ? kNoNumber
+                                                                 : kInfinity;
+    };
+  };
+  Crew(starts.size(), is_over).run(static_cast<unsigned>(std::min<std::size_t>(threads, starts.size())), begin);
+  return lengths;
 }
 
 Answers Asker::find_many(std::span<const Ends> queries, bool with_paths, unsigned threads,

@@ -51,6 +51,10 @@ class Asker {
   std::optional<std::pair<FoundPath, std::size_t>> find_nearest(Point from, std::span<const Point> goals) const;
   std::vector<std::optional<FoundPath>> find_each(Point from, std::span<const Point> goals) const;
 
+  /// The length from each start to each goal, a row a start; infinite where there is none, NaN where an end is not free. Precondition: threads >= 1, points are in reach.
+  std::vector<double> distances(std::span<const Point> starts, std::span<const Point> goals, unsigned threads,
+                                const std::function<bool()>& is_over) const;
+
   /// The same answers however many threads there are. `is_over` is asked now and then by the calling thread; once it
   /// says so, what is left is not answered. Precondition: threads >= 1, points are in reach.
   Answers find_many(std::span<const Ends> queries, bool with_paths, unsigned threads,

@@ -11,4 +11,9 @@ PYBIND11_MODULE(_taut, m) {
   taut::python::bind_free_spaces(m);
   taut::python::bind_paths(m);
   taut::python::bind_polyanya(m);
+  taut::python::bind_roadmaps(m);
+  taut::python::bind_planners(m);
+  taut::python::bind_discs(m);
+  taut::python::bind_clearance(m);
+  taut::python::bind_snapping(m);
 }

@@ -62,15 +62,32 @@ Verdict checked(const FreeSpace& space, const py::object& given, const std::opti
 
 }  // namespace
 
+Point start_of(const World& world, const std::optional<Point>& given) {
+  if (given) return *given;
+  if (!world.start()) throw Refusal(InputError(world.source(), 0, "says nothing about a start"), world.source());
+  return *world.start();
+}
+
+Goal goal_of_query(const World& world, const Goal& given) {
+  const Goal& goal = given.point || !given.room.empty() ? given : world.goal();
+  if (!goal.point && goal.room.empty())
+    throw Refusal(InputError(world.source(), 0, "says nothing about a goal"), world.source());
+  return goal;
+}
+
+void require_ends(const FreeSpace& space, Point from, const Goal& to) {
+  about(space.world().source(), [&] {
+    require_free(space, from, "start");
+    if (to.point) require_free(space, *to.point, "goal");
+  });
+}
+
 double within_of(const FreeSpace& space) {
   return space.footprint().kind() == Footprint::Kind::disc ? 0 : rounding_bound(space);
 }
 
 std::optional<Apart> apart(const FreeSpace& space, Point from, const Goal& to) {
-  about(space.world().source(), [&] {
-    require_free(space, from, "start");
-    if (to.point) require_free(space, *to.point, "goal");
-  });
+  require_ends(space, from, to);
   const auto walls = NoPath(space).walls(from, to);
   if (!walls) return std::nullopt;
   Apart none{space, from, to, {}};

@@ -9,19 +9,6 @@ namespace taut::python {
 
 namespace {
 
-Point start_of(const World& world, const std::optional<Point>& given) {
-  if (given) return *given;
-  if (!world.start()) throw Refusal(InputError(world.source(), 0, "says nothing about a start"), world.source());
-  return *world.start();
-}
-
-Goal goal_of_query(const World& world, const Goal& given) {
-  const Goal& goal = given.point || !given.room.empty() ? given : world.goal();
-  if (!goal.point && goal.room.empty())
-    throw Refusal(InputError(world.source(), 0, "says nothing about a goal"), world.source());
-  return goal;
-}
-
 std::vector<Ends> queries_of(const py::object& given) {
   const Doubles rows = rows_of(given, 4, "queries");
   std::vector<Ends> queries;
@@ -42,20 +29,36 @@ std::vector<Point> goals_of(const py::object& given) {
   return goals;
 }
 
+// `work` without the lock; now and then it asks whether to end, which Ctrl-C says.
+template <class Work>
+auto interruptible(const Work& work) {
+  bool is_over = false;
+  const auto ask = [&is_over] {
+    const py::gil_scoped_acquire locked;
+    return is_over = is_over || PyErr_CheckSignals() != 0;
+  };
+  auto result = [&] {
+    const py::gil_scoped_release unlocked;
+    return work(ask);
+  }();
+  if (is_over) throw py::error_already_set();
+  return result;
+}
+
+unsigned thread_count(unsigned asked) { return asked > 0 ? asked : std::max(1u, std::thread::hardware_concurrency()); }
+
 Answers many(const Asker& asker, const py::object& given, bool with_paths, unsigned threads) {
   const std::vector<Ends> queries = queries_of(given);
-  if (threads == 0) threads = std::max(1u, std::thread::hardware_concurrency());
-  bool is_over = false;
-  Answers answers;
-  {
-    const py::gil_scoped_release unlocked;
-    answers = asker.find_many(queries, with_paths, threads, [&] {
-      const py::gil_scoped_acquire locked;
-      return is_over = is_over || PyErr_CheckSignals() != 0;
-    });
-  }
-  if (is_over) throw py::error_already_set();  // Ctrl-C
-  return answers;
+  return interruptible(
+      [&](const auto& ask) { return asker.find_many(queries, with_paths, thread_count(threads), ask); });
+}
+
+py::array matrix(const Asker& asker, const py::object& given_starts, const py::object& given_goals, unsigned threads) {
+  const std::vector<Point> starts = goals_of(given_starts);
+  const std::vector<Point> goals = given_goals.is_none() ? starts : goals_of(given_goals);
+  std::vector<double> lengths =
+      interruptible([&](const auto& ask) { return asker.distances(starts, goals, thread_count(threads), ask); });
+  return moved(std::move(lengths), {static_cast<py::ssize_t>(starts.size()), static_cast<py::ssize_t>(goals.size())});
 }
 
 std::optional<FoundPath> one(const World& world, const std::optional<Point>& start, const Goal& goal,
@@ -140,6 +143,10 @@ void bind_polyanya(py::module_& m) {
       .def("find_many", &many, py::arg("queries"), py::kw_only(), py::arg("paths") = false, py::arg("threads") = 0,
            "Answers to queries (n, 4): start x y, goal x y. On all cores, or so many threads, without Python's lock; "
            "the answers are the same however many. paths: their points as well. Ctrl-C stops it.")
+      .def("distances", &matrix, py::arg("starts"), py::arg("goals") = py::none(), py::kw_only(),
+           py::arg("threads") = 0,
+           "(n, m): the lengths of the shortest paths from starts (n, 2) to goals (m, 2), the starts themselves unless "
+           "given; inf where there is no path, nan where an end is not free. One search a start, on all cores.")
       .def(
           "find_nearest",
           [](const Asker& asker, Point start, const py::object& goals) {

@@ -31,3 +31,8 @@ def sealed():
 def maze():
     """45 x 45 cells, its ends known."""
     return taut.read_world_file(DATA / "maze_45x45.txt")
+
+
+@pytest.fixture(scope="session")
+def small_maze():
+    return taut.read_world_file(DATA / "maze_25x25.txt")
