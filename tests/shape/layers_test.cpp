@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using testing::IsEmpty;
 
-// geometry <- roadmaps <- search <- robots <- io <- cli
+// geometry <- roadmaps <- search <- robots <- io <- cli, python
 const std::map<std::string, std::set<std::string>> kMayInclude{
     {"geometry", {"geometry"}},
     {"roadmaps", {"geometry", "roadmaps"}},
@@ -24,6 +24,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude{
     {"robots", {"geometry", "roadmaps", "search", "robots"}},
     {"io", {"geometry", "roadmaps", "search", "robots", "io"}},
     {"cli", {"geometry", "roadmaps", "search", "robots", "io", "cli"}},
+    {"python", {"geometry", "roadmaps", "search", "robots", "io", "python"}},
 };
 
 struct Line {
@@ -74,7 +75,7 @@ std::vector<std::string> matches(const std::string& pattern, const std::set<std:
 }
 
 const std::set<std::string> kLibrary{"geometry", "roadmaps", "search", "robots", "io"};
-const std::set<std::string> kAll{"geometry", "roadmaps", "search", "robots", "io", "cli"};
+const std::set<std::string> kAll{"geometry", "roadmaps", "search", "robots", "io", "cli", "python"};
 
 TEST(Layers, IncludeOnlyDownwards) {
   const std::regex include(R"re(^\s*#\s*include\s*[<"]taut/([a-z]+)/)re");
@@ -109,8 +110,13 @@ TEST(Layers, AreIncludedByTheirFullNameOnly) {
 
 TEST(Layers, KeepEachLibraryInItsPlace) {
   EXPECT_THAT(matches(R"(#\s*include\s*<CLI/)", kLibrary), IsEmpty()) << "the command line is the program's";
+  EXPECT_THAT(
+      matches(R"(#\s*include\s*<(pybind11/|Python\.h))", {"geometry", "roadmaps", "search", "robots", "io", "cli"}),
+      IsEmpty())
+      << "the library knows no Python";
   EXPECT_THAT(matches(R"(#\s*include\s*<nlohmann/)", {"geometry", "roadmaps", "search"}), IsEmpty());
-  EXPECT_THAT(matches(R"(#\s*include\s*<CGAL/)", {"io", "cli"}), IsEmpty()) << "CGAL stands behind geometry's gate";
+  EXPECT_THAT(matches(R"(#\s*include\s*<CGAL/)", {"io", "cli", "python"}), IsEmpty())
+      << "CGAL stands behind geometry's gate";
   EXPECT_THAT(matches(R"(#\s*include\s*<boost/graph/)", {"geometry"}), IsEmpty()) << "geometry knows no graph";
 }
 

@@ -1,0 +1,234 @@
+#include <taut/python/asker.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <limits>
+#include <thread>
+
+#include <taut/search/query_ends.h>
+
+namespace taut::python {
+
+namespace {
+
+constexpr std::size_t kBlock = 64;  // queries that a thread takes at once
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+/// Runs `work(block)` for all blocks, each once, on several threads; the calling one only waits and asks `is_over`.
+class Crew {
+ public:
+  Crew(std::size_t blocks, std::function<bool()> is_over) : blocks_(blocks), is_over_(std::move(is_over)) {}
+
+  template <class Begin>
+  void run(unsigned threads, const Begin& begin) {
+    std::vector<std::jthread> crew;
+    at_work_ = threads;
+    for (unsigned i = 0; i < threads; ++i) crew.emplace_back([&] { work(begin); });
+    wait();
+    crew.clear();
+    if (failure_) std::rethrow_exception(failure_);
+  }
+
+ private:
+  template <class Begin>
+  void work(const Begin& begin) {
+    try {
+      auto do_block = begin();
+      for (std::size_t block; (block = next_++) < blocks_;) do_block(block);
+    } catch (...) {
+      const std::scoped_lock lock(mutex_);
+      failure_ = std::current_exception();
+      next_ = blocks_;
+    }
+    const std::scoped_lock lock(mutex_);
+    --at_work_;
+    done_.notify_one();
+  }
+
+  void wait() {
+    std::unique_lock lock(mutex_);
+    while (!done_.wait_for(lock, std::chrono::milliseconds(100), [&] { return at_work_ == 0; })) {
+      lock.unlock();
+      if (is_over_()) next_ = blocks_;
+      lock.lock();
+    }
+  }
+
+  std::size_t blocks_;
+  std::function<bool()> is_over_;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex mutex_;
+  std::condition_variable done_;
+  std::exception_ptr failure_;
+  unsigned at_work_ = 0;
+};
+
+}  // namespace
+
+class Asker::Loan {
+ public:
+  explicit Loan(const Asker& asker) : asker_(asker) {
+    const std::scoped_lock lock(*asker.mutex_);
+    if (asker.idle_->empty()) return;
+    search_.emplace(std::move(asker.idle_->back()));
+    asker.idle_->pop_back();
+  }
+  Loan(const Loan&) = delete;
+  Loan& operator=(const Loan&) = delete;
+  ~Loan() {
+    if (!search_) return;
+    const std::scoped_lock lock(*asker_.mutex_);
+    asker_.idle_->push_back(std::move(*search_));
+  }
+
+  PolyanyaSearch& search() {
+    if (!search_) search_.emplace(asker_.polyanya_);
+    return *search_;
+  }
+
+ private:
+  const Asker& asker_;
+  std::optional<PolyanyaSearch> search_;
+};
+
+Asker::Asker(Polyanya polyanya)
+    : polyanya_(std::move(polyanya)),
+      places_(polyanya_.space()),
+      no_path_(std::make_shared<NoPath>(polyanya_.space())),
+      mutex_(std::make_shared<std::mutex>()),
+      idle_(std::make_shared<std::vector<PolyanyaSearch>>()) {}
+
+bool Asker::is_moved(Point from, const Goal& to) const {
+  return places_.is_moved(from) || (to.point && places_.is_moved(*to.point));
+}
+
+Asker Asker::with_places(Point from, const Goal& to) const {
+  std::vector<Point> ends{from};
+  if (to.point) ends.push_back(*to.point);
+  return Asker(Polyanya(FreeSpace(space().world(), space().footprint(), ends)));
+}
+
+std::optional<FoundPath> Asker::find(Point from, const Goal& to) const {
+  return about(space().world().source(), [&]() -> std::optional<FoundPath> {
+    if (is_in_reach(from) && (!to.point || is_in_reach(*to.point)) && is_moved(from, to)) {
+      const Asker knowing = with_places(from, to);
+      if (!knowing.is_moved(from, to)) return knowing.find(from, to);
+    }
+    require_ends(space(), from, to);
+    Loan loan(*this);
+    if (loan.search().find(from, to) == SearchStatus::found)
+      return FoundPath{space(),    from,
+                       to,         {loan.search().points(), Length(loan.search().points())},
+                       true,       within_of(space()),
+                       "polyanya", loan.search().expanded()};
+    const std::scoped_lock lock(*mutex_);
+    if (!no_path_->holds(from, to)) throw Unproven(unproven_text(space()));
+    return std::nullopt;
+  });
+}
+
+std::optional<std::pair<FoundPath, std::size_t>> Asker::find_nearest(Point from, std::span<const Point> goals) const {
+  about(space().world().source(), [&] { require_free(space(), from, "start"); });
+  Loan loan(*this);
+  PolyanyaSearch& search = loan.search();
+  if (search.find_nearest(from, goals) != SearchStatus::found) return std::nullopt;
+  return std::pair{FoundPath{space(),
+                             from,
+                             {search.points().back(), {}},
+                             {search.points(), Length(search.points())},
+                             true,
+                             within_of(space()),
+                             "polyanya",
+                             search.expanded()},
+                   search.goal()};
+}
+
+std::vector<std::optional<FoundPath>> Asker::find_each(Point from, std::span<const Point> goals) const {
+  about(space().world().source(), [&] { require_free(space(), from, "start"); });
+  Loan loan(*this);
+  std::vector<std::optional<FoundPath>> found;
+  for (std::optional<Path>& path : loan.search().find_each(from, goals)) {
+    found.emplace_back();
+    if (path)
+      found.back() =
+          FoundPath{space(), from, {path->points.back(), {}}, std::move(*path), true, within_of(space()), "polyanya"};
+  }
+  return found;
+}
+
+QueryStatus Asker::status_of_none(Point from, Point to) const {
+  const std::scoped_lock lock(*mutex_);
+  return no_path_->holds(from, {to, {}}) ? QueryStatus::none : QueryStatus::unproven;
+}
+
+void Asker::answer(PolyanyaSearch& search, const Ends& ends, std::size_t i, Answers& answers,
+                   std::vector<Point>* path) const {
+  const auto& [from, to] = ends;
+  if (is_moved(from, {to, {}})) {
+    const Asker knowing = with_places(from, {to, {}});
+    if (!knowing.is_moved(from, {to, {}})) {
+      PolyanyaSearch own(knowing.polyanya_);
+      return knowing.answer(own, ends, i, answers, path);
+    }
+  }
+  const auto is_blocked = [&](Point p) { return space().locate(p).kind == Location::Kind::outside; };
+  QueryStatus status = QueryStatus::blocked;
+  if (!is_blocked(from) && !is_blocked(to))
+    status = search.find(from, to) == SearchStatus::found ? QueryStatus::found : status_of_none(from, to);
+  answers.status[i] = static_cast<std::uint8_t>(status);
+  answers.length[i] = status == QueryStatus::found  ? Length(search.points()).value()
+                      : status == QueryStatus::none ? kInfinity
+                                                    : kNoNumber;
+  if (path && status == QueryStatus::found) path->assign(search.points().begin(), search.points().end());
+}
+
+std::vector<double> Asker::distances(std::span<const Point> starts, std::span<const Point> goals, unsigned threads,
+                                     const std::function<bool()>& is_over) const {
+  const auto is_blocked = [&](Point p) { return space().locate(p).kind == Location::Kind::outside; };
+  std::vector<double> lengths(starts.size() * goals.size(), kNoNumber);
+  const auto begin = [&] {
+    return [&, loan = std::make_unique<Loan>(*this)](std::size_t row) {
+      if (is_blocked(starts[row])) return;
+      const auto found = loan->search().find_each(starts[row], goals);
+      for (std::size_t i = 0; i < goals.size(); ++i)
+        lengths[row * goals.size() + i] = found[i]               ? found[i]->length.value()
+                                          : is_blocked(goals[i]) ? kNoNumber
+                                                                 : kInfinity;
+    };
+  };
+  Crew(starts.size(), is_over).run(static_cast<unsigned>(std::min<std::size_t>(threads, starts.size())), begin);
+  return lengths;
+}
+
+Answers Asker::find_many(std::span<const Ends> queries, bool with_paths, unsigned threads,
+                         const std::function<bool()>& is_over) const {
+  const std::size_t n = queries.size(), blocks = (n + kBlock - 1) / kBlock;
+  Answers answers;
+  answers.status.assign(n, static_cast<std::uint8_t>(QueryStatus::unproven));
+  answers.length.assign(n, kNoNumber);
+  std::vector<std::vector<Point>> paths(with_paths ? n : 0);
+  const auto begin = [&] {
+    return [&, loan = std::make_unique<Loan>(*this)](std::size_t block) {
+      for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i)
+        answer(loan->search(), queries[i], i, answers, with_paths ? &paths[i] : nullptr);
+    };
+  };
+  if (blocks <= 1 || threads == 1) {
+    auto do_block = begin();
+    for (std::size_t block = 0; block < blocks && (block % 16 != 15 || !is_over()); ++block) do_block(block);
+  } else {
+    Crew(blocks, is_over).run(static_cast<unsigned>(std::min<std::size_t>(threads, blocks)), begin);
+  }
+  if (!with_paths) return answers;
+  answers.offsets.assign(1, 0);
+  for (const std::vector<Point>& path : paths) {
+    answers.points.insert(answers.points.end(), path.begin(), path.end());
+    answers.offsets.push_back(static_cast<std::int64_t>(answers.points.size()));
+  }
+  return answers;
+}
+
+}  // namespace taut::python

@@ -1,0 +1,38 @@
+#include <pybind11/operators.h>
+
+#include <taut/io/results/words.h>
+#include <taut/python/bind.h>
+
+namespace taut::python {
+
+void bind_lengths(py::module_& m) {
+  py::class_<Length>(m, "Length",
+                     "The length of a chain of points: a sum of square roots, kept as such. Compared exactly; "
+                     "float() is the nearest double.")
+      .def(py::init([](const py::object& points) { return Length(points_of(points, "points")); }),
+           py::arg("points") = py::tuple(), "Of the chain through the points (n, 2).")
+      .def("decimals", &Length::decimals, py::arg("places"), "The nearest number with that many decimals, as text.")
+      .def_property_readonly("terms", &Length::terms, "How many square roots it is a sum of.")
+      .def("__float__", &Length::value)
+      .def("__add__",
+           [](const Length& a, const Length& b) {
+             Length sum = a;
+             return sum += b;
+           })
+      .def(
+          "__eq__", [](const Length& a, const Length& b) { return a == b; }, py::is_operator())
+      .def(
+          "__ne__", [](const Length& a, const Length& b) { return a != b; }, py::is_operator())
+      .def(
+          "__lt__", [](const Length& a, const Length& b) { return a < b; }, py::is_operator())
+      .def(
+          "__le__", [](const Length& a, const Length& b) { return a <= b; }, py::is_operator())
+      .def(
+          "__gt__", [](const Length& a, const Length& b) { return a > b; }, py::is_operator())
+      .def(
+          "__ge__", [](const Length& a, const Length& b) { return a >= b; }, py::is_operator())
+      .def("__hash__", [](const Length& a) { return std::hash<double>{}(a.value()); })
+      .def("__repr__", [](const Length& a) { return "Length(" + length_text(a) + ")"; });
+}
+
+}  // namespace taut::python
