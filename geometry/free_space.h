@@ -64,7 +64,8 @@ struct FreeSpaceReport {
 ///
 ///  1. Obstacles are the solids, the walls with a thickness, and with a footprint all walls and Boundary::walled
 ///     outlines, each Minkowski-summed with the reflected footprint; they are united exactly, then rounded to doubles
-///     outwards: an obstacle never shrinks. report().displacement is what rounding moved at most.
+///     outwards: an obstacle never shrinks, but where two meet at an angle so sharp that no pair of doubles lies in the
+///     free wedge between them: there by report().displacement, which is what rounding moved at most.
 ///  2. polygons() is the closure of what is left; two free regions, or parts of one, that touch in a point are
 ///     not connected there.
 ///  3. Zero-thickness walls of a point robot are constraints, split where they meet. A crossing that is no pair of
@@ -72,8 +73,8 @@ struct FreeSpaceReport {
 ///  4. Numbers mean what was written (written.h), rounding is to the finest decimals that leave 15 digits. A wall or
 ///     an outline that bends at a rounded crossing still passes through the world's start and goal, and those of
 ///     `places`, that lie on it as written.
-/// Throws InputError when obstacles meet so sharply that no pair of doubles lies in the free wedge between them. O((n +
-/// k) log n) for n input edges with k contacts.
+/// Throws InputError when walls meet at angles so sharp that rounding finds no end. O((n + k) log n) for n input edges
+/// with k contacts.
 class FreeSpace {
  public:
   /// `places`: further points that will be asked about, see 4.

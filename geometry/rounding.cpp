@@ -18,6 +18,33 @@ bool is_far(Point p, const Constraint& c, double reach) {
   return p.x < left - reach || p.x > right + reach || p.y < low - reach || p.y > high + reach;
 }
 
+/// Does the piece lie on the side from a to b?
+bool is_on(const Constraint& c, Point a, Point b) {
+  const auto [left, right] = std::minmax(a.x, b.x);
+  return left <= c.a.x && c.a.x <= right && written::on_segment(c.a, a, b) && written::on_segment(c.b, a, b);
+}
+
+bool is_on(const Constraint& c, const Ring& ring) {
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    if (is_on(c, ring[i], ring[(i + 1) % ring.size()])) return true;
+  return false;
+}
+
+bool is_on(const Constraint& c, const std::vector<Area>& areas) {
+  return std::ranges::any_of(areas, [&](const Area& area) {
+    return is_on(c, area.polygon.outer) ||
+           std::ranges::any_of(area.polygon.holes, [&](const Ring& hole) { return is_on(c, hole); });
+  });
+}
+
+/// Is the piece where it is written? Obstacles that grew by a robot are not written.
+bool is_as_written(const FreeSpace& space, const Constraint& c) {
+  if (space.footprint().kind() != Footprint::Kind::point) return false;
+  const World& world = space.world();
+  const auto is_its_wall = [&](const Wall& wall) { return wall.thickness == 0 && is_on(c, wall.a, wall.b); };
+  return std::ranges::any_of(world.walls(), is_its_wall) || is_on(c, world.areas()) || is_on(c, world.solids());
+}
+
 }  // namespace
 
 double rounding_bound(const FreeSpace& space) { return kRoundings * space.report().displacement; }
@@ -27,7 +54,7 @@ bool is_sure(const FreeSpace& space, Point p) {
   if (near == 0) return true;
   return std::ranges::all_of(space.constraints(), [&](const Constraint& c) {
     return is_far(p, c, reach) || written::on_segment(p, c.a, c.b) ||
-           segment_distance_interval({p, p}, {c.a, c.b}).lo > near;
+           segment_distance_interval({p, p}, {c.a, c.b}).lo > near || is_as_written(space, c);
   });
 }
 

@@ -15,7 +15,8 @@ namespace taut {
 double rounding_bound(const FreeSpace& space);
 
 /// Is p on the side of everything near it that it is on as written? So when nothing was rounded; else when no obstacle
-/// lies within twice rounding_bound of p but those that p lies on exactly. O(n).
+/// lies within twice rounding_bound of p but those that p lies on exactly, and of a point robot those that are where they
+/// are written: pieces of walls and sides that no rounding bent. O(n), and O(n) more for each that near.
 bool is_sure(const FreeSpace& space, Point p);
 
 }  // namespace taut

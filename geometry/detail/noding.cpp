@@ -197,7 +197,7 @@ class Splitting {
     for (const Edge& c : {s, t})
       if (c.turn != 0 && rounding_ == Rounding::outward)
         outlines.push_back(c.turn > 0 ? segment(c) : Segment{c.b, c.a});
-    return outlines.empty() ? unit_.nearest(exact) : round_outward(exact, outlines, unit_);
+    return outlines.empty() ? unit_.nearest(exact) : round_outward_or_nearest(exact, outlines, unit_);
   }
 
   const std::vector<Edge>& pieces_;

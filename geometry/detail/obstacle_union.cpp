@@ -149,7 +149,7 @@ class Union {
       if (!out.leaves) continue;
       const Incidence& in = partner(out, incidences);
       const Segment edges[] = {stretches_[in.stretch].side, stretches_[out.stretch].side};
-      const Point p = round_outward(place, edges, unit_);
+      const Point p = round_outward_or_nearest(place, edges, unit_);
       outline_.displacement = std::max(outline_.displacement, displacement(place, p));
       end_of(in) = end_of(out) = p;
       stretches_[in.stretch].bent = stretches_[out.stretch].bent = true;

@@ -28,7 +28,7 @@ struct Outline {
 /// other side, or that a piece of lower number shares; what remains is the outline. No arrangement is built. Positions
 /// along a side are compared as doubles where they are ends or crossings of axis-parallel sides, else as intervals,
 /// else as rationals; so right-angled worlds never meet a rational. Crossings are exact rationals, rounded to the free
-/// side (round_outward), in units as fine as `within` allows. Outlines that bend there still pass
+/// side (round_outward_or_nearest), in units as fine as `within` allows. Outlines that bend there still pass
 /// through those of the `fixed` points that lie on them. O(n log n + k log k) for k pairs of pieces whose boxes meet.
 Outline outline_of_union(const std::vector<ConvexPiece>& pieces, const Box& within, std::span<const Point> fixed = {});
 

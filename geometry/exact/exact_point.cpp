@@ -167,7 +167,9 @@ double displacement(const ExactPoint& exact, Point rounded) {
   return squared == 0 ? 0 : std::nextafter(std::sqrt(std::nextafter(squared, kInfinity)), kInfinity);
 }
 
-Point round_outward(const ExactPoint& exact, std::span<const Segment> edges, const DecimalUnit& unit) {
+namespace {
+
+std::optional<Point> outward(const ExactPoint& exact, std::span<const Segment> edges, const DecimalUnit& unit) {
   const auto by_units = [&](double from, int steps) { return unit.step(from, steps); };
   for (const Point p : surroundings(exact, unit.nearest(exact), by_units))
     if (on_free_side(p, edges)) return p;
@@ -183,8 +185,21 @@ Point round_outward(const ExactPoint& exact, std::span<const Segment> edges, con
     const Point p{centre.x + direction.x * reach, centre.y + direction.y * reach};
     if (on_free_side(p, edges)) return p;
   }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Point round_outward(const ExactPoint& exact, std::span<const Segment> edges, const DecimalUnit& unit) {
+  if (const auto p = outward(exact, edges, unit)) return *p;
+  const Point centre = nearest_point(exact);
   throw TooFine(
       fmt::format("two obstacles meet at ({}, {}) at an angle too sharp for double coordinates", centre.x, centre.y));
+}
+
+Point round_outward_or_nearest(const ExactPoint& exact, std::span<const Segment> edges, const DecimalUnit& unit) {
+  if (const auto p = outward(exact, edges, unit)) return *p;
+  return unit.nearest(exact);
 }
 
 }  // namespace taut
