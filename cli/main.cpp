@@ -100,6 +100,7 @@ std::vector<Command> all_commands(CommandLine& app) {
   std::vector<Command> commands;
   commands.push_back(solve_command(app));
   commands.push_back(check_command(app));
+  commands.push_back(verify_command(app));
   commands.push_back(roadmap_command(app));
   commands.push_back(compare_command(app));
   commands.push_back(passage_command(app));

@@ -137,7 +137,8 @@ Footprint footprint_of(const std::string& text) {
 Format format_of(const std::string& text) {
   const std::optional<Format> format = format_named(text);
   if (!format)
-    refuse(text, "one of segments, cells, drawing, maz, num, wkt, geojson, movingai, ros, picture, blocks, svg");
+    refuse(text,
+           "one of segments, cells, drawing, maz, num, wkt, geojson, movingai, ros, picture, blocks, svg, integers");
   return *format;
 }
 

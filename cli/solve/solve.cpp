@@ -12,6 +12,7 @@
 #include <taut/cli/run.h>
 #include <taut/cli/solve/anytime.h>
 #include <taut/cli/solve/arcs.h>
+#include <taut/cli/solve/certify.h>
 #include <taut/cli/solve/clearance.h>
 #include <taut/cli/solve/solve_options.h>
 #include <taut/cli/solve/solve_report.h>
@@ -40,6 +41,7 @@ class Solver {
     run_.promise(options_.svg);
     promise(run_, options_.files);
     run_.promise(options_.save);
+    run_.promise(options_.certificate);
     answer_.source = options_.world.file == "-" ? "<stdin>" : options_.world.file;
     result_.status = SearchStatus::stopped;
     result_.robot = options_.query.robot;
@@ -63,6 +65,7 @@ class Solver {
     options_.anytime.wanted ? search_anytime() : search(space);
     if (result_.status == SearchStatus::none) prove_none(space, input);
     if (result_.status == SearchStatus::found && !options_.no_verify) verify_answer(space);
+    if (!options_.certificate.empty()) certify(space);
     return end(space, input);
   }
 
@@ -186,6 +189,15 @@ class Solver {
     result_.clearance = verdict.clearance;
   }
 
+  // An answer without the proof that was asked for is unproven.
+  void certify(const FreeSpace& space) {
+    if (answer_.outcome != Outcome::found && answer_.outcome != Outcome::none) return;
+    certified_ = certified(space, result_, run_);
+    if (!certified_.text.empty()) return;
+    answer_.outcome = Outcome::unproven;
+    answer_.reason = certified_.words;
+  }
+
   // The edges of where its centre can be say little to people.
   void name_gates(const Input& input) {
     const auto barrier = disc_barrier(input.world, *result_.start, goals(), options_.query.robot.radius());
@@ -217,6 +229,7 @@ class Solver {
     answer.stats = solve_stats(answer_, options_, space, input);
     if (!options_.save.empty())
       answer.files.push_back({options_.save, saved_text(*answer_.kind, answer_.planned, space)});
+    if (!certified_.text.empty()) answer.files.push_back({options_.certificate, certified_.text});
     if (!options_.svg.empty()) answer.files.push_back({options_.svg, svg(space, solve_picture(answer_))});
     if (result_.status == SearchStatus::found) add_path_files(answer.files, options_.files, {written_path()});
     return run_.end(std::move(answer));
@@ -226,6 +239,7 @@ class Solver {
   Run& run_;
   Shown shown_{ReadNotes{}};
   SolveAnswer answer_;
+  Certified certified_;
   PlanResult& result_ = answer_.result;
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <taut/cli/solve/certify.h>
 #include <taut/cli/solve/roadmap_option.h>
 
 namespace taut::cli {
@@ -113,7 +114,10 @@ void require_consistent(const SolveOptions& options) {
         fmt::format("--shorten makes no sense with the roadmap {}: its paths are the shortest", kind.name));
   if (options.shorten && options.prm.clearance.value_or(0) > 0)
     throw UsageError("--shorten makes no sense with --prm-clearance: a taut path touches corners");
-  require_one_stdout({{"--svg", options.svg}, {"--json", options.common.json}, {"--save", options.save}});
+  require_one_stdout({{"--svg", options.svg},
+                      {"--json", options.common.json},
+                      {"--save", options.save},
+                      {"--certificate", options.certificate}});
   if (options.arcs &&
       (options.kind || !options.save.empty() || !options.load.empty() || options.shorten || options.clearance))
     throw UsageError("--arcs has a roadmap of its own: not with --roadmap, --save, --load or --clearance");
@@ -127,6 +131,7 @@ void require_consistent(const SolveOptions& options) {
     throw UsageError("--anytime makes no sense with --shorten, --arcs, --clearance, --widest or --tradeoff");
   if (options.load == "-" && options.world.file == "-")
     throw UsageError("FILE and --load cannot both come from standard input");
+  require_certifiable(options);
 }
 
 }  // namespace
@@ -153,6 +158,7 @@ void add_solve_options(CommandLine& app, SolveOptions& options) {
   app.add_flag("--no-verify", options.no_verify, "Do not check the answer independently").group("Query");
   app.add_flag("--path", options.path, "Print the points of the path, one `x y` a line").group("Output");
   add_path_file_options(app, options.files);
+  add_certificate_option(app, options.certificate);
   add_anytime_options(app, options.anytime);
   add_clearance_options(app, options.clearance);
   add_svg_option(app, options.svg);
@@ -161,6 +167,7 @@ void add_solve_options(CommandLine& app, SolveOptions& options) {
   app.example("taut solve maze.txt --from 0.5,0.5 --to 3.5,6.5 --json result.json");
   app.example("taut solve maze.txt --robot disc:0.2 --arcs --svg disc.svg");
   app.example("taut solve maze.txt --tradeoff --svg room.svg");
+  app.example("taut solve maze.txt --certificate maze.proof");
 }
 
 }  // namespace taut::cli

@@ -31,6 +31,7 @@ struct SolveOptions {
   const RoadmapKind* kind = nullptr;  // when it is given
   std::string svg;
   PathFiles files;
+  std::string certificate;
   std::string save;
   std::string load;
 

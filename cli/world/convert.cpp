@@ -23,8 +23,8 @@ void add_options(CommandLine& app, ConvertOptions& options) {
   app.add_option("OUT", options.target, "The file to write; - is standard output (default)");
   app.add_option_function(
          "--as", [&options](const std::string& text) { options.format = format_of(text); },
-         "The format to write: segments, cells, drawing, maz, num, wkt, geojson, movingai, blocks; what it cannot "
-         "hold is refused, never left out")
+         "The format to write: segments, cells, drawing, maz, num, wkt, geojson, movingai, blocks, integers (for "
+         "judges of certificates); what it cannot hold is refused, never left out")
       .type_name("NAME")
       .required()
       .group("World");

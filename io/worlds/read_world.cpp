@@ -27,7 +27,7 @@ namespace taut {
 
 namespace {
 
-constexpr std::array<std::pair<Format, std::string_view>, 12> kNames{{
+constexpr std::array<std::pair<Format, std::string_view>, 13> kNames{{
     {Format::segments, "segments"},
     {Format::cell_values, "cells"},
     {Format::drawing, "drawing"},
@@ -40,6 +40,7 @@ constexpr std::array<std::pair<Format, std::string_view>, 12> kNames{{
     {Format::picture, "picture"},
     {Format::blocks, "blocks"},
     {Format::svg, "svg"},
+    {Format::integers, "integers"},
 }};
 
 bool is_text(std::string_view bytes) {
@@ -237,6 +238,7 @@ World read_world(std::string_view bytes, const ReadOptions& options, ReadNotes* 
     case Format::svg: return detail::read_shapes(detail::read_svg(bytes, options, seen), options, seen, notes);
     case Format::blocks: return detail::joined(detail::read_blocks(bytes, options.source), options, notes);
     case Format::movingai: return changed(world_of(read_movingai_map(bytes, options.source), options.source), options);
+    case Format::integers: throw InputError(options.source, 0, "integers are written, not read: give the world itself");
   }
   throw InputError(options.source, 0, "unknown format");
 }

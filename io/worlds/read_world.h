@@ -73,10 +73,26 @@ class GeographicWorld;
 /// Of drawing, maz and num: without S the start is the bottom left cell; without G the goal is the room in the middle,
 /// 2 cells wide in an even direction and 1 in an odd one, unless the border has exactly two openings: then the world
 /// goes from the one to the other.
-enum class Format { segments, cell_values, drawing, maz, num, wkt, geojson, movingai, ros_map, picture, blocks, svg };
+///
+///  integers     what is written, not read: walls and rings as integers over one unit (write_integers).
+enum class Format {
+  segments,
+  cell_values,
+  drawing,
+  maz,
+  num,
+  wkt,
+  geojson,
+  movingai,
+  ros_map,
+  picture,
+  blocks,
+  svg,
+  integers
+};
 
 /// The word for it in options: `segments`, `cells`, `drawing`, `maz`, `num`, `wkt`, `geojson`, `movingai`, `ros`,
-/// `picture`, `blocks`, `svg`.
+/// `picture`, `blocks`, `svg`, `integers`.
 std::string_view name(Format format);
 /// Nothing for any other word.
 std::optional<Format> format_named(std::string_view word);

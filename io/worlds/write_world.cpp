@@ -24,6 +24,7 @@ std::string write_world(const World& world, Format format) {
     case Format::geojson: return write_geojson(world);
     case Format::movingai: return write_movingai(world);
     case Format::blocks: return write_blocks(world);
+    case Format::integers: return write_integers(world);
     case Format::ros_map:
     case Format::picture:
     case Format::svg:

@@ -51,6 +51,11 @@ std::string write_movingai(const World& world);
 /// The same with `#` and `.`, the last row at y = 0; start and goal in the middles of free cells.
 std::string write_blocks(const World& world);
 
+/// For judges of certificates (docs/certificates.md): walls, areas and solids as integers over one unit, with the
+/// boundary's kind; start and goal as they are. Cannot hold worlds whose numbers lie on no lattice (number_lattice.h),
+/// and walls with a thickness. Nothing reads it back.
+std::string write_integers(const World& world);
+
 /// Any of these. For cell_values, drawing, maz and num the world must come from a grid whose walls are thin, or have
 /// walls along the sides of unit cells from (0, 0) on.
 std::string write_world(const World& world, Format format);

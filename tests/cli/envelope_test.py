@@ -31,6 +31,10 @@ ROADS = (
 )
 QUERIES = "1 1 3 3\n"
 PLACES = "x,y\n1,1\n3,3\n"
+PROOF = (
+    '{"format": "taut certificate 1", "kind": "none", "world": "3c575266e5f47952", "scale": 1, "fraction_bits": 0, '
+    '"horizon": 0, "path": [[1, 1], [3, 3]], "potentials": [[1, 1, 0]]}\n'
+)
 PATH_THROUGH_WALL = "1 1\n3 3\n"
 
 
@@ -39,6 +43,7 @@ def cases(data):
     world = {"room": ROOM, "sealed": SEALED, "slit": SLIT, "slanted": SLANTED, "wrong": WRONG, "queries": QUERIES}
     world["through"] = PATH_THROUGH_WALL
     world["places"] = PLACES
+    world["proof"] = PROOF
     yield "solve room", world, "found"
     yield "solve room --roadmap visibility --algorithm dijkstra", world, "found"
     yield "solve room --algorithm bfs", world, "found"
@@ -74,6 +79,13 @@ def cases(data):
     yield "check room", world, "done"
     yield "check room --path through", world, "invalid"
     yield "check wrong", world, "refused"
+    yield "solve room --certificate out", world, "found"
+    yield "solve sealed --certificate out", world, "none"
+    yield "solve slanted --wall-thickness 0.02 --certificate out", world, "refused"
+    yield "verify sealed proof", world, "done"
+    yield "verify room proof", world, "invalid"
+    yield "verify room wrong", world, "refused"
+    yield "verify wrong proof", world, "refused"
     yield "roadmap room", world, "done"
     yield "roadmap wrong", world, "refused"
     yield "compare room", world, "found"

@@ -1,0 +1,52 @@
+#include <taut/cli/solve/certify.h>
+
+#include <optional>
+
+#include <taut/geometry/errors.h>
+#include <taut/io/results/path_certificate_text.h>
+#include <taut/io/worlds/write_world.h>
+#include <taut/roadmaps/visibility_graph.h>
+#include <taut/search/path_certificate.h>
+#include <taut/verify/judge.h>
+
+namespace taut::cli {
+
+void add_certificate_option(CommandLine& app, std::string& file) {
+  app.add_option("--certificate", file,
+                 "Write a proof of the answer, that no path is shorter or that there is none, for `taut verify`")
+      .type_name("FILE")
+      .group("Output");
+}
+
+void require_certifiable(const SolveOptions& options) {
+  if (options.certificate.empty()) return;
+  if (options.query.robot.kind() != Footprint::Kind::point)
+    throw UsageError("--certificate is for a point, not for --robot");
+  if (options.clearance || options.arcs || options.anytime.wanted || options.world.read.project)
+    throw UsageError(
+        "--certificate does not go with --clearance, --widest, --tradeoff, --arcs, --anytime and --project");
+  if ((options.kind && !options.kind->optimal) || !optimal_everywhere(options.method()))
+    throw UsageError(
+        "--certificate is for the shortest path: with --roadmap polyanya or visibility, by astar or dijkstra");
+}
+
+Certified certified(const FreeSpace& space, const PlanResult& result, Run& run) {
+  const World& world = space.world();
+  if (!result.goal.point)
+    throw InputError(world.source(), 0,
+                     "a certificate is for a goal that is a point, not for a room: name one by --to");
+  const std::string text = write_integers(world);
+  const auto certificate = run.stage("certificate", [&] {
+    const VisibilityGraph graph(space);
+    return result.status == SearchStatus::found ? shortest_certificate(graph, result.path)
+                                                : none_certificate(graph, *result.start, *result.goal.point);
+  });
+  if (!certificate) return {"", "no certificate: crossings of walls were rounded where paths bend"};
+  Certified answer{certificate_text(*certificate, text), ""};
+  const proof::Judgement said = run.stage("judge", [&] { return proof::judge(text, answer.text); });
+  answer.words = said.words;
+  if (!said.proven) answer = {"", "the certificate proves nothing: " + said.words};
+  return answer;
+}
+
+}  // namespace taut::cli

@@ -1,0 +1,28 @@
+// --certificate: a proof of the answer that anybody can check.
+#pragma once
+
+#include <string>
+
+#include <taut/cli/run.h>
+#include <taut/cli/solve/solve_options.h>
+#include <taut/geometry/free_space.h>
+#include <taut/io/results/result_json.h>
+
+namespace taut::cli {
+
+void add_certificate_option(CommandLine& app, std::string& file);
+
+/// Throws UsageError where nothing could be proven of what is asked for.
+void require_certifiable(const SolveOptions& options);
+
+/// The certificate, judged already.
+struct Certified {
+  std::string text;   ///< the file; empty where there is none
+  std::string words;  ///< what it proves, or why there is none
+};
+
+/// Of what was found in a space of a point, or that nothing was. Throws InputError where the world's numbers or its
+/// goal do not allow one.
+Certified certified(const FreeSpace& space, const PlanResult& result, Run& run);
+
+}  // namespace taut::cli

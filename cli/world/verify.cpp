@@ -1,0 +1,66 @@
+// taut verify: does a certificate prove what it says?
+#include <taut/cli/command.h>
+#include <taut/cli/command_line.h>
+#include <taut/cli/input.h>
+#include <taut/cli/run.h>
+#include <taut/geometry/errors.h>
+#include <taut/io/worlds/write_world.h>
+#include <taut/verify/judge.h>
+
+namespace taut::cli {
+
+namespace {
+
+struct VerifyOptions {
+  WorldOptions world;
+  CommonOptions common;
+  std::string certificate;
+};
+
+void add_options(CommandLine& app, VerifyOptions& options) {
+  add_world_options(app, options.world);
+  app.add_option("CERTIFICATE", options.certificate, "What `taut solve --certificate` wrote; - is standard input")
+      .required();
+  app.callback([&options] {
+    if (options.certificate == "-" && options.world.file == "-")
+      throw UsageError("FILE and CERTIFICATE cannot both be standard input");
+  });
+  app.example("taut verify maze.txt maze.proof");
+}
+
+proof::Judgement judged(const std::string& world, const std::string& certificate, const std::string& name) {
+  try {
+    return proof::judge(world, certificate);
+  } catch (const proof::BadInput& error) {
+    throw InputError(name, 0, error.what());
+  }
+}
+
+Json result_of(const proof::Judgement& said) {
+  Json result{{"kind", said.kind}, {"proven", said.proven}, {"words", said.words}};
+  if (!said.proven || said.kind != "shortest") return result;
+  result["length"] = said.length;
+  result["bound"] = said.bound;
+  return result;
+}
+
+int run(const VerifyOptions& options, Run& run) {
+  run.source(options.world.file);
+  const Input input = read_input(options.world, run);
+  const std::string world = run.stage("integers", [&] { return write_integers(input.world); });
+  const std::string name = options.certificate == "-" ? "<stdin>" : options.certificate;
+  const std::string certificate = read_bytes(options.certificate);
+  const proof::Judgement said = run.stage("verify", [&] { return judged(world, certificate, name); });
+  return run.end({.outcome = said.proven ? Outcome::done : Outcome::invalid,
+                  .reason = said.proven ? "" : said.words,
+                  .result = result_of(said),
+                  .line = name + (said.proven ? ": proven: " : ": not proven: ") + said.words + "\n"});
+}
+
+}  // namespace
+
+Command verify_command(CommandLine& app) {
+  return command<VerifyOptions>(app, "verify", "Check a certificate: does it prove what it says?", add_options, run);
+}
+
+}  // namespace taut::cli

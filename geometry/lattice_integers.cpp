@@ -1,0 +1,63 @@
+#include <taut/geometry/lattice_integers.h>
+
+#include <cmath>
+
+#include <taut/geometry/detail/written_integers.h>
+#include <taut/geometry/errors.h>
+#include <taut/geometry/exact/exact_point.h>
+#include <taut/geometry/text.h>
+
+namespace taut {
+
+namespace {
+
+mpq_class in_units(double v, const NumberLattice& lattice) {
+  mpz_class power;
+  mpz_ui_pow_ui(power.get_mpz_t(), static_cast<unsigned long>(lattice.base),
+                static_cast<unsigned long>(lattice.exponent));
+  return meaning(v) * power;
+}
+
+NumberLattice lattice_of(const World& world) {
+  const auto lattice = number_lattice(world);
+  if (!lattice)
+    throw InputError(world.source(), 0,
+                     "its coordinates are no multiples of one unit (`taut check` says what they are); what is exact in "
+                     "integers needs that");
+  return *lattice;
+}
+
+}  // namespace
+
+LatticeIntegers::LatticeIntegers(const World& world, std::span<const Point> places) : lattice_(lattice_of(world)) {
+  mpz_class scale = 1;
+  for (const Point p : places)
+    for (const double v : {p.x, p.y}) {
+      scale = lcm(scale, in_units(v, lattice_).get_den());
+      if (scale > kLargest) break;
+    }
+  const Box box = world.box();
+  if (scale <= kLargest) scale_ = scale.get_si();
+  if (scale > kLargest || !place(box.min) || !place(box.max))
+    throw InputError(world.source(), 0,
+                     "start, goal and the world together need coordinates of more than 51 bits over one unit");
+}
+
+std::optional<LatticeIntegers::Place> LatticeIntegers::place(Point p) const {
+  const auto x = integer(p.x), y = integer(p.y);
+  if (!x || !y) return std::nullopt;
+  return Place{*x, *y};
+}
+
+std::optional<std::int64_t> LatticeIntegers::integer(double v) const {
+  const double most = static_cast<double>(kLargest) / static_cast<double>(scale_);
+  if (lattice_.base == 10 && lattice_.exponent <= 22) {
+    const double n = detail::integer_over(v, lattice_.exponent);
+    if (std::abs(n) < most) return static_cast<std::int64_t>(n) * scale_;
+  }
+  const mpq_class n = in_units(v, lattice_) * mpz_class(static_cast<long>(scale_));
+  if (n.get_den() != 1 || abs(n) >= kLargest) return std::nullopt;
+  return n.get_num().get_si();
+}
+
+}  // namespace taut

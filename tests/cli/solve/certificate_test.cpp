@@ -1,0 +1,94 @@
+// taut solve --certificate, taut verify.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "support/program_test.h"
+
+namespace taut::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+constexpr const char* kRoom = "boundary 0 0 4 4\nstart 0.5 1\ngoal 3.5 1\n2 0 2 3\n";
+constexpr const char* kOpen = "boundary 0 0 4 4\nstart 0.5 1\ngoal 3.5 1\n2 0 2 2\n";
+constexpr const char* kSealed = "boundary 0 0 4 4\nstart 0.5 1\ngoal 3.5 1\n2 0 2 4\n";
+
+class CertificateProgram : public ProgramTest {
+ protected:
+  std::string proof_of(const std::string& world, int code) const {
+    EXPECT_EQ(run_taut("solve - --certificate " + in_folder("proof"), world).code, code);
+    return in_folder("proof");
+  }
+  static Outcome verify(const std::string& proof, const std::string& world) {
+    return run_taut("verify - " + proof, world);
+  }
+};
+
+TEST_F(CertificateProgram, ProvesThatNoPathIsShorter) {
+  const Outcome run = verify(proof_of(kRoom, 0), kRoom);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("proven: no path is shorter than 5.000000000 - "));
+  EXPECT_THAT(run.out, HasSubstr("yours is 5.000000000 long"));
+}
+
+TEST_F(CertificateProgram, ProvesThatThereIsNoPath) {
+  const Outcome run = verify(proof_of(kSealed, 1), kSealed);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("proven: there is no path"));
+}
+
+TEST_F(CertificateProgram, ProvesNothingAboutAnotherWorld) {
+  const Outcome run = verify(proof_of(kSealed, 1), kRoom);
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.out, HasSubstr("not proven: the certificate is of another world"));
+}
+
+TEST_F(CertificateProgram, NamesTheLegThatRefutesIt) {
+  json proof = json::parse(contents(proof_of(kRoom, 0)));
+  proof["world"] = json::parse(contents(proof_of(kOpen, 0)))["world"];
+  const Outcome run = verify(folder.file("other", proof.dump()), kOpen);
+  EXPECT_EQ(run.code, 1);
+  EXPECT_THAT(run.out, HasSubstr("not proven: "));
+  EXPECT_THAT(run.out, HasSubstr("(2, 3)"));
+}
+
+TEST_F(CertificateProgram, SaysThatItCannotReadAFile) {
+  const Outcome run = verify(folder.file("text", "start 1 1\n"), kRoom);
+  EXPECT_EQ(run.code, 3);
+  EXPECT_THAT(run.err, HasSubstr("the certificate cannot be read"));
+}
+
+TEST_F(CertificateProgram, RefusesToProveWhatItCannot) {
+  const auto refusal = [&](const std::string& options, const std::string& world) {
+    const Outcome run = run_taut("solve - --certificate " + in_folder("none") + " " + options, world);
+    EXPECT_FALSE(std::filesystem::exists(in_folder("none")));
+    return std::to_string(run.code) + " " + run.err;
+  };
+  EXPECT_THAT(refusal("--robot disc:0.1", kRoom), testing::StartsWith("2 "));
+  EXPECT_THAT(refusal("--widest", kRoom), testing::StartsWith("2 "));
+  EXPECT_THAT(refusal("--roadmap prm", kRoom), testing::StartsWith("2 "));
+  EXPECT_THAT(refusal("--wall-thickness 0.1", kRoom), testing::StartsWith("3 "));
+  EXPECT_THAT(refusal("", "boundary 0 0 4 4\nstart 1 1\ngoal 3 3 4 4\n"), HasSubstr("not for a room"));
+  EXPECT_THAT(refusal("", "boundary 0 0 4 4\nstart 1 1\ngoal 3 3\n0 1.0000000000000002 1 0.1\n"),
+              HasSubstr("no multiples of one unit"));
+}
+
+// Mazes and islands between two points.
+TEST_F(CertificateProgram, ProvesTheAnswersOfData) {
+  for (const char* name : {"maze_5x7.txt", "maze_25x25.txt", "maze_45x45.txt", "maze_61x61_loops.txt", "islands.wkt"}) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(run_taut("solve " + data_file(name) + " --certificate " + in_folder("proof")).code, 0);
+    const Outcome run = run_taut("verify " + data_file(name) + " " + in_folder("proof") + " --json -");
+    EXPECT_EQ(run.code, 0) << run.err;
+    const json result = json::parse(run.out)["result"];
+    EXPECT_NEAR(result["length"], result["bound"], 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace taut::test

@@ -1,0 +1,123 @@
+// What the planners prove the judge approves; of what was tampered with it approves nothing that is false.
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
+
+#include "support/certified.h"
+#include "support/random_world.h"
+
+namespace taut {
+namespace {
+
+using nlohmann::json;
+using test::any;
+
+Point any_point(int side) {
+  const int x = any(0, 4 * side), y = any(0, 4 * side);
+  return {x / 4.0, y / 4.0};
+}
+
+test::SmallWorld any_small_world(int& side) {
+  const test::RandomWorld kinds[] = {{},
+                                     {.side = 4, .walls = 14, .solids = 2, .straight = true},
+                                     {.side = 5, .walls = 0, .solids = 6},
+                                     {.side = 8, .walls = 20, .solids = 0}};
+  const test::RandomWorld& kind = kinds[any(0, 3)];
+  side = kind.side;
+  return any_world(kind);
+}
+
+// Walls that bend where their crossings are rounded still pass through the ends that lie on them.
+FreeSpace space_of(const test::SmallWorld& world, Point p, Point q) {
+  const std::array places{p, q};
+  return FreeSpace(World(world.parts()), Footprint::point(), places);
+}
+
+RC_GTEST_PROP(Certificate, IsApprovedForEveryAnswer, ()) {
+  int side = 0;
+  const test::SmallWorld world = any_small_world(side);
+  RC_LOG() << test::show(world) << '\n';
+  for (int i = 0; i < 6; ++i) {
+    const Point p = any_point(side), q = any_point(side);
+    const FreeSpace space = space_of(world, p, q);
+    if (!test::is_place(space, p) || !test::is_place(space, q)) continue;
+    RC_LOG() << test::show(p) << ' ' << test::show(q) << '\n';
+    const auto certificate = test::certificate_of(space, p, q);
+    if (!certificate) {
+      RC_ASSERT(space.report().displacement > 0);
+      continue;
+    }
+    const proof::Judgement said = proof::judge(write_integers(space.world()), *certificate);
+    // Where crossings are rounded the planner sees a leg as tangent, or as free, that exactly is not, and the reverse.
+    if (space.report().displacement == 0) RC_ASSERT(said.words == (said.proven ? said.words : ""));
+    RC_ASSERT(test::wrong_approval(space, *certificate) == "");
+  }
+}
+
+// One of what somebody could do to the numbers.
+json tampered(json certificate, int side) {
+  json& potentials = certificate["potentials"];
+  json& path = certificate["path"];
+  const auto one_of = [](json& rows) -> json& { return rows[static_cast<std::size_t>(any(0, int(rows.size()) - 1))]; };
+  const auto bits = certificate["fraction_bits"].get<int>();
+  switch (any(0, 5)) {
+    case 0: {
+      json& number = one_of(potentials)[2];
+      number = number.get<std::int64_t>() + (std::int64_t{any(-3, 3)} << any(0, bits));
+      break;
+    }
+    case 1: one_of(path)[static_cast<std::size_t>(any(0, 1))] = any(0, side * certificate["scale"].get<int>()); break;
+    case 2: potentials.erase(static_cast<std::size_t>(any(0, int(potentials.size()) - 1))); break;
+    case 3: path.erase(static_cast<std::size_t>(any(0, int(path.size()) - 1))); break;
+    case 4:
+      certificate["horizon"] = certificate["horizon"].get<std::int64_t>() + (std::int64_t{any(-3, 3)} << bits);
+      break;
+    default: one_of(potentials)[static_cast<std::size_t>(any(0, 1))] = any(0, side); break;
+  }
+  return certificate;
+}
+
+// A wall or a solid less, or moved.
+test::SmallWorld changed(test::SmallWorld world, int side) {
+  const std::size_t walls = world.walls.size(), solids = world.solids.size();
+  if (walls + solids == 0) return world;
+  const auto i = static_cast<std::size_t>(any(0, int(walls + solids) - 1));
+  if (i >= walls) {
+    world.solids.erase(world.solids.begin() + static_cast<std::ptrdiff_t>(i - walls));
+  } else if (any(0, 1) == 0) {
+    world.walls.erase(world.walls.begin() + static_cast<std::ptrdiff_t>(i));
+  } else {
+    (any(0, 1) ? world.walls[i].a : world.walls[i].b) = test::any_lattice_point(side);
+  }
+  return world;
+}
+
+TEST(Certificate, ThatWasTamperedWithIsNeverApprovedWrongly) {
+  int cases = 0, refused = 0;
+  const bool sound = rc::check("tampered certificates", [&] {
+    int side = 0;
+    const test::SmallWorld world = any_small_world(side);
+    const Point p = any_point(side), q = any_point(side);
+    const FreeSpace space = space_of(world, p, q);
+    RC_PRE(test::is_place(space, p) && test::is_place(space, q));
+    const auto certificate = test::certificate_of(space, p, q);
+    RC_PRE(certificate.has_value());
+    RC_LOG() << test::show(world) << '\n' << test::show(p) << ' ' << test::show(q) << '\n';
+    for (int i = 0; i < 10; ++i) {
+      const json other = tampered(json::parse(*certificate), side);
+      RC_LOG() << other << '\n';
+      RC_ASSERT(test::wrong_approval(space, other.dump()) == "");
+      const FreeSpace moved = space_of(changed(world, side), p, q);
+      const std::string claim = test::about(moved.world(), json::parse(*certificate));
+      RC_ASSERT(test::wrong_approval(moved, claim) == "");
+      cases += 2;
+      refused += !proof::judge(write_integers(moved.world()), claim).proven;
+    }
+  });
+  EXPECT_TRUE(sound);
+  EXPECT_GT(cases, 1000);
+  EXPECT_GT(refused, cases / 50) << "of worlds that were changed";
+}
+
+}  // namespace
+}  // namespace taut
