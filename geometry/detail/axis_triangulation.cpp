@@ -86,20 +86,17 @@ std::vector<AxisStar> stars(const Vertices& v, std::span<const Edge> edges) {
   return result;
 }
 
-/// Where a place lies along a Hilbert curve of so many levels over a square.
+/// Where a place lies along a Hilbert curve of so many levels over a square. Level by level which quarter, as the curve
+/// there has it: its axes swapped, turned around, or both. No branches: they would be as good as random.
 std::uint64_t along_hilbert_curve(std::uint32_t x, std::uint32_t y, int levels) {
   std::uint64_t along = 0;
-  for (std::uint32_t side = 1U << (levels - 1); side > 0; side /= 2) {
-    const bool right = x & side, up = y & side;
-    along = 4 * along + (right ? 3 - up : up);
-    x &= side - 1;
-    y &= side - 1;
-    if (up) continue;
-    if (right) {
-      x = side - 1 - x;
-      y = side - 1 - y;
-    }
-    std::swap(x, y);
+  std::uint32_t swapped = 0, turned = 0;
+  for (int level = levels - 1; level >= 0; --level) {
+    const std::uint32_t a = (x >> level) & 1, b = (y >> level) & 1, differ = (a ^ b) & swapped;
+    const std::uint32_t right = a ^ differ ^ turned, up = b ^ differ ^ turned;
+    along = 4 * along + 2 * right + (right ^ up);
+    swapped ^= 1 - up;
+    turned ^= right & (1 - up);
   }
   return along;
 }
