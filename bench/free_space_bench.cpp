@@ -148,7 +148,8 @@ void BM_FreeSpaceBlocks(benchmark::State& state) {
 /// What rings into noding save: convex pieces of the same blocks, and their union.
 void BM_UnitePiecesOfBlocks(benchmark::State& state) {
   const World world = block_map(static_cast<int>(state.range(0)));
-  double sides = 0;
+  const Box box = world.box();
+  double sides = -2 * (box.max.x - box.min.x + box.max.y - box.min.y);  // the rim, on which blocks lie outside too
   for (const Area& solid : world.solids()) sides += side_lengths(solid.polygon);
   detail::Outline outline;
   for (auto _ : state)

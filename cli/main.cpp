@@ -5,6 +5,7 @@
 #include <CLI/Formatter.hpp>
 
 #include <exception>
+#include <limits>
 #include <new>
 #include <string>
 #include <string_view>
@@ -13,6 +14,9 @@
 #include <vector>
 
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
@@ -150,7 +154,18 @@ int run(const Command& command) {
   }
 }
 
+// Large vectors that come and go get the same pages again: on worlds of a million walls a tenth of the time is spent on
+// fresh ones. What is no longer needed goes back when the program ends.
+void keep_pages() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+  mallopt(M_TOP_PAD, 1 << 24);
+#endif
+}
+
 int run(int argc, char** argv) {
+  keep_pages();
   CLI::App app("Exact motion planning in the plane: shortest paths, or the walls that leave none.", "taut");
   app.set_help_flag("--help,-h", "Print this help and exit");
   app.require_subcommand(1);

@@ -67,18 +67,22 @@ struct Classified {
 };
 
 Classified constraints_of(const detail::Mesh& mesh, const std::vector<detail::Edge>& edges) {
+  constexpr std::uint8_t kLeft = 1, kRight = 2;
   const Triangulation& tri = mesh.triangulation;
-  Classified result;
-  for (const detail::Edge& e : edges) result.constraints.push_back({e.a, e.b, true, true, e.wall});
+  std::vector<std::uint8_t> free_sides(edges.size(), 0);
   for (std::uint32_t t = 0; t < tri.triangles.size(); ++t)
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t edge = mesh.edge_of[3 * t + i];
-      if (edge == kNone || !tri.free[t]) continue;
-      Constraint& c = result.constraints[edge];
-      (tri.points[tri.triangles[t][Triangulation::ccw(i)]] == c.a ? c.solid_left : c.solid_right) = false;
+      if (edge != kNone && tri.free[t]) free_sides[edge] |= detail::is_left_of_edge(tri, t, i) ? kLeft : kRight;
     }
-  const auto is_buried = [](const Constraint& c) { return c.solid_left && c.solid_right; };
-  result.buried = std::erase_if(result.constraints, is_buried) > 0;
+  Classified result;
+  result.constraints.reserve(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const detail::Edge& e = edges[i];
+    if (free_sides[i] != 0)
+      result.constraints.push_back({e.a, e.b, !(free_sides[i] & kLeft), !(free_sides[i] & kRight), e.wall});
+  }
+  result.buried = result.constraints.size() < edges.size();
   return result;
 }
 

@@ -35,12 +35,10 @@ class Sweep {
     half_of_.assign(edge_count, kNone);
     active_.insert(0);  // what lies left of everything
     nodes_.reserve(points.size() / 4);
-    mesh_.triangles.reserve(2 * points.size());
-    mesh_.twin.reserve(6 * points.size());
-    mesh_.edge_of.reserve(6 * points.size());
+    mesh_.reserve(2 * points.size());
   }
 
-  RawMesh run() {
+  std::vector<RawTriangle> run() {
     for (std::uint32_t v = 0; v < points_.size(); ++v) pass(v);
     return std::move(mesh_);
   }
@@ -86,12 +84,12 @@ class Sweep {
   /// The half-edge and what lies across.
   void join(std::uint32_t half, std::uint32_t link) {
     if (!(link & kSlot)) {
-      mesh_.twin[half] = link;
-      mesh_.twin[link] = half;
+      mesh_[half / 3].twins[half % 3] = link;
+      mesh_[link / 3].twins[link % 3] = half;
       return;
     }
     const std::uint32_t slot = link & ~kSlot;
-    if (slot < edge_count_) mesh_.edge_of[half] = slot;
+    if (slot < edge_count_) mesh_[half / 3].edges[half % 3] = slot;
     if (half_of_[slot] == kNone)
       half_of_[slot] = half;
     else
@@ -100,10 +98,9 @@ class Sweep {
 
   /// The triangle of a node, the next and v above them: its first half-edge. What lies below is joined.
   std::uint32_t add_triangle(std::uint32_t node, std::uint32_t v) {
-    const auto half = static_cast<std::uint32_t>(mesh_.twin.size());
-    mesh_.triangles.push_back({nodes_[node].vertex, nodes_[nodes_[node].next].vertex, v});
-    mesh_.twin.insert(mesh_.twin.end(), 3, kNone);
-    mesh_.edge_of.insert(mesh_.edge_of.end(), 3, kNone);
+    const auto half = static_cast<std::uint32_t>(3 * mesh_.size());
+    mesh_.push_back(
+        {{nodes_[node].vertex, nodes_[nodes_[node].next].vertex, v}, {kNone, kNone, kNone}, {kNone, kNone, kNone}});
     join(half + 2, nodes_[node].link);
     return half;
   }
@@ -252,12 +249,13 @@ class Sweep {
   std::vector<std::uint32_t> half_of_;  // by slot: an edge, or a way between two chains that is none
   std::uint32_t left_of_ = 0;           // the rank of the vertical edge to the left of where the line is
   Rim below_;                           // what lies below the edge from the last point to the east
-  RawMesh mesh_;
+  std::vector<RawTriangle> mesh_;
 };
 
 }  // namespace
 
-RawMesh sweep(std::span<const LatticePoint> points, std::span<const AxisStar> stars, std::size_t edge_count) {
+std::vector<RawTriangle> sweep(std::span<const LatticePoint> points, std::span<const AxisStar> stars,
+                               std::size_t edge_count) {
   return Sweep(points, stars, edge_count).run();
 }
 

@@ -23,11 +23,11 @@ struct AxisStar {
   std::uint32_t west = kNone, south = kNone, east = kNone, north = kNone;
 };
 
-/// Triangles in the making. Half-edge 3 * t + i is the side of triangle t opposite to its corner i.
-struct RawMesh {
-  std::vector<Triangulation::Triple> triangles;  ///< counter-clockwise
-  std::vector<std::uint32_t> twin;               ///< by half-edge: the one on the other side; kNone on the hull
-  std::vector<std::uint32_t> edge_of;            ///< by half-edge: the edge along it; kNone when there is none
+/// A triangle in the making. Half-edge 3 * t + i is the side of triangle t opposite to its corner i.
+struct RawTriangle {
+  std::array<std::uint32_t, 3> corners;  ///< counter-clockwise
+  std::array<std::uint32_t, 3> twins;    ///< the half-edge across each side; kNone on the hull
+  std::array<std::uint32_t, 3> edges;    ///< the edge along each side; kNone when there is none
 };
 
 /// Triangulates the convex hull of the points, with all edges as sides.
@@ -38,11 +38,12 @@ struct RawMesh {
 /// came last; a new point is joined with all of the rim that it sees. No other points are made, and no triangle without
 /// area. `points` are distinct and ordered by (y, x), `stars[v]` the edges at point v, of `edge_count` edges in all;
 /// they meet only at points. O(n log64 n).
-RawMesh sweep(std::span<const LatticePoint> points, std::span<const AxisStar> stars, std::size_t edge_count);
+std::vector<RawTriangle> sweep(std::span<const LatticePoint> points, std::span<const AxisStar> stars,
+                               std::size_t edge_count);
 
 /// Turns sides that are no edges until the triangulation is constrained Delaunay: no circle around a triangle has the
 /// corner across one of its free sides inside (Lawson). Exact: int64 where the triangles are small, int128 elsewhere.
 /// False, and nothing but a valid triangulation, when more than `limit` sides had to be turned.
-bool make_delaunay(RawMesh& mesh, std::span<const LatticePoint> points, std::size_t limit);
+bool make_delaunay(std::vector<RawTriangle>& mesh, std::span<const LatticePoint> points, std::size_t limit);
 
 }  // namespace taut::detail

@@ -86,20 +86,17 @@ std::vector<AxisStar> stars(const Vertices& v, std::span<const Edge> edges) {
   return result;
 }
 
-/// Where a place lies along a Hilbert curve of so many levels over a square.
+/// Where a place lies along a Hilbert curve of so many levels over a square. Level by level which quarter, as the curve
+/// there has it: its axes swapped, turned around, or both. No branches: they would be as good as random.
 std::uint64_t along_hilbert_curve(std::uint32_t x, std::uint32_t y, int levels) {
   std::uint64_t along = 0;
-  for (std::uint32_t side = 1U << (levels - 1); side > 0; side /= 2) {
-    const bool right = x & side, up = y & side;
-    along = 4 * along + (right ? 3 - up : up);
-    x &= side - 1;
-    y &= side - 1;
-    if (up) continue;
-    if (right) {
-      x = side - 1 - x;
-      y = side - 1 - y;
-    }
-    std::swap(x, y);
+  std::uint32_t swapped = 0, turned = 0;
+  for (int level = levels - 1; level >= 0; --level) {
+    const std::uint32_t a = (x >> level) & 1, b = (y >> level) & 1, differ = (a ^ b) & swapped;
+    const std::uint32_t right = a ^ differ ^ turned, up = b ^ differ ^ turned;
+    along = 4 * along + 2 * right + (right ^ up);
+    swapped ^= 1 - up;
+    turned ^= right & (1 - up);
   }
   return along;
 }
@@ -124,45 +121,47 @@ std::vector<std::uint32_t> curve_order(const Vertices& v) {
   return result;
 }
 
-/// Triangles by their least vertex: result[t] is where triangle t goes.
-std::vector<std::uint32_t> triangle_order(std::span<const Triangulation::Triple> triangles, std::size_t points) {
-  std::vector<std::uint32_t> next(points + 1, 0);
-  for (const auto& t : triangles) ++next[std::min({t[0], t[1], t[2]}) + 1];
+/// Triangles by their least vertex.
+std::vector<std::uint32_t> triangle_order(std::span<const RawTriangle> triangles, std::span<const std::uint32_t> name) {
+  const auto least = [&](const RawTriangle& t) {
+    return std::min({name[t.corners[0]], name[t.corners[1]], name[t.corners[2]]});
+  };
+  std::vector<std::uint32_t> next(name.size() + 1, 0), result(triangles.size());
+  for (const RawTriangle& t : triangles) ++next[least(t) + 1];
   std::partial_sum(next.begin(), next.end(), next.begin());
-  std::vector<std::uint32_t> result(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    result[t] = next[std::min({triangles[t][0], triangles[t][1], triangles[t][2]})]++;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) result[next[least(triangles[t])]++] = t;
+  return result;
+}
+
+std::vector<std::uint32_t> inverse(std::span<const std::uint32_t> order) {
+  std::vector<std::uint32_t> result(order.size());
+  for (std::uint32_t i = 0; i < order.size(); ++i) result[order[i]] = i;
   return result;
 }
 
 /// The mesh in its final order.
-Mesh arranged(RawMesh raw, const Vertices& v) {
+Mesh arranged(std::span<const RawTriangle> raw, const Vertices& v) {
   Mesh mesh;
   Triangulation& tri = mesh.triangulation;
-  const std::vector<std::uint32_t> order = curve_order(v);
-  std::vector<std::uint32_t> name(order.size());
-  tri.points.resize(order.size());
-  tri.lattice.resize(order.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) {
-    name[order[i]] = i;
-    tri.points[i] = v.points[order[i]];
-    tri.lattice[i] = {v.places[order[i]].x, v.places[order[i]].y};
+  const std::vector<std::uint32_t> points = curve_order(v), name = inverse(points);
+  tri.points.resize(points.size());
+  tri.lattice.resize(points.size());
+  for (std::uint32_t i = 0; i < points.size(); ++i) {
+    tri.points[i] = v.points[points[i]];
+    tri.lattice[i] = {v.places[points[i]].x, v.places[points[i]].y};
   }
-  for (auto& triangle : raw.triangles) triangle = {name[triangle[0]], name[triangle[1]], name[triangle[2]]};
-  const std::vector<std::uint32_t> place = triangle_order(raw.triangles, order.size());
-  const std::size_t count = raw.triangles.size();
-  tri.triangles.resize(count);
-  tri.neighbours.resize(count);
-  tri.constrained.resize(count);
-  mesh.edge_of.resize(3 * count);
-  for (std::size_t t = 0; t < count; ++t) {
-    const std::uint32_t to = place[t];
-    tri.triangles[to] = raw.triangles[t];
+  const std::vector<std::uint32_t> order = triangle_order(raw, name), place = inverse(order);
+  tri.triangles.resize(raw.size());
+  tri.neighbours.resize(raw.size());
+  tri.constrained.resize(raw.size());
+  mesh.edge_of.resize(3 * raw.size());
+  for (std::size_t t = 0; t < raw.size(); ++t) {
+    const RawTriangle& from = raw[order[t]];
     for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t twin = raw.twin[3 * t + i], edge = raw.edge_of[3 * t + i];
-      tri.neighbours[to][i] = twin == kNone ? kNone : place[twin / 3];
-      mesh.edge_of[3 * std::size_t{to} + i] = edge;
-      if (edge != kNone) tri.constrained[to] |= static_cast<std::uint8_t>(1 << i);
+      tri.triangles[t][i] = name[from.corners[i]];
+      tri.neighbours[t][i] = from.twins[i] == kNone ? kNone : place[from.twins[i] / 3];
+      mesh.edge_of[3 * t + i] = from.edges[i];
+      if (from.edges[i] != kNone) tri.constrained[t] |= static_cast<std::uint8_t>(1 << i);
     }
   }
   return mesh;
@@ -177,9 +176,9 @@ std::optional<Mesh> triangulate_axis_parallel(std::span<const Edge> edges) {
   const std::optional<std::vector<LatticePoint>> ends = lattice_ends(edges);
   if (!ends) return std::nullopt;
   const Vertices v = vertices(edges, *ends);
-  RawMesh raw = sweep(v.places, stars(v, edges), edges.size());
+  std::vector<RawTriangle> raw = sweep(v.places, stars(v, edges), edges.size());
   if (!make_delaunay(raw, v.places, kTurns * v.places.size())) return std::nullopt;
-  return arranged(std::move(raw), v);
+  return arranged(raw, v);
 }
 
 }  // namespace taut::detail

@@ -11,17 +11,14 @@ namespace {
 
 constexpr int kUnknown = std::numeric_limits<int>::min();
 
-/// The change of the winding number from triangle t to beyond its side i.
-int turn_outwards(const Triangulation& tri, std::uint32_t t, int i, const Edge& edge) {
-  // Triangle t lies to the left of the side from its corner ccw(i) to its corner cw(i).
-  return tri.points[tri.triangles[t][Triangulation::ccw(i)]] == edge.a ? -edge.turn : edge.turn;
-}
-
 /// Spreads winding numbers from the hull inwards.
 class Winding {
  public:
   Winding(const Mesh& mesh, std::span<const Edge> edges)
-      : mesh_(mesh), tri_(mesh.triangulation), edges_(edges), winding_(tri_.triangles.size(), kUnknown) {}
+      : mesh_(mesh), tri_(mesh.triangulation), winding_(tri_.triangles.size(), kUnknown) {
+    turns_.reserve(edges.size());
+    for (const Edge& e : edges) turns_.push_back(e.turn);
+  }
 
   std::vector<int> numbers(int outside) {
     for (std::uint32_t t = 0; t < tri_.triangles.size(); ++t)
@@ -34,9 +31,11 @@ class Winding {
   }
 
  private:
+  /// Of the winding number, from triangle t to beyond its side i.
   int change(std::uint32_t t, int i) const {
     const std::uint32_t edge = mesh_.edge_of[3 * t + i];
-    return edge == kNone ? 0 : turn_outwards(tri_, t, i, edges_[edge]);
+    if (edge == kNone || turns_[edge] == 0) return 0;
+    return is_left_of_edge(tri_, t, i) ? -turns_[edge] : turns_[edge];
   }
 
   void set(std::uint32_t t, int winding) {
@@ -59,7 +58,7 @@ class Winding {
 
   const Mesh& mesh_;
   const Triangulation& tri_;
-  std::span<const Edge> edges_;
+  std::vector<int> turns_;  // of the edges
   std::vector<int> winding_;
   std::vector<std::uint32_t> open_;
 };

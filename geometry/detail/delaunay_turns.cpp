@@ -51,11 +51,12 @@ bool is_inside(LatticePoint a, LatticePoint b, LatticePoint c, LatticePoint d) {
 
 class Turning {
  public:
-  Turning(RawMesh& mesh, std::span<const LatticePoint> points) : mesh_(mesh), points_(points) {}
+  Turning(std::vector<RawTriangle>& mesh, std::span<const LatticePoint> points) : mesh_(mesh), points_(points) {}
 
   bool run(std::size_t limit) {
     std::size_t turned = 0;
-    for (std::uint32_t first = 0; first < mesh_.twin.size(); ++first) {
+    for (std::uint32_t first = 0; first < 3 * mesh_.size(); ++first) {
+      if (twin(first) < first) continue;  // looked at from the other side
       open_.push_back(first);
       while (!open_.empty()) {
         const std::uint32_t half = open_.back();
@@ -71,26 +72,28 @@ class Turning {
  private:
   static std::uint32_t ccw(std::uint32_t half) { return half % 3 == 2 ? half - 2 : half + 1; }
   static std::uint32_t cw(std::uint32_t half) { return half % 3 == 0 ? half + 2 : half - 1; }
-  std::uint32_t& corner(std::uint32_t half) { return mesh_.triangles[half / 3][half % 3]; }
+  std::uint32_t& corner(std::uint32_t half) { return mesh_[half / 3].corners[half % 3]; }
+  std::uint32_t& twin(std::uint32_t half) { return mesh_[half / 3].twins[half % 3]; }
+  std::uint32_t& edge(std::uint32_t half) { return mesh_[half / 3].edges[half % 3]; }
   LatticePoint place(std::uint32_t half) { return points_[corner(half)]; }
 
   bool is_to_turn(std::uint32_t half) {
-    const std::uint32_t twin = mesh_.twin[half];
-    if (twin == kNone || mesh_.edge_of[half] != kNone) return false;
-    return is_inside(place(half), place(ccw(half)), place(cw(half)), place(twin));
+    const std::uint32_t across = twin(half);
+    if (across == kNone || edge(half) != kNone) return false;
+    return is_inside(place(half), place(ccw(half)), place(cw(half)), place(across));
   }
 
   /// Puts what lies across `from` along `to`.
   void move(std::uint32_t from, std::uint32_t to) {
-    const std::uint32_t twin = mesh_.twin[from];
-    mesh_.twin[to] = twin;
-    mesh_.edge_of[to] = mesh_.edge_of[from];
-    if (twin != kNone) mesh_.twin[twin] = to;
+    const std::uint32_t across = twin(from);
+    twin(to) = across;
+    edge(to) = edge(from);
+    if (across != kNone) twin(across) = to;
   }
 
   /// The triangles p a b and q b a become p a q and q b p.
   void turn(std::uint32_t half) {
-    const std::uint32_t other = mesh_.twin[half];
+    const std::uint32_t other = twin(half);
     const std::uint32_t p = corner(half), q = corner(other);
     const std::uint32_t half_a = ccw(half), half_b = cw(half), other_b = ccw(other), other_a = cw(other);
     // Across from corner a of the one lies b p, across from b of the other a q.
@@ -98,20 +101,20 @@ class Turning {
     corner(other_a) = p;
     move(other_b, half);
     move(half_a, other);
-    mesh_.twin[half_a] = other_b;
-    mesh_.twin[other_b] = half_a;
-    mesh_.edge_of[half_a] = mesh_.edge_of[other_b] = kNone;
+    twin(half_a) = other_b;
+    twin(other_b) = half_a;
+    edge(half_a) = edge(other_b) = kNone;
     open_.insert(open_.end(), {half, half_b, other, other_a});
   }
 
-  RawMesh& mesh_;
+  std::vector<RawTriangle>& mesh_;
   std::span<const LatticePoint> points_;
   std::vector<std::uint32_t> open_;
 };
 
 }  // namespace
 
-bool make_delaunay(RawMesh& mesh, std::span<const LatticePoint> points, std::size_t limit) {
+bool make_delaunay(std::vector<RawTriangle>& mesh, std::span<const LatticePoint> points, std::size_t limit) {
   return Turning(mesh, points).run(limit);
 }
 

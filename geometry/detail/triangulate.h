@@ -31,13 +31,17 @@ Mesh triangulate_general(std::span<const Edge> edges);
 /// others. O(n), and as many turns.
 std::optional<Mesh> triangulate_axis_parallel(std::span<const Edge> edges);
 
+/// Does the edge along side i of t, whose a < b, have t to its left? Else t lies to its right.
+inline bool is_left_of_edge(const Triangulation& tri, std::uint32_t t, int i) {
+  return tri.points[tri.triangles[t][Triangulation::ccw(i)]] < tri.points[tri.triangles[t][Triangulation::cw(i)]];
+}
+
 /// The winding number of each triangle: `outside` beyond the hull, and it changes by an edge's turn across it.
-/// Precondition: the edges' turns form closed chains (std::logic_error otherwise). O(n).
+/// Precondition: a < b of each edge, and their turns form closed chains (std::logic_error otherwise). O(n).
 std::vector<int> winding_numbers(const Mesh& mesh, std::span<const Edge> edges, int outside);
 
 /// Tells free from solid: outside the hull the winding number is 1, it changes by an edge's turn across it, and a
-/// triangle is free where it is 0. Finds the sectors. Precondition: the edges' turns form closed chains
-/// (std::logic_error otherwise).
+/// triangle is free where it is 0. Finds the sectors. Precondition: as above.
 void classify(Mesh& mesh, std::span<const Edge> edges);
 
 /// The points as integers of magnitude below 2^29 over one unit: a power of two, counted from the origin, or a power of

@@ -171,7 +171,7 @@ TEST(AxisParallelTriangulation, TurnsNoMoreSidesThanAllowed) {
   stars[0].east = stars[1].west = 0;
   stars[2].north = stars[3].south = 1;
   stars[4].north = stars[5].south = 2;
-  detail::RawMesh mesh = detail::sweep(points, stars, 3);
+  std::vector<detail::RawTriangle> mesh = detail::sweep(points, stars, 3);
   EXPECT_FALSE(detail::make_delaunay(mesh, points, 0));
   EXPECT_TRUE(detail::make_delaunay(mesh, points, 100));
 }
