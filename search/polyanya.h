@@ -15,7 +15,8 @@ namespace taut {
 
 namespace detail {
 class Landmarks;
-}
+class Sleeves;
+}  // namespace detail
 
 /// A free space with its navigation mesh, ready for any number of queries. Immutable, cheap to copy, for any number of
 /// threads.
@@ -42,6 +43,7 @@ class Polyanya {
 
   FreeSpace space_;
   std::shared_ptr<const Navmesh> mesh_;
+  std::shared_ptr<const detail::Sleeves> sleeves_;  // of a mesh that is made for many queries
   std::shared_ptr<const detail::Landmarks> landmarks_;
 };
 
