@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <taut/geometry/written.h>
+#include <taut/search/detail/bend_search.h>
 #include <taut/search/detail/landmarks.h>
 #include <taut/search/detail/polyanya_engine.h>
 #include <taut/search/detail/room_entries.h>
@@ -89,6 +90,12 @@ Polyanya Polyanya::with_landmarks(std::size_t count) const {
   return made;
 }
 
+Polyanya Polyanya::with_graph() const {
+  Polyanya made = *this;
+  made.bends_ = std::make_shared<const detail::BendGraph>(space_, *mesh_);
+  return made;
+}
+
 struct PolyanyaSearch::Impl {
   explicit Impl(Polyanya what)
       : polyanya(std::move(what)),
@@ -96,13 +103,18 @@ struct PolyanyaSearch::Impl {
         engine(polyanya.mesh(), polyanya.landmarks_.get()),
         polygons_at(space, polyanya.mesh()) {
     if (polyanya.sleeves_) sleeve.emplace(space.triangulation(), *polyanya.sleeves_);
+    if (polyanya.bends_) bends.emplace(*polyanya.bends_, polyanya.mesh(), polyanya.landmarks_.get());
   }
 
-  /// Where one way alone leads from the start's polygon to the goal's there is nothing to search.
   SearchStatus find_point(Point from, Point to, const SearchLimits& limits) {
-    by_sleeve = sleeve && limits.expansions > polyanya.mesh().polygon_count() &&
-                sleeve->find(from, starts, to, goals[0].polygons, points);
-    if (!by_sleeve) return search_for(from, true, limits);
+    way = Way::none;
+    const bool is_limited = limits.expansions <= polyanya.mesh().polygon_count() || limits.seconds < 1e9;
+    if (!is_limited && sleeve && sleeve->find(from, starts, to, goals[0].polygons, points))
+      way = Way::sleeve;
+    else if (!is_limited && bends && !are_apart(from, to) && bends->find(from, to, goals[0].polygons, points))
+      way = Way::bends;
+    else
+      return search_for(from, true, limits);
     length = 0;
     goal = 0;
     for (std::size_t i = 1; i < points.size(); ++i) {
@@ -112,13 +124,20 @@ struct PolyanyaSearch::Impl {
     return status = SearchStatus::found;
   }
 
+  /// Then there is nothing to search, and the engine knows it at once.
+  bool are_apart(Point from, Point to) const {
+    const Location p = space.locate(from), q = space.locate(to);
+    return p.kind == Location::Kind::triangle && q.kind == Location::Kind::triangle &&
+           space.component(p.triangle) != space.component(q.triangle);
+  }
+
   SearchStatus search_for(Point from, bool nearest, const SearchLimits& limits) {
     return search(from, nearest, false, limits, [](Point, std::uint32_t) {});
   }
 
   template <typename OnRoot>
   SearchStatus search(Point from, bool nearest, bool other_ends, const SearchLimits& limits, OnRoot&& on_root) {
-    by_sleeve = false;
+    way = Way::none;
     status = engine.run({from, starts, std::span(goals).first(goal_count), nearest, other_ends, limits}, on_root);
     points.clear();
     length = std::numeric_limits<double>::infinity();
@@ -171,7 +190,8 @@ struct PolyanyaSearch::Impl {
   double length = std::numeric_limits<double>::infinity();
   std::size_t goal = 0;
   std::optional<detail::SleeveString> sleeve;
-  bool by_sleeve = false;
+  std::optional<detail::BendSearch> bends;
+  enum class Way : std::uint8_t { none, sleeve, bends } way = Way::none;  // what found the path instead of the engine
 };
 
 PolyanyaSearch::PolyanyaSearch(Polyanya polyanya) : impl_(std::make_unique<Impl>(std::move(polyanya))) {}
@@ -204,8 +224,16 @@ SearchStatus PolyanyaSearch::find_nearest(Point from, std::span<const Point> goa
 const std::vector<Point>& PolyanyaSearch::points() const { return impl_->points; }
 double PolyanyaSearch::length() const { return impl_->length; }
 std::size_t PolyanyaSearch::goal() const { return impl_->goal; }
-std::size_t PolyanyaSearch::expanded() const { return impl_->by_sleeve ? 1 : impl_->engine.expanded(); }
-std::size_t PolyanyaSearch::generated() const { return impl_->by_sleeve ? 1 : impl_->engine.generated(); }
+std::size_t PolyanyaSearch::expanded() const {
+  using Way = Impl::Way;
+  return impl_->way == Way::sleeve ? 1 : impl_->way == Way::bends ? impl_->bends->expanded() : impl_->engine.expanded();
+}
+std::size_t PolyanyaSearch::generated() const {
+  using Way = Impl::Way;
+  return impl_->way == Way::sleeve  ? 1
+         : impl_->way == Way::bends ? impl_->bends->generated()
+                                    : impl_->engine.generated();
+}
 
 GraphSearchResult PolyanyaSearch::result() const {
   GraphSearchResult result;
