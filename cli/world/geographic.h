@@ -34,7 +34,7 @@ class Shown {
     for (Value& value : values) value = (*this)(value);
     return values;
   }
-  EndMove operator()(EndMove move) const { return {move.role, (*this)(move.given), (*this)(move.place)}; }
+  EndMove operator()(const EndMove& move) const { return {move.role, (*this)(move.given), (*this)(move.place)}; }
   /// Lengths, clearances and what rounding did stay metres.
   PlanResult operator()(PlanResult result) const;
 

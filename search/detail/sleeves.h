@@ -16,11 +16,11 @@
 
 namespace taut::detail {
 
-/// The polygons of a mesh that portals join by which alone one can get to the other side (bridges), as trees. Immutable.
+/// The polygons of a mesh, as trees of those portals by which alone one can get to the other side (bridges). Immutable.
 ///
 /// Polygons are numbered anew, a parent before its children and each long branch in one run, so that a climb reads
-/// memory in order. Of two polygons in one tree the way between them, past their lowest common ancestor, is the only one
-/// without passing a polygon twice; of two trees of one component there are several.
+/// memory in order. Between two polygons of one tree the way past their lowest common ancestor is the only one without
+/// passing a polygon twice; between two trees of one component there are several.
 class Sleeves {
  public:
   /// `tri` is what `mesh` was made of. O(n).

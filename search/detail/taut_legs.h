@@ -34,8 +34,8 @@ inline constexpr double kDoubt = 0x1p-49;
 /// straight on: the legs beside the straight continuation, found in advance. Immutable. O(E log V) but for long
 /// stretches; 32 bytes a leg and direction.
 ///
-/// Following those alone is no loss: where one of several equally short ways to a vertex does not turn so into a leg, it
-/// can be cut short, and so the others with the same leg behind them are not the shortest either.
+/// Following those alone is no loss: where one of several equally short ways to a vertex does not turn so into a leg,
+/// it can be cut short, and so the others with the same leg behind them are not the shortest either.
 class TautLegs {
  public:
   /// Of a reduced graph, which is not kept.
