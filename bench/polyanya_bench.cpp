@@ -81,10 +81,13 @@ bool is_right(const Case& on, std::size_t pairs) {
   return true;
 }
 
-void query(benchmark::State& state, const Case& on, std::size_t checked, std::size_t landmarks = 0) {
+/// `by_trees`: where one way alone leads, along trees of portals; else as on a mesh for one query.
+void query(benchmark::State& state, const Case& on, std::size_t checked, std::size_t landmarks = 0,
+           bool by_trees = true, bool with_graph = false) {
   if (!is_right(on, checked)) return state.SkipWithError("not the exact length");
-  const Polyanya plain(on.space);
-  PolyanyaSearch search(landmarks > 0 ? plain.with_landmarks(landmarks) : plain);
+  const Polyanya plain = by_trees ? Polyanya(on.space) : Polyanya(on.space, navmesh(on.space));
+  const Polyanya bare = with_graph ? plain.with_graph() : plain;
+  PolyanyaSearch search(landmarks > 0 ? bare.with_landmarks(landmarks) : bare);
   std::size_t i = 0, expanded = 0, queries = 0;
   for (auto _ : state) {
     const Pair& pair = on.pairs[i];
@@ -100,7 +103,12 @@ void query(benchmark::State& state, const Case& on, std::size_t checked, std::si
 
 void BM_Query(benchmark::State& state) { query(state, maze_case(state, kOpened), 20); }
 void BM_QueryPerfect(benchmark::State& state) { query(state, maze_case(state, 0), 20); }
+void BM_QueryPerfectByPortals(benchmark::State& state) { query(state, maze_case(state, 0), 20, 0, false); }
 
+void BM_QueryBends(benchmark::State& state) { query(state, maze_case(state, kOpened), 20, 0, true, true); }
+void BM_QueryBendsLandmarks(benchmark::State& state) {
+  query(state, maze_case(state, kOpened), 20, kLandmarks, true, true);
+}
 void BM_QueryLandmarks(benchmark::State& state) { query(state, maze_case(state, kOpened), 20, kLandmarks); }
 
 /// The mesh between the ends, and the query.
@@ -180,9 +188,17 @@ void register_maps() {
     benchmark::RegisterBenchmark(("BM_Query/" + name).c_str(), [on](benchmark::State& state) {
       query(state, *on(), 20);
     })->Unit(benchmark::kMicrosecond);
+    benchmark::RegisterBenchmark(("BM_QueryByPortals/" + name).c_str(), [on](benchmark::State& state) {
+      query(state, *on(), 20, 0, false);
+    })->Unit(benchmark::kMicrosecond);
     benchmark::RegisterBenchmark(("BM_QueryLandmarks/" + name).c_str(), [on](benchmark::State& state) {
       query(state, *on(), 20, kLandmarks);
     })->Unit(benchmark::kMicrosecond);
+    for (const std::size_t landmarks : {std::size_t{0}, kLandmarks})
+      benchmark::RegisterBenchmark(
+          ((landmarks > 0 ? "BM_QueryBendsLandmarks/" : "BM_QueryBends/") + name).c_str(),
+          [on, landmarks](benchmark::State& state) { query(state, *on(), 20, landmarks, true, true); })
+          ->Unit(benchmark::kMicrosecond);
     benchmark::RegisterBenchmark(("BM_Landmarks/" + name).c_str(), [on](benchmark::State& state) {
       const Polyanya plain(on()->space);
       for (auto _ : state) benchmark::DoNotOptimize(plain.with_landmarks(kLandmarks));
@@ -209,7 +225,10 @@ void register_maps() {
 
 BENCHMARK(BM_Query)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_QueryLandmarks)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_QueryBends)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_QueryBendsLandmarks)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_QueryPerfect)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_QueryPerfectByPortals)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_GraphQuery)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_CellsQuery)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_First)->Arg(25)->Arg(61)->Arg(100)->Arg(300)->Arg(1000)->Unit(benchmark::kMicrosecond);

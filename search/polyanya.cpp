@@ -1,13 +1,17 @@
 #include <taut/search/polyanya.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include <taut/geometry/written.h>
+#include <taut/search/detail/bend_search.h>
 #include <taut/search/detail/landmarks.h>
 #include <taut/search/detail/polyanya_engine.h>
 #include <taut/search/detail/room_entries.h>
+#include <taut/search/detail/sleeves.h>
 #include <taut/search/query_ends.h>
 
 namespace taut {
@@ -73,7 +77,9 @@ Location place_of(const FreeSpace& space, Point p, const char* role) {
 }  // namespace
 
 Polyanya::Polyanya(FreeSpace space)
-    : space_(std::move(space)), mesh_(std::make_shared<const Navmesh>(navmesh(space_))) {}
+    : space_(std::move(space)),
+      mesh_(std::make_shared<const Navmesh>(navmesh(space_))),
+      sleeves_(std::make_shared<const detail::Sleeves>(space_.triangulation(), *mesh_)) {}
 
 Polyanya::Polyanya(FreeSpace space, Navmesh mesh)
     : space_(std::move(space)), mesh_(std::make_shared<const Navmesh>(std::move(mesh))) {}
@@ -84,19 +90,54 @@ Polyanya Polyanya::with_landmarks(std::size_t count) const {
   return made;
 }
 
+Polyanya Polyanya::with_graph() const {
+  Polyanya made = *this;
+  made.bends_ = std::make_shared<const detail::BendGraph>(space_, *mesh_);
+  return made;
+}
+
 struct PolyanyaSearch::Impl {
   explicit Impl(Polyanya what)
       : polyanya(std::move(what)),
         space(polyanya.space()),
         engine(polyanya.mesh(), polyanya.landmarks_.get()),
-        polygons_at(space, polyanya.mesh()) {}
+        polygons_at(space, polyanya.mesh()) {
+    if (polyanya.sleeves_) sleeve.emplace(space.triangulation(), *polyanya.sleeves_);
+    if (polyanya.bends_) bends.emplace(*polyanya.bends_, polyanya.mesh(), polyanya.landmarks_.get());
+  }
 
-  SearchStatus start_search(Point from, bool nearest, const SearchLimits& limits) {
+  SearchStatus find_point(Point from, Point to, const SearchLimits& limits) {
+    way = Way::none;
+    const bool is_limited = limits.expansions <= polyanya.mesh().polygon_count() || limits.seconds < 1e9;
+    if (!is_limited && sleeve && sleeve->find(from, starts, to, goals[0].polygons, points))
+      way = Way::sleeve;
+    else if (!is_limited && bends && !are_apart(from, to) && bends->find(from, to, goals[0].polygons, points))
+      way = Way::bends;
+    else
+      return search_for(from, true, limits);
+    length = 0;
+    goal = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const double dx = points[i].x - points[i - 1].x, dy = points[i].y - points[i - 1].y;
+      length += std::sqrt(dx * dx + dy * dy);
+    }
+    return status = SearchStatus::found;
+  }
+
+  /// Then there is nothing to search, and the engine knows it at once.
+  bool are_apart(Point from, Point to) const {
+    const Location p = space.locate(from), q = space.locate(to);
+    return p.kind == Location::Kind::triangle && q.kind == Location::Kind::triangle &&
+           space.component(p.triangle) != space.component(q.triangle);
+  }
+
+  SearchStatus search_for(Point from, bool nearest, const SearchLimits& limits) {
     return search(from, nearest, false, limits, [](Point, std::uint32_t) {});
   }
 
   template <typename OnRoot>
   SearchStatus search(Point from, bool nearest, bool other_ends, const SearchLimits& limits, OnRoot&& on_root) {
+    way = Way::none;
     status = engine.run({from, starts, std::span(goals).first(goal_count), nearest, other_ends, limits}, on_root);
     points.clear();
     length = std::numeric_limits<double>::infinity();
@@ -148,6 +189,9 @@ struct PolyanyaSearch::Impl {
   std::vector<Point> points;
   double length = std::numeric_limits<double>::infinity();
   std::size_t goal = 0;
+  std::optional<detail::SleeveString> sleeve;
+  std::optional<detail::BendSearch> bends;
+  enum class Way : std::uint8_t { none, sleeve, bends } way = Way::none;  // what found the path instead of the engine
 };
 
 PolyanyaSearch::PolyanyaSearch(Polyanya polyanya) : impl_(std::make_unique<Impl>(std::move(polyanya))) {}
@@ -158,7 +202,7 @@ PolyanyaSearch::~PolyanyaSearch() = default;
 SearchStatus PolyanyaSearch::find(Point from, Point to, const SearchLimits& limits) {
   impl_->place_start(from);
   impl_->add_goal(to, place_of(impl_->space, to, "goal"));
-  return impl_->start_search(from, true, limits);
+  return impl_->find_point(from, to, limits);
 }
 
 SearchStatus PolyanyaSearch::find(Point from, const Goal& to, const SearchLimits& limits) {
@@ -166,7 +210,7 @@ SearchStatus PolyanyaSearch::find(Point from, const Goal& to, const SearchLimits
   if (const auto here = detail::answer_at_start(impl_->space, from, to)) {
     impl_->place_start(from);
     impl_->add_goal(from, impl_->space.locate(from));
-    return impl_->start_search(from, true, {});
+    return impl_->search_for(from, true, {});
   }
   return impl_->find_room(from, to.room, limits);
 }
@@ -174,14 +218,22 @@ SearchStatus PolyanyaSearch::find(Point from, const Goal& to, const SearchLimits
 SearchStatus PolyanyaSearch::find_nearest(Point from, std::span<const Point> goals, const SearchLimits& limits) {
   impl_->place_start(from);
   for (const Point p : goals) impl_->add_goal(p, impl_->space.locate(p));
-  return impl_->start_search(from, true, limits);
+  return impl_->search_for(from, true, limits);
 }
 
 const std::vector<Point>& PolyanyaSearch::points() const { return impl_->points; }
 double PolyanyaSearch::length() const { return impl_->length; }
 std::size_t PolyanyaSearch::goal() const { return impl_->goal; }
-std::size_t PolyanyaSearch::expanded() const { return impl_->engine.expanded(); }
-std::size_t PolyanyaSearch::generated() const { return impl_->engine.generated(); }
+std::size_t PolyanyaSearch::expanded() const {
+  using Way = Impl::Way;
+  return impl_->way == Way::sleeve ? 1 : impl_->way == Way::bends ? impl_->bends->expanded() : impl_->engine.expanded();
+}
+std::size_t PolyanyaSearch::generated() const {
+  using Way = Impl::Way;
+  return impl_->way == Way::sleeve  ? 1
+         : impl_->way == Way::bends ? impl_->bends->generated()
+                                    : impl_->engine.generated();
+}
 
 GraphSearchResult PolyanyaSearch::result() const {
   GraphSearchResult result;
@@ -197,7 +249,7 @@ GraphSearchResult PolyanyaSearch::result() const {
 std::vector<std::optional<Path>> PolyanyaSearch::find_each(Point from, std::span<const Point> goals) {
   impl_->place_start(from);
   for (const Point p : goals) impl_->add_goal(p, impl_->space.locate(p));
-  impl_->start_search(from, false, {});
+  impl_->search_for(from, false, {});
   std::vector<std::optional<Path>> paths(goals.size());
   for (std::size_t i = 0; i < goals.size(); ++i) {
     if (!impl_->engine.way(i).exists()) continue;

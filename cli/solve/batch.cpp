@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <new>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -28,10 +29,13 @@ namespace taut::cli {
 
 namespace {
 
-// Landmarks are made once the searches have taken about as many nodes as making them takes, if paths wind: where they
-// are hardly longer than straight lines landmarks say nothing that those do not.
-constexpr std::size_t kNodesABend = 32;
+// The graph, and then landmarks, are made once the searches have looked at about as much as making them takes;
+// landmarks only if paths wind: where they are hardly longer than straight lines landmarks say nothing that those do
+// not.
+constexpr std::size_t kConesABend = 8;
+constexpr std::size_t kNodesABend = 16;
 constexpr double kWinding = 1.1;
+constexpr std::size_t kManyBends = 20000;
 
 struct BatchOptions {
   WorldOptions world;
@@ -104,10 +108,7 @@ class Batch {
       const bool on_walls = walls.concern(plane(query->from)) || walls.concern(plane(query->to));
       answers_.add(*query, on_walls ? ask_on_walls(walls, *query) : ask(space, search, no_path, *query), source.name());
       answers_.flush(source.may_wait());
-      if (!is_worth_landmarks(polyanya)) continue;
-      const Stopwatch watch;
-      search = PolyanyaSearch(polyanya = polyanya.with_landmarks());
-      answers_.prepared_in(watch.seconds());
+      prepare(polyanya, search);
     }
     answers_.flush(true);
   }
@@ -149,9 +150,23 @@ class Batch {
     return ask(space, search, NoPath(space), query);
   }
 
-  bool is_worth_landmarks(const Polyanya& polyanya) const {
-    return !polyanya.has_landmarks() && nodes_ > kNodesABend * polyanya.mesh().bends.size() &&
-           lengths_ > kWinding * straight_;
+  /// Where there is no memory for it, go on as before.
+  void prepare(Polyanya& polyanya, PolyanyaSearch& search) {
+    const std::size_t bends = polyanya.mesh().bends.size();
+    const bool graph = !polyanya.has_graph() && nodes_ > kConesABend * bends;
+    const bool landmarks = polyanya.has_graph() && !polyanya.has_landmarks() && nodes_ > kNodesABend * bends &&
+                           lengths_ > kWinding * straight_;
+    if (is_full_ || (!graph && !landmarks)) return;
+    const Stopwatch watch;
+    try {
+      Polyanya made = graph ? polyanya.with_graph() : polyanya.with_landmarks(bends > kManyBends ? 16 : 8);
+      search = PolyanyaSearch(made);
+      polyanya = std::move(made);
+    } catch (const std::bad_alloc&) {
+      is_full_ = true;
+    }
+    nodes_ = 0;
+    answers_.prepared_in(watch.seconds());
   }
 
   /// Is p a place for the robot, or moved to one by --snap-ends?
@@ -202,6 +217,7 @@ class Batch {
   Run& run_;
   BatchAnswers answers_;
   Shown shown_{ReadNotes{}};
+  bool is_full_ = false;  // there was no memory
   std::size_t nodes_ = 0;
   double lengths_ = 0, straight_ = 0;
 };

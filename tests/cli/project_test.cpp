@@ -65,6 +65,16 @@ TEST_F(Project, AnswersQueries) {
   EXPECT_THAT(outcome.out, HasSubstr(" 13.405 52.5019 13.4065 52.509\n"));
 }
 
+TEST_F(Project, MeasuresAllPairs) {
+  std::ofstream(in_folder("room.txt")) << kRoom;
+  // The first lies on the sloped wall, the last in the other room.
+  const Outcome outcome = run_taut("matrix " + in_folder("room.txt") + " - --project",
+                                   "lat,lon\n52.5019,13.405\n52.509,13.4065\n52.509,13.41\n");
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("0,796.60"));
+  EXPECT_THAT(outcome.out, HasSubstr("inf,inf,0\n"));
+}
+
 TEST_F(Project, TakesRobotsAndWallsInMetres) {
   // Between the wall's end and the boundary, on which one may stand, are 0.001 degrees, 111.28 m.
   const std::string ends = "solve - --project --from 13.402,52.507 --to 13.418,52.507 ";

@@ -54,7 +54,8 @@ void agree_in(const SmallWorld& world, int queries) {
   const FreeSpace& space = *made;
   const VisibilityGraph graph(space);
   PolyanyaSearch merged{Polyanya(space)}, triangles{Polyanya(space, triangle_navmesh(space))},
-      landmarks{Polyanya(space).with_landmarks(3)};
+      landmarks{Polyanya(space).with_landmarks(3)}, bends{Polyanya(space).with_graph()},
+      both{Polyanya(space).with_landmarks(3).with_graph()};
   const int side = static_cast<int>(world.area[2].x);
   for (int n = 0; n < queries; ++n) {
     const Point from = any_place(side), to = any_place(side);
@@ -64,6 +65,8 @@ void agree_in(const SmallWorld& world, int queries) {
     expect_agreement(graph, merged, from, {to, {}}, what);
     expect_agreement(graph, triangles, from, {to, {}}, what + " (triangles)");
     expect_agreement(graph, landmarks, from, {to, {}}, what + " (landmarks)");
+    expect_agreement(graph, bends, from, {to, {}}, what + " (graph)");
+    expect_agreement(graph, both, from, {to, {}}, what + " (graph and landmarks)");
     PolyanyaSearch between{Polyanya(space, navmesh_between(space, from, {to, {}}))};
     expect_agreement(graph, between, from, {to, {}}, what + " (mesh without dead ends)");
   }
@@ -104,7 +107,7 @@ RC_GTEST_PROP(PolyanyaProperty, IsAsLongAsInTheVisibilityGraphOffEveryLattice, (
   MessyWorld world = messy_world(seed);
   const FreeSpace space(World(std::move(world.parts)), world.footprint);
   const VisibilityGraph graph(space);
-  PolyanyaSearch search{Polyanya(space)};
+  PolyanyaSearch search{Polyanya(space)}, bends{Polyanya(space).with_graph().with_landmarks(2)};
   std::mt19937_64 engine(seed);
   const auto coordinate = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53 * 10; };
   for (int n = 0; n < 20; ++n) {
@@ -114,6 +117,8 @@ RC_GTEST_PROP(PolyanyaProperty, IsAsLongAsInTheVisibilityGraphOffEveryLattice, (
       continue;
     expect_agreement(graph, search, from, {to, {}},
                      fmt::format("messy world {} from {} to {}", seed, show(from), show(to)));
+    expect_agreement(graph, bends, from, {to, {}},
+                     fmt::format("messy world {} from {} to {} (graph)", seed, show(from), show(to)));
   }
 }
 
