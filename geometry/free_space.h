@@ -63,7 +63,7 @@ struct FreeSpaceReport {
 /// zero-thickness walls (as constraints), and a constrained Delaunay triangulation of both.
 ///
 ///  1. Obstacles are the solids, the walls with a thickness, and with a footprint all walls and Boundary::walled
-///     outlines, each Minkowski-summed with the reflected footprint; united exactly, then rounded outwards, none shrinks
+///     outlines, each Minkowski-summed with the reflected footprint; united exactly, rounded outwards, so none shrinks
 ///     (but where no double lies between two: to the nearest). report().displacement is what rounding moved at most.
 ///  2. polygons() is the closure of what is left; two free regions, or parts of one, that touch in a point are
 ///     not connected there.
