@@ -184,5 +184,10 @@ TEST(GeoJson, ReadsOneFeatureALineWithOrWithoutRecordSeparators) {
   EXPECT_EQ(test::refusal_of([&] { read_world(square + "\n{\"type\": \n"); }).substr(0, 23), "line 2: not valid JSON:");
 }
 
+TEST(GeoJson, IsNotEsriJson) {
+  const std::string rings = R"({"rings": [[[0, 0], [1, 0], [1, 1], [0, 0]]], "spatialReference": {"wkid": 4326}})";
+  EXPECT_NE(test::refusal_of([&] { read_world(rings); }).find("is ESRI JSON"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace taut
