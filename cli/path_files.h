@@ -1,4 +1,4 @@
-// --geojson, --wkt, --csv: the path in the files of other trades.
+// --geojson, --wkt, --csv, --poses: the path in the files of other trades.
 #pragma once
 
 #include <string>
@@ -15,8 +15,9 @@ struct PathFiles {
   std::string geojson;
   std::string wkt;
   std::string csv;
+  std::string poses;
 
-  bool wanted() const { return !geojson.empty() || !wkt.empty() || !csv.empty(); }
+  bool wanted() const { return !geojson.empty() || !wkt.empty() || !csv.empty() || !poses.empty(); }
 };
 
 void add_path_file_options(CommandLine& app, PathFiles& files);

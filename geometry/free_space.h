@@ -63,9 +63,8 @@ struct FreeSpaceReport {
 /// zero-thickness walls (as constraints), and a constrained Delaunay triangulation of both.
 ///
 ///  1. Obstacles are the solids, the walls with a thickness, and with a footprint all walls and Boundary::walled
-///     outlines, each Minkowski-summed with the reflected footprint; they are united exactly, then rounded to doubles
-///     outwards: an obstacle never shrinks, but where two meet at an angle so sharp that no pair of doubles lies in the
-///     free wedge between them: there by report().displacement, which is what rounding moved at most.
+///     outlines, each Minkowski-summed with the reflected footprint; united exactly, rounded outwards, so none shrinks
+///     (but where no double lies between two: to the nearest). report().displacement is what rounding moved at most.
 ///  2. polygons() is the closure of what is left; two free regions, or parts of one, that touch in a point are
 ///     not connected there.
 ///  3. Zero-thickness walls of a point robot are constraints, split where they meet. A crossing that is no pair of

@@ -49,6 +49,11 @@ bool is_as_written(const FreeSpace& space, const Constraint& c) {
 
 double rounding_bound(const FreeSpace& space) { return kRoundings * space.report().displacement; }
 
+double path_bound(const FreeSpace& space) {
+  const Footprint& robot = space.footprint();
+  return rounding_bound(space) + (robot.kind() == Footprint::Kind::disc ? Footprint::kDiscExcess * robot.radius() : 0);
+}
+
 bool is_sure(const FreeSpace& space, Point p) {
   const double near = 2 * rounding_bound(space), reach = near + 1e-15 * (std::abs(p.x) + std::abs(p.y));
   if (near == 0) return true;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <taut/geometry/corridor_width.h>
+#include <taut/geometry/rounding.h>
 #include <taut/search/no_path.h>
 #include <taut/search/passage.h>
 #include <taut/search/verify.h>
@@ -41,6 +42,7 @@ ClearanceAnswer ClearancePlanner::answer(const ClearanceQuery& query,
   answer.goal = goal_;
   answer.places = {map_.vertices().size(), map_.edges().size()};
   answer.max_error = map_.max_error();
+  answer.within = rounding_bound(walled());
   answer.found = ways(query, told);
   answer.status = answer.found.empty() ? SearchStatus::none : SearchStatus::found;
   if (answer.found.empty())

@@ -46,6 +46,7 @@ struct ClearanceAnswer {
   bool verified = false;                 ///< the paths were checked against the walls, their width against the gates
   std::array<std::size_t, 2> places{};   ///< vertices and edges of the diagram
   double max_error = 0;                  ///< VoronoiRoadmap::max_error
+  double within = 0;                     ///< rounding_bound of the walled world: radii are right within so much
 };
 
 /// Answers questions of clearance between a start and a goal.

@@ -68,6 +68,7 @@ struct Comparison {
   std::vector<PlannerRuns> planners{};
   std::optional<Length> optimum{};  ///< of the plane; absent when no planner found a path
   bool is_shut = false;             ///< there is none: walls prove it
+  double within = 0;                ///< path_bound of the space: how far proofs go
 
   /// The first planner that says its paths are the shortest gives the optimum.
   void add(PlannerRuns more);

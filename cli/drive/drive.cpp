@@ -48,7 +48,7 @@ void require_one_kind(const CommandLine& app, const DriveOptions& options) {
       app, {"--sample", "--all", "--open", "--planner", "--policy", "--walls", "--show-values", "--controls"});
   const std::string for_cars =
       first_given(app, {"--from", "--to", "--weight", "--wall-thickness", "--polygons", "--format", "--resolution",
-                        "--snap", "--unknown-free", "--repair", "--geojson", "--wkt", "--csv"});
+                        "--snap", "--unknown-free", "--repair", "--geojson", "--wkt", "--csv", "--poses"});
   if (options.world.car && !for_maps.empty())
     throw UsageError("--car drives in a world of walls: not with " + for_maps);
   if (!options.world.car && !for_cars.empty())

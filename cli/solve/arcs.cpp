@@ -109,7 +109,7 @@ class ArcSolver {
     answer.reason = reason_;
     answer.result = arc_json(answer_);
     answer.line = input.name + ": " + line() + "\n";
-    if (options_.path && found()) answer.listing = points_text(sampled(answer_.result.path, answer_.radius / 1000));
+    if (options_.path && found()) answer.listing = path_listing(written_path());
     if (found()) add_path_files(answer.files, options_.files, {written_path()});
     answer.stats = {{"roadmap", fmt::format("{} corners, {} tangent points, {} tangents, {} arcs", graph.corner_count(),
                                             graph.point_count(), graph.leg_count(), graph.arc_count())},

@@ -166,8 +166,7 @@ class ClearanceSolver {
     answer.line = answer_.query.kind == Kind::tradeoff && outcome() == Outcome::found
                       ? table(answer_)
                       : input.name + ": " + line(answer.reason, planner.walled()) + "\n";
-    if (options_.path && outcome() == Outcome::found)
-      answer.listing = points_text(planner.points_of(answer_.found.front().path));
+    if (options_.path && outcome() == Outcome::found) answer.listing = path_listing(written_paths(planner).front());
     if (outcome() == Outcome::found) add_path_files(answer.files, options_.files, written_paths(planner));
     answer.stats = stats(input, planner);
     if (!options_.svg.empty())

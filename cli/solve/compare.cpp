@@ -16,6 +16,7 @@
 #include <taut/cli/solve/prm_options.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/rounding.h>
 #include <taut/io/pictures/comparison_svg.h>
 #include <taut/io/results/comparison_json.h>
 #include <taut/io/results/words.h>
@@ -94,7 +95,9 @@ class Comparer {
       : options_(options),
         run_(run),
         space_(space),
-        comparison_{*input.world.start(), input.world.goal(), options.common.seed, options.runs} {}
+        comparison_{*input.world.start(), input.world.goal(), options.common.seed, options.runs} {
+    comparison_.within = path_bound(space);
+  }
 
   Comparison compare() {
     std::vector<const Planner*> list = options_.chosen;

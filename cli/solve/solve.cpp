@@ -51,9 +51,7 @@ class Solver {
     read_ends(input);
     const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
     result_.displacement = space.report().displacement;
-    // Of a disc the claim is about the polygon around it, which is larger by far more than any rounding.
-    if (rounding_bound(space) > 0 && options_.query.robot.kind() != Footprint::Kind::disc)
-      result_.within = rounding_bound(space);
+    if (path_bound(space) > 0) result_.within = path_bound(space);
     require_free(space, *result_.start, "start", shown_);
     if (result_.goal.point) require_free(space, *result_.goal.point, "goal", shown_);
     answer_.planned = run_.stage("roadmap", [&] { return build_or_load(space); });
@@ -157,6 +155,7 @@ class Solver {
     const auto walls = NoPath(space).walls(*result_.start, result_.goal);
     if (!walls) return leave_unproven();
     answer_.outcome = Outcome::none;
+    if (options_.query.robot.kind() == Footprint::Kind::disc) result_.within.reset();  // proven of the disc itself
     result_.separation = joined_walls(*walls, space.world().box());
     answer_.reason = walls->empty()                ? "no place of the goal is free"
                      : !result_.separation.empty() ? walls_text(shown_(result_.separation))

@@ -1,6 +1,7 @@
 // taut check: is the input valid, what is in it, and is a given path one that can be followed?
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <taut/cli/command.h>
@@ -29,8 +30,10 @@ struct CheckOptions {
 void add_options(CommandLine& app, CheckOptions& options) {
   add_world_options(app, options.world);
   add_query_options(app, options.query);
-  app.add_option("--path", options.path,
-                 "Check this path as well: the JSON of `taut solve`, or a point `x y` a line; - is standard input")
+  app.add_option(
+         "--path", options.path,
+         "Check these paths as well: the JSON of `taut solve`, GeoJSON, WKT, CSV, or a point `x y` a line; - is "
+         "standard input")
       .type_name("FILE")
       .group("Query");
   app.callback([&options] {
@@ -42,6 +45,10 @@ void add_options(CommandLine& app, CheckOptions& options) {
 // A disc's path of arcs: by its bends, against the walls of the world itself.
 Verdict judge_arcs(const ClaimedPath& claimed, const World& world) {
   const ArcPath& path = *claimed.arcs;
+  const std::vector<Box>& room = world.goal().room;
+  if (!world.goal().point && !room.empty() &&
+      std::ranges::none_of(room, [&](const Box& box) { return box.contains(path.goal); }))
+    return {false, fmt::format("the path ends at {}, outside the goal room", point_text(path.goal)), 0, 0, kNone};
   const Gates gates{FreeSpace(world)};
   const ArcVerdict arcs =
       verify_arcs(path, gates, world.start().value_or(path.start), world.goal().point.value_or(path.goal));
@@ -50,6 +57,37 @@ Verdict judge_arcs(const ClaimedPath& claimed, const World& world) {
   verdict.reason = arcs.reason;
   verdict.clearance = path.radius;
   return verdict;
+}
+
+// A disc's path of legs, by the disc itself and not the polygon around it; legs that stand for arcs come nearer to
+// walls by what they say.
+Verdict judge_legs(const ClaimedPath& claimed, const FreeSpace& space) {
+  constexpr double kPrinted = 1e-6;  // of the tolerance: how far its digits and those of the points are off
+  ArcPath path;
+  path.radius = space.footprint().radius() - (1 + kPrinted) * claimed.tolerance;
+  path.start = claimed.points.front();
+  path.goal = claimed.points.back();
+  for (const Point p : claimed.points)
+    if (p != (path.bends.empty() ? path.start : path.bends.back().corner)) path.bends.push_back({p, 0});
+  if (!path.bends.empty()) path.bends.pop_back();
+  path.length = Length(claimed.points).interval();
+  ClaimedPath legs;
+  legs.arcs = std::move(path);
+  Verdict verdict = judge_arcs(legs, space.world());
+  verdict.clearance = space.footprint().radius() - claimed.tolerance;
+  return verdict;
+}
+
+// The claim is a rounded number.
+void compare_length(const ClaimedPath& claimed, const Length& legs, Verdict& verdict) {
+  Interval measured = legs.interval();
+  if (claimed.measured) measured = {*claimed.measured, *claimed.measured};
+  const double slack = (claimed.measured ? 1e-9 : 1e-12) * measured.hi;
+  const bool may_be_longer = claimed.approximate && !claimed.measured;
+  if (measured.lo - slack <= *claimed.length && (may_be_longer || *claimed.length <= measured.hi + slack)) return;
+  verdict.valid = false;
+  verdict.reason = fmt::format("it claims the length {}, but measures {}", *claimed.length,
+                               claimed.measured ? number_text(*claimed.measured) : length_text(legs));
 }
 
 // An end that neither FILE nor an option names is where the path begins or ends.
@@ -61,30 +99,29 @@ Verdict judge(const ClaimedPath& claimed, const FreeSpace& space) {
   Goal goal = world.goal();
   if (!goal.point && goal.room.empty()) goal.point = path.points.back();
   Verdict verdict = verify(path, space, world.start().value_or(path.points.front()), goal);
-  const Interval measured = path.length.interval();
-  const double slack = 1e-12 * measured.hi;  // the claim is a rounded number
-  if (verdict.valid && claimed.length &&
-      !(measured.lo - slack <= *claimed.length && (claimed.approximate || *claimed.length <= measured.hi + slack))) {
-    verdict.valid = false;
-    verdict.reason = fmt::format("it claims the length {}, but measures {}", *claimed.length, length_text(path.length));
-  }
+  const Footprint& robot = space.footprint();
+  if (!verdict.valid && robot.kind() == Footprint::Kind::disc && goal.point && claimed.tolerance < robot.radius() / 2)
+    if (const Verdict legs = judge_legs(claimed, space); legs.valid) verdict = legs;
+  if (verdict.valid && claimed.length) compare_length(claimed, path.length, verdict);
   return verdict;
 }
 
 // A path of longitude and latitude in metres, where its ends are on the walls that they are on in degrees.
-void project(ClaimedPath& claimed, Input& input, const Snap& snap) {
+void project(std::vector<ClaimedPath>& paths, Input& input, const Snap& snap) {
   const GeographicWorld& geographic = *input.notes.geographic;
-  if (claimed.arcs) throw InputError({}, 0, "a path of arcs cannot be checked with --project");
   std::vector<Point> ends;
-  if (!claimed.points.empty()) ends = {claimed.points.front(), claimed.points.back()};
-  for (Point& p : claimed.points) {
-    geographic.require_end(p, "the path's point");
-    p = geographic.metres(p);
+  for (ClaimedPath& claimed : paths) {
+    if (claimed.arcs) throw InputError({}, 0, "a path of arcs cannot be checked with --project");
+    if (!claimed.points.empty()) ends.insert(ends.end(), {claimed.points.front(), claimed.points.back()});
+    for (Point& p : claimed.points) {
+      geographic.require_end(p, "the path's point");
+      p = geographic.metres(p);
+    }
+    // What was printed of the points is rounded.
+    const double measured = Length(claimed.points).value();
+    if (claimed.length && std::abs(*claimed.length - measured) <= 4e-7 * static_cast<double>(claimed.points.size()))
+      claimed.length.reset();
   }
-  // What was printed of the points is rounded.
-  const double measured = Length(claimed.points).value();
-  if (claimed.length && std::abs(*claimed.length - measured) <= 4e-7 * static_cast<double>(claimed.points.size()))
-    claimed.length.reset();
   const std::optional<Point> start = input.world.start(), goal = input.world.goal().point;
   input.world = snapped_world(geographic.in_metres(ends), snap).world.with_ends(start, goal);
 }
@@ -95,22 +132,26 @@ void require_free_ends(const FreeSpace& space, const Shown& shown) {
   if (world.goal().point) require_free(space, *world.goal().point, "goal", shown);
 }
 
+std::vector<Point> points_of(const std::vector<ClaimedPath>& paths) {
+  std::vector<Point> points;
+  for (const ClaimedPath& path : paths) points.insert(points.end(), path.points.begin(), path.points.end());
+  return points;
+}
+
 int run(const CheckOptions& options, Run& run) {
   run.source(options.world.file);
   Input input = read_input(options.world, options.query, run);
-  std::optional<ClaimedPath> claimed;
+  std::vector<ClaimedPath> paths;
   if (!options.path.empty())
-    claimed = read_path(read_bytes(options.path), options.path == "-" ? "<stdin>" : options.path);
-  if (claimed && input.notes.geographic) project(*claimed, input, options.world.read.snap);
-  const FreeSpace space = run.stage("space", [&] {
-    // What a path that is to be judged lies on must not have bent away from it.
-    return FreeSpace(input.world, options.query.robot,
-                     claimed ? std::span<const Point>(claimed->points) : std::span<const Point>());
-  });
+    paths = read_paths(read_bytes(options.path), options.path == "-" ? "<stdin>" : options.path);
+  if (input.notes.geographic) project(paths, input, options.world.read.snap);
+  // What a path that is to be judged lies on must not have bent away from it.
+  const FreeSpace space =
+      run.stage("space", [&] { return FreeSpace(input.world, options.query.robot, points_of(paths)); });
   require_free_ends(space, Shown(input.notes));
   CheckReport report(input, space);
   run.so_far(report.json(), report.text());
-  if (claimed) run.stage("verify", [&] { report.add_path(*claimed, judge(*claimed, space)); });
+  for (const ClaimedPath& path : paths) run.stage("verify", [&] { report.add_path(path, judge(path, space)); });
   return run.end({.outcome = report.valid() ? Outcome::done : Outcome::invalid,
                   .reason = report.fault(),
                   .result = report.json(),

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <taut/cli/messages.h>
@@ -59,21 +60,33 @@ CheckReport::CheckReport(const Input& input, const FreeSpace& space)
   }
 }
 
-void CheckReport::add_path(const ClaimedPath& path, const Verdict& verdict) { path_.emplace(path, verdict); }
+void CheckReport::add_path(const ClaimedPath& path, const Verdict& verdict) { paths_.emplace_back(path, verdict); }
+
+const CheckReport::Judged* CheckReport::invalid() const {
+  const auto found = std::ranges::find_if(paths_, [](const Judged& path) { return !path.second.valid; });
+  return found == paths_.end() ? nullptr : &*found;
+}
 
 namespace {
 
+double value_of(const ClaimedPath& path) {
+  return path.arcs ? path.arcs->value() : path.measured ? *path.measured : Length(path.points).value();
+}
+
 std::string length_of(const ClaimedPath& path) {
-  return path.arcs ? fmt::format("{:.6f}", path.arcs->value()) : length_text(Length(path.points));
+  return path.arcs || path.measured ? fmt::format("{:.6f}", value_of(path)) : length_text(Length(path.points));
 }
 
 }  // namespace
 
-std::string CheckReport::path_text() const {
-  const auto& [path, verdict] = *path_;
+std::string CheckReport::text(const Judged& judged) {
+  const auto& [path, verdict] = judged;
   if (!verdict.valid) return "not valid: " + verdict.reason;
-  return fmt::format("valid, length {}, {}, clearance {}", length_of(path), count_text(path.points.size(), "point"),
-                     std::isfinite(verdict.clearance) ? number_text(verdict.clearance) : "unlimited");
+  std::string out =
+      fmt::format("valid, length {}, {}, clearance {}", length_of(path), count_text(path.points.size(), "point"),
+                  std::isfinite(verdict.clearance) ? number_text(verdict.clearance) : "unlimited");
+  if (path.tolerance > 0) out += fmt::format(", legs within {} of the path", number_text(path.tolerance));
+  return out;
 }
 
 std::string CheckReport::text() const {
@@ -104,8 +117,21 @@ std::string CheckReport::text() const {
   row("free space", fmt::format("area {:.10g}, {}, {}, {}", area_, count_text(space_.component_count(), "component"),
                                 count_text(space_.polygons().size(), "outer ring"), count_text(holes_, "hole")));
   row("corners", fmt::format("{}, {} reflex", corners_, reflex_corners_));
-  if (path_) row("path", path_text());
+  for (const Judged& path : paths_) row("path", text(path));
   return out;
+}
+
+Json CheckReport::json(const Judged& judged) {
+  const auto& [path, verdict] = judged;
+  const bool finite = std::isfinite(verdict.clearance);
+  Json json{{"valid", verdict.valid},
+            {"reason", verdict.reason},
+            {"leg", verdict.valid ? Json() : Json(verdict.leg)},
+            {"length", value_of(path)},
+            {"points", path.points.size()},
+            {"clearance", verdict.valid && finite ? Json(verdict.clearance) : Json()}};
+  if (path.tolerance > 0) json["tolerance"] = path.tolerance;
+  return json;
 }
 
 Json CheckReport::json() const {
@@ -133,15 +159,10 @@ Json CheckReport::json() const {
                         {"displacement", space_.report().displacement}};
   if (shown) json["projection"] = shown.json();
   json["path"] = nullptr;
-  if (path_) {
-    const auto& [path, verdict] = *path_;
-    const bool finite = std::isfinite(verdict.clearance);
-    json["path"] = {{"valid", verdict.valid},
-                    {"reason", verdict.reason},
-                    {"leg", verdict.valid ? Json() : Json(verdict.leg)},
-                    {"length", path.arcs ? path.arcs->value() : Length(path.points).value()},
-                    {"points", path.points.size()},
-                    {"clearance", verdict.valid && finite ? Json(verdict.clearance) : Json()}};
+  if (!paths_.empty()) json["path"] = this->json(valid() ? paths_.front() : *invalid());
+  if (paths_.size() > 1) {
+    json["paths"] = Json::array();
+    for (const Judged& path : paths_) json["paths"].push_back(this->json(path));
   }
   return json;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <taut/cli/input.h>
 #include <taut/geometry/free_space.h>
@@ -25,8 +26,10 @@ namespace taut::cli {
 ///  start, goal       [x, y] or null; {"point": ...}, {"room": ...} or null
 ///  free_space        {"area", "components", "polygons", "holes", "corners", "reflex_corners", "triangles",
 ///                    "displacement"}
-///  path              null, or {"valid", "reason", "leg", "length", "points", "clearance"} of the path to check;
-///                    points: their number
+///  path              null, or {"valid", "reason", "leg", "length", "points", "clearance"} of the path to check, of
+///                    several the first that is not valid; points: their number; with "tolerance" where legs stand for
+///                    curves, so far from them at most
+///  paths             of several paths each
 /// The run adds what reading noted: remarks, snap and near (tell() in input.h).
 class CheckReport {
  public:
@@ -34,20 +37,25 @@ class CheckReport {
 
   void add_path(const ClaimedPath& path, const Verdict& verdict);
 
-  /// Is the path, if there is one to check, valid?
-  bool valid() const { return !path_ || path_->second.valid; }
+  /// Are the paths, if there are any to check, valid?
+  bool valid() const { return invalid() == nullptr; }
   /// Why it is not.
-  std::string fault() const { return valid() ? "" : path_->second.reason; }
+  std::string fault() const { return valid() ? "" : invalid()->second.reason; }
 
   std::string text() const;
   Json json() const;
 
  private:
-  std::string path_text() const;
+  using Judged = std::pair<ClaimedPath, Verdict>;
+
+  /// The first that is not valid.
+  const Judged* invalid() const;
+  static std::string text(const Judged& path);
+  static Json json(const Judged& path);
 
   const Input& input_;
   const FreeSpace& space_;
-  std::optional<std::pair<ClaimedPath, Verdict>> path_;
+  std::vector<Judged> paths_;
   std::optional<NumberLattice> lattice_;
   double area_ = 0;
   std::size_t holes_ = 0;

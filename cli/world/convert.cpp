@@ -1,8 +1,11 @@
 // taut convert: the same world in another format.
 
+#include <fmt/format.h>
+
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
 #include <taut/cli/input.h>
+#include <taut/cli/messages.h>
 #include <taut/cli/run.h>
 #include <taut/io/worlds/write_world.h>
 
@@ -37,6 +40,9 @@ int run(const ConvertOptions& options, Run& run) {
   run.promise(options.target);
   const Input input = read_input(options.world, run);
   std::string bytes = run.stage("convert", [&] { return write_world(input.world, options.format); });
+  if (options.format == Format::wkt && !input.world.solids().empty())
+    note(fmt::format("taut: {}: its polygons are obstacles; read it with --polygons obstacles",
+                     options.target == "-" ? "<stdout>" : options.target));
   Json result{{"from", name(input.notes.format)}, {"as", name(options.format)}, {"bytes", bytes.size()}};
   return run.end({.result = std::move(result), .files = {{options.target, std::move(bytes)}}});
 }

@@ -39,7 +39,10 @@ void add_path(Json& json, const ArcAnswer& answer) {
 Json arc_json(const ArcAnswer& answer) {
   Json json = Json::object();
   if (answer.result.status == DiscStatus::found) add_path(json, answer);
-  if (!answer.barrier.walls.empty() || !answer.barrier.gates.empty()) json["barrier"] = barrier_json(answer.barrier);
+  if (!answer.barrier.walls.empty() || !answer.barrier.gates.empty()) {
+    json["barrier"] = barrier_json(answer.barrier);
+    if (answer.within) json["within"] = *answer.within;
+  }
   json["start"] = answer.start;
   json["goal"] = {{"point", answer.goal}};
   json["robot"] = robot_json(Footprint::disc(answer.radius));

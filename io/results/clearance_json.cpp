@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <taut/geometry/rounding.h>
 #include <taut/io/results/barrier_words.h>
 #include <taut/io/results/plane_json.h>
 
@@ -71,6 +72,7 @@ Json clearance_json(const ClearanceAnswer& answer, const FreeSpace& walled) {
   json["vertices"] = answer.places.at(0);
   json["edges"] = answer.places.at(1);
   json["max_error"] = answer.max_error;
+  if (answer.within > 0) json["within"] = answer.within;
   return json;
 }
 
@@ -85,6 +87,7 @@ Json passage_json(const Passage& passage, const Gates& gates) {
                        {"reason", limit_text(gates, *passage.widest, passage.start, passage.goal)}};
   json["barrier"] = barrier_json(passage.barrier);
   json["gates"] = gates.gates().size();
+  if (const double within = rounding_bound(gates.space()); within > 0) json["within"] = within;
   return json;
 }
 

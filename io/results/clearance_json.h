@@ -20,7 +20,8 @@ namespace taut {
 ///  radius_below  the largest double that is no larger than the exact radius
 /// when none, and with "widest" for what keeps larger discs out:
 ///  barrier    {walls: [[[x, y], [x, y]], ...], gates: [{posts, width, width_text}, ...]}, a closed chain around an end
-/// always: start, goal, robot, roadmap "voronoi", vertices, edges, max_error
+/// always: start, goal, robot, roadmap "voronoi", vertices, edges, max_error; where crossings of walls were rounded
+/// `within`: radii and clearances are right within so much, and "none" means no disc larger by that
 /// `walled` is the space that the diagram was made of.
 Json clearance_json(const ClearanceAnswer& answer, const FreeSpace& walled);
 
@@ -29,8 +30,8 @@ Json clearance_way_json(const ClearanceTrade& way, const FreeSpace& walled);
 
 /// One JSON object; keys are stable: start, goal; `radius` where one was asked about; largest null or {radius (null
 /// when unbounded), limit "gate" | "start" | "goal" | "none", reason in words}; barrier {walls, gates}: against that
-/// radius, or
-/// against any larger disc; gates: how many the world has.
+/// radius, or against any larger disc; gates: how many the world has; where crossings of walls
+/// had to be rounded `within`: radii are right within so much, and what a barrier keeps out are discs larger by that.
 Json passage_json(const Passage& passage, const Gates& gates);
 
 }  // namespace taut

@@ -39,7 +39,10 @@ Json planner_json(const PlannerRuns& p, const Comparison& comparison) {
     return json;
   }
   const PlannerRun& typical = p.typical();
-  json["optimal"] = p.optimal;
+  if (p.optimal && comparison.within > 0)
+    json["within"] = comparison.within;
+  else
+    json["optimal"] = p.optimal;
   json["solved"] = static_cast<double>(p.solved()) / static_cast<double>(p.runs.size());
   json["length"] = length_of(typical);
   json["ratio"] = ratio_of(typical, comparison.optimum);
@@ -63,6 +66,7 @@ Json comparison_json(const Comparison& comparison) {
   json["goal"] = goal_json(comparison.goal);
   json["optimum"] = comparison.optimum ? Json(comparison.optimum->value()) : Json();
   json["proven_none"] = comparison.is_shut;
+  if (comparison.within > 0) json["within"] = comparison.within;
   json["planners"] = Json::array();
   for (const PlannerRuns& p : comparison.planners) json["planners"].push_back(planner_json(p, comparison));
   return json;

@@ -10,6 +10,8 @@ namespace taut {
 ///  seed, runs, start, goal
 ///  optimum   the length of the shortest path in the plane, null when there is none
 ///  proven_none  true when walls prove that there is no path
+///  within    where crossings of walls had to be rounded, and of a disc: no path that stays this far from obstacles is
+///            shorter than the optimum, and proven_none is of such paths; also in the place of a planner's `optimal`
 ///  planners  [{name, roadmap, optimal, solved (0 .. 1, the part of the runs), length, ratio, clearance, points,
 ///            vertices, edges, build_seconds, query_seconds (both CPU), expanded, verified, all_runs: [{seed, solved,
 ///            length, ...}] when there are several}]; of one that did not run {name, roadmap, unfit: why}

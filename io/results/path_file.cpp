@@ -14,8 +14,7 @@ namespace taut {
 namespace {
 
 std::string approximation(const PathToWrite& path) {
-  if (path.tolerance == 0) return "";
-  return fmt::format("# legs between points of a curve, no farther than {} from it\n", number_text(path.tolerance));
+  return path.tolerance == 0 ? "" : approximation_line(path.tolerance);
 }
 
 Json feature(const PathToWrite& path) {
@@ -65,6 +64,12 @@ std::string wkt_curve(const PathToWrite& path) {
 }
 
 }  // namespace
+
+std::string approximation_line(double tolerance) {
+  return fmt::format("# legs between points of a curve, no farther than {} from it\n", number_text(tolerance));
+}
+
+std::string path_listing(const PathToWrite& path) { return approximation(path) + points_text(path.points); }
 
 std::string path_geojson(std::span<const PathToWrite> paths) {
   Json features = Json::array();

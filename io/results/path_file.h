@@ -23,8 +23,14 @@ struct PathToWrite {
   std::optional<double> length{};
 };
 
-/// Each returns the whole file; coordinates are the shortest decimals that read back as the same double. read_path()
-/// reads a file of one path back. No path at all is a file without one.
+/// The comment that says how far a curve may be from the legs between its points.
+std::string approximation_line(double tolerance);
+
+/// A point `x y` a line; what is approximated says so in a `#` line in front.
+std::string path_listing(const PathToWrite& path);
+
+/// Each returns the whole file; coordinates are the shortest decimals that read back as the same double. read_paths()
+/// reads them back. No path at all is a file without one.
 ///
 /// A FeatureCollection, a LineString (of one point: a Point) a path, with `path` (its name), `length`, `corners`,
 /// `tolerance` when it is not 0, and an array for each of the columns among its properties.

@@ -1,6 +1,8 @@
 #include <cmath>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include <taut/geometry/text.h>
 #include <taut/io/worlds/detail/formats.h>
 #include <taut/io/worlds/detail/json_tree.h>
@@ -55,14 +57,16 @@ class GeoJson {
   std::string type_of(const JsonTree& value) const {
     if (value.kind != JsonTree::Kind::object) fail(value, "a GeoJSON object is expected");
     const JsonTree* type = value.find("type");
-    if (!type || type->kind != JsonTree::Kind::string) fail(value, "a GeoJSON object without \"type\"");
+    if (!type || type->kind != JsonTree::Kind::string) {
+      const bool esri = value.find("rings") || value.find("paths") || value.find("geometryType");
+      fail(value, esri ? "is ESRI JSON: ogr2ogr -f GeoJSON makes GeoJSON of it" : "a GeoJSON object without \"type\"");
+    }
     return type->string;
   }
 
   const std::vector<JsonTree>& array(const JsonTree& object, const char* key) const {
     const JsonTree* value = object.find(key);
-    if (!value || value->kind != JsonTree::Kind::array)
-      fail(object, std::string("\"") + key + "\" is missing or no array");
+    if (!value || value->kind != JsonTree::Kind::array) fail(object, fmt::format("\"{}\" is missing or no array", key));
     return value->items;
   }
 

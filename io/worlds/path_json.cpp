@@ -5,6 +5,7 @@
 #include <taut/geometry/world.h>
 #include <taut/io/worlds/detail/json_tree.h>
 #include <taut/io/worlds/detail/text_input.h>
+#include <taut/roadmaps/bezier.h>
 
 namespace taut::detail {
 
@@ -18,26 +19,37 @@ class Reader {
  public:
   explicit Reader(const std::string& source) : source_(source) {}
 
-  ClaimedPath read(const JsonTree& file) {
+  std::vector<ClaimedPath> read(const JsonTree& file) {
     if (const JsonTree* type = file.find("type"); type && type->kind == Kind::string) return geojson(file);
     const JsonTree* const result = file.find("result");
     const JsonTree& json = result ? *result : file;
-    if (json.kind == Kind::array) return {points(json), {}, false, {}};
+    const JsonTree* const several = json.find("tradeoff");
+    if (!several || several->kind != Kind::array || several->items.empty()) return {one(json)};
+    std::vector<ClaimedPath> paths;
+    for (const JsonTree& way : several->items) paths.push_back(one(way));
+    return paths;
+  }
+
+ private:
+  ClaimedPath one(const JsonTree& json) {
     ClaimedPath path;
+    if (json.kind == Kind::array) {
+      path.points = points(json);
+      return path;
+    }
     if (const JsonTree* length = json.find("length"); length && length->kind == Kind::number)
       path.length = length->number;
     if (const JsonTree* bends = json.find("bends"); bends && bends->kind == Kind::array)
       path.arcs = arcs(json, *bends, path.length.value_or(0));
     if (const JsonTree* curves = json.find("curves"); curves && curves->kind == Kind::array) {
-      path.points = along(*curves);
       path.approximate = true;
+      follow(*curves, path);
     } else {
       path.points = points(list_of(json));
     }
     return path;
   }
 
- private:
   [[noreturn]] void fail(const JsonTree& at, const std::string& message) const {
     Place{source_, at.line}.fail(message);
   }
@@ -48,8 +60,7 @@ class Reader {
         if (list->kind != Kind::array) fail(*list, "the points are not a list");
         return *list;
       }
-    const bool several = json.find("tradeoff") != nullptr;
-    fail(json, several ? "holds several paths, in \"tradeoff\"" : "holds no path: there are no \"points\"");
+    fail(json, "holds no path: there are no \"points\"");
   }
 
   double coordinate(const JsonTree& json) const {
@@ -92,28 +103,23 @@ class Reader {
     return path;
   }
 
-  std::vector<Point> along(const JsonTree& curves) const {
-    std::vector<Point> result;
+  void follow(const JsonTree& curves, ClaimedPath& path) const {
+    path.measured = 0;
     for (const JsonTree& item : curves.items) {
       const std::vector<Point> c = points(item);
       if (c.size() != 3) fail(item, "a curve is not written as three points");
-      if (result.empty()) result.push_back(c[0]);
-      for (int k = 1; k < kLegs; ++k) {
-        const double t = static_cast<double>(k) / kLegs, s = 1 - t;
-        result.push_back({s * s * c[0].x + 2 * s * t * c[1].x + t * t * c[2].x,
-                          s * s * c[0].y + 2 * s * t * c[1].y + t * t * c[2].y});
-      }
-      result.push_back(c[2]);
+      if (path.points.empty()) path.points.push_back(c[0]);
+      const Bezier curve{c[0], c[1], c[2]};
+      for (int k = 1; k < kLegs; ++k) path.points.push_back(curve.at(static_cast<double>(k) / kLegs));
+      path.points.push_back(c[2]);
+      *path.measured += curve.length();
     }
-    return result;
   }
 
-  ClaimedPath geojson(const JsonTree& file) {
+  std::vector<ClaimedPath> geojson(const JsonTree& file) {
     find_lines(file, nullptr);
-    if (found_.size() != 1)
-      fail(file, found_.empty() ? "holds no path: there is no LineString"
-                                : "holds " + std::to_string(found_.size()) + " paths");
-    return std::move(found_.front());
+    if (found_.empty()) fail(file, "holds no path: there is no LineString");
+    return std::move(found_);
   }
 
   void find_lines(const JsonTree& json, const JsonTree* properties) {
@@ -130,7 +136,10 @@ class Reader {
     if (const JsonTree* length = properties ? properties->find("length") : nullptr;
         length && length->kind == Kind::number)
       path.length = length->number;
-    path.approximate = properties && properties->find("tolerance");
+    if (const JsonTree* tolerance = properties ? properties->find("tolerance") : nullptr) {
+      path.approximate = true;
+      if (tolerance->kind == Kind::number && tolerance->number > 0) path.tolerance = tolerance->number;
+    }
     found_.push_back(std::move(path));
   }
 
@@ -140,7 +149,7 @@ class Reader {
 
 }  // namespace
 
-ClaimedPath read_path_json(std::string_view bytes, const std::string& source) {
+std::vector<ClaimedPath> read_paths_json(std::string_view bytes, const std::string& source) {
   return Reader(source).read(parse_json(bytes, source));
 }
 

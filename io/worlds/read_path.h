@@ -17,18 +17,27 @@ struct ClaimedPath {
   std::optional<double> length;  ///< what the file says it measures
   bool approximate = false;      ///< the points stand for curves, which are longer than the legs between them
   std::optional<ArcPath> arcs;   ///< a disc's path of legs and arcs, as its bends say
+  double tolerance = 0;  ///< of approximate points: how far the legs are from the curves, where the file says so
+  std::optional<double> measured;  ///< of curves that the file holds: their length, within 1e-12 of it
 };
 
-/// Reads a path, whatever the program wrote it as:
+/// Reads the paths of a file, whatever the program wrote them as:
 ///  - JSON: a list of points `[[x, y], ...]`, or an object, by itself or as the `result` of an envelope, with such a
 ///    list under `points` or `path` and perhaps a number under `length`; with `bends`, `start`, `goal` and the
 ///    `robot`'s radius it is a disc's path of arcs; with `curves` one along the Voronoi diagram, taken as 64 legs a
-///    curve;
-///  - GeoJSON: one LineString or Point, or a collection with one;
-///  - WKT: one LINESTRING or POINT; a COMPOUNDCURVE as legs between the ends and middles of its arcs;
-///  - text: a point `x y` or `x,y` a line, or CSV below a heading that begins with `x,y`, further columns left out.
-/// `#` starts a comment in the last two. Any number of points.
-/// Throws InputError with the line; on a JSON result without a path (its status is not "found") too.
+///    curve; a list of such under `tradeoff` is several;
+///  - GeoJSON: LineStrings and Points, a path each;
+///  - WKT: a LINESTRING or POINT each; arcs of a COMPOUNDCURVE as legs no farther from them
+///    than a thousandth of their radius;
+///  - YAML: messages nav_msgs/Path of ROS, or any with `poses` that have a `position`;
+///  - text: a point `x y` or `x,y` a line, or CSV below a heading that begins with `x,y`, further columns left out, or
+///    with `path,x,y`: several.
+/// `#` starts a comment in the last three; `# legs between points of a curve, no farther than T from it` is believed.
+/// Any number of points. Throws InputError with the line; on a JSON result without a path (its status is not "found")
+/// too. Not empty.
+std::vector<ClaimedPath> read_paths(std::string_view bytes, const std::string& source = {});
+
+/// The path of a file with one: else InputError.
 ClaimedPath read_path(std::string_view bytes, const std::string& source = {});
 
 }  // namespace taut

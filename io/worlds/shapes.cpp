@@ -67,6 +67,17 @@ void Shapes::add_goal_box(const Polygon& polygon, int line) {
   parts_.goal.room.push_back({{x0, y0}, {x1, y1}});
 }
 
+/// What is joined.
+Beside Shapes::beside_walls() const {
+  if (doors_.empty() || snap_.what == Snap::What::nothing) return {};
+  WorldParts all = parts_;
+  for (const Segment& door : doors_) all.walls.push_back({door.a, door.b, 0, 0});
+  Beside beside{0, rounding_tolerance(all)};
+  if (snap_.what == Snap::What::within) beside.tolerance = snap_.tolerance;
+  if (snap_.what == Snap::What::automatic) beside.tolerance = auto_tolerance(all);
+  return beside;
+}
+
 WorldParts Shapes::take(Alone ends, ReadNotes& notes) {
   parts_.boundary = boundary_;
   for (Area& area : even_odd_areas(nested_, source_)) parts_.areas.push_back(std::move(area));
@@ -79,8 +90,9 @@ WorldParts Shapes::take(Alone ends, ReadNotes& notes) {
     notes.remarks.push_back(std::to_string(points_.size()) + (points_.size() == 1 ? " point" : " points") +
                             " without a role left out; start and goal are points with these roles, or two alone");
   }
+  const Beside beside = beside_walls();
   for (const Segment& door : doors_)
-    if (!open_door(parts_.walls, door))
+    if (!open_door(parts_.walls, door, beside))
       notes.remarks.push_back("the door " + text(door.a) + "-" + text(door.b) + " lies on no wall and is left out");
   return std::move(parts_);
 }

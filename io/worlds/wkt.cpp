@@ -130,10 +130,13 @@ class Wkt {
     if (what == "MULTIPOINT") return list([&] { multipoint_member(); });
     if (what == "LINESTRING" || what == "LINEARRING") return shapes_.add_walls(chain(), 0, line);
     if (what == "MULTILINESTRING") return list([&] { line_member(); });
-    if (what == "POLYGON") return polygon();
-    if (what == "MULTIPOLYGON") return list([&] { polygon(); });
+    if (what == "POLYGON" || what == "TRIANGLE") return polygon();
+    if (what == "MULTIPOLYGON" || what == "POLYHEDRALSURFACE") return list([&] { polygon(); });
     if (what == "GEOMETRYCOLLECTION") return list([&] { geometry(depth + 1); });
-    Place{source_, line}.fail("geometry " + shown + " is not supported");
+    const bool curved = what == "CIRCULARSTRING" || what == "COMPOUNDCURVE" || what == "CURVEPOLYGON" ||
+                        what == "MULTICURVE" || what == "MULTISURFACE";
+    Place{source_, line}.fail("geometry " + shown + " is not supported" +
+                              (curved ? ": write its curves as legs (ST_CurveToLine)" : ""));
   }
 
   // ( item, item, ... )

@@ -132,9 +132,10 @@ bool is_hex(char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; 
 }  // namespace
 
 bool begins_wkt(std::string_view text) {
-  static constexpr std::array<std::string_view, 9> kinds{"POINT",        "LINEARRING",         "LINESTRING",
-                                                         "POLYGON",      "MULTIPOINT",         "MULTILINESTRING",
-                                                         "MULTIPOLYGON", "GEOMETRYCOLLECTION", "SRID"};
+  static constexpr std::array<std::string_view, 16> kinds{
+      "POINT",         "LINEARRING",         "LINESTRING",   "POLYGON",          "MULTIPOINT",   "MULTILINESTRING",
+      "MULTIPOLYGON",  "GEOMETRYCOLLECTION", "SRID",         "TRIANGLE",         "CURVEPOLYGON", "CIRCULARSTRING",
+      "COMPOUNDCURVE", "MULTICURVE",         "MULTISURFACE", "POLYHEDRALSURFACE"};
   std::string word;
   for (const char c : text) {
     if (!std::isalpha(static_cast<unsigned char>(c))) break;

@@ -1,4 +1,5 @@
 // Where crossings of walls are no decimals, answers say how far their proof goes.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
@@ -71,6 +72,51 @@ TEST_F(Rounding, EndsOnWallsStayOnThem) {
   EXPECT_DOUBLE_EQ(answer["result"]["length"].get<double>(), 0.2);
   const std::string queries = folder.file("queries.txt", "0.30000000000000004 5 0.1 5\n0.30000000000000004 5 1 5\n");
   EXPECT_EQ(run_taut("batch - " + queries, world).out, "1 0.20000000000000004\n2 0.7\n");
+}
+
+TEST_F(Rounding, RadiiAreRightWithinADistance) {
+  for (const std::string command :
+       {"passage - --from 9.5,0.5", "passage - --from 9.5,0.5 --robot disc:0.2",
+        "passage - --from 9.5,0.5 --robot disc:3", "passage - --from 5,4", "solve - --widest --from 9.5,0.5",
+        "solve - --clearance 0.1 --from 9.5,0.5", "solve - --clearance 3 --from 9.5,0.5",
+        "solve - --tradeoff --from 9.5,0.5", "solve - --arcs --robot disc:0.1 --from 5,4"}) {
+    const Outcome run = run_taut(command + " --json - -q", kTriangle);
+    ASSERT_LE(run.code, 1) << command << run.err;
+    const json result = json::parse(run.out)["result"];
+    EXPECT_GT(result.value("within", 0.0), 0) << command;
+    EXPECT_LT(result.value("within", 1.0), 1e-11) << command;
+  }
+  const Outcome straight =
+      run_taut("passage - --from 1,1 --to 9,9 --json - -q", "boundary 0 0 10 10\n3 3 5 5\n3 5 5 3\n");
+  EXPECT_FALSE(json::parse(straight.out)["result"].contains("within"));
+}
+
+TEST_F(Rounding, ComparedPlannersAreOptimalAsFarAsTheWorldIs) {
+  const Outcome run = run_taut("compare - --planners polyanya,prm --from 9.5,0.5 --json - -q", kTriangle);
+  const json result = json::parse(run.out)["result"];
+  EXPECT_GT(result["within"].get<double>(), 0);
+  EXPECT_EQ(result["planners"][0]["within"], result["within"]);
+  EXPECT_FALSE(result["planners"][0].contains("optimal"));
+  EXPECT_EQ(result["planners"][1]["optimal"], false);
+}
+
+TEST_F(Rounding, OfADiscThePolygonAroundItStandsOut) {
+  const std::string world = "boundary 0 0 10 10\n3 3 5 5\n";
+  const auto [code, answer] = solved("--from 3,6 --to 6,3 --robot disc:0.5", world);
+  EXPECT_EQ(code, 0);
+  EXPECT_FALSE(answer["result"].contains("optimal"));
+  const double within = answer["result"]["within"].get<double>();
+  EXPECT_NEAR(within, 0.5 * 0.00121, 1e-9);
+  // Of the disc itself: no longer, and no path of a disc larger by so much is shorter than the polygon's.
+  const double polygon = answer["result"]["length"].get<double>();
+  const auto arcs = [&](double radius) {
+    return solved(fmt::format("--from 3,6 --to 6,3 --arcs --robot disc:{}", radius), world).second["result"]["length"];
+  };
+  EXPECT_LE(arcs(0.5).get<double>(), polygon);
+  EXPECT_GE(arcs(0.5 + within).get<double>(), polygon);
+  const auto [none, why] = solved("--from 1,1 --to 9,9 --robot disc:0.5", "boundary 0 0 10 10\n0 5 10 5\n");
+  EXPECT_EQ(none, 1);
+  EXPECT_FALSE(why["result"].contains("within")) << "proven of the disc itself";
 }
 
 }  // namespace

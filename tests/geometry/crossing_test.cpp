@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <support/small_world.h>
 #include <taut/geometry/detail/quick_crossing.h>
+#include <taut/geometry/errors.h>
 #include <taut/geometry/exact/exact_point.h>
+#include <taut/geometry/predicates.h>
 #include <taut/geometry/written.h>
 
 namespace taut {
@@ -64,6 +67,36 @@ TEST(RoundOutward, StaysOffTheSolidSideOfAllEdges) {
     const Point p = round_outward(exact, edges, DecimalUnit(1));
     EXPECT_LE(written::orientation(s.a, s.b, p), 0);
     EXPECT_LE(written::orientation(t.a, t.b, p), 0);
+  }
+}
+
+TEST(RoundOutward, TakesTheNearestPlaceWhereNoDoubleLiesInTheWedge) {
+  // Two sides of obstacles that face each other, apart by less than doubles can say along a thousandth of either.
+  const Segment s{{1.1234567890123459, 0.5123456789012345}, {1.4234567890123457, 0.6123456789012347}};
+  const Segment t{{1.4234567890123457, 0.6123456789012346}, {1.1234567890123459, 0.5123456789012346}};
+  ASSERT_TRUE(written::cross_properly(s, t));
+  const ExactPoint exact = line_crossing(s, t);
+  const Segment edges[] = {s, t};
+  EXPECT_THROW(round_outward(exact, edges, DecimalUnit(2)), TooFine);
+  const Point p = round_outward_or_nearest(exact, edges, DecimalUnit(2));
+  EXPECT_EQ(p, DecimalUnit(2).nearest(exact));
+  EXPECT_LT(displacement(exact, p), 1e-14);
+}
+
+TEST(FreeSpaceOfComputedNumbers, IsMadeHoweverSharplyObstaclesMeet) {
+  std::mt19937_64 engine(5);
+  const auto unit = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  const auto beside = [&](double v) { return v + (unit() - 0.5) * 8 * 0x1p-51; };
+  for (int k = 0; k < 300; ++k) {
+    const Point a{2 + unit(), 2 + 6 * unit()}, b{7 + unit(), 2 + 6 * unit()};
+    const Point c{beside(a.x), beside(a.y)}, d{beside(b.x), beside(b.y)};
+    const FreeSpace space = test::SmallWorld{.solids = {{a, b, {5, 9.5}}, {d, c, {5, 0.5}}}}.space();
+    double twice = 0;
+    for (const Polygon& polygon : space.polygons()) {
+      twice += ring_area(polygon.outer);
+      for (const Ring& hole : polygon.holes) twice += ring_area(hole);
+    }
+    EXPECT_NEAR(twice, 200 - ring_area({a, b, {5, 9.5}}) - ring_area({d, c, {5, 0.5}}), 1e-9) << k;
   }
 }
 

@@ -159,5 +159,15 @@ TEST(RoundingBound, LeavesEndsBesideBentWallsUnsure) {
   EXPECT_TRUE(is_sure(space, {1, 1 + 4 * d}));
 }
 
+TEST(RoundingBound, IsSureBesideWhatIsWhereItWasWritten) {
+  const std::vector<Segment> walls{{{1, 1}, {8, 4}}, {{1, 5}, {7, 0}}, {{8, 8}, {9.5, 8.7}}};
+  const FreeSpace space = test::SmallWorld{.walls = walls, .solids = {{{2, 7}, {4, 7.3}, {3, 9}}}}.space();
+  const double d = rounding_bound(space);
+  EXPECT_TRUE(is_sure(space, {9.5, 8.7 + d})) << "a wall that meets none";
+  EXPECT_TRUE(is_sure(space, {4 + d, 7.3})) << "a corner of a solid";
+  EXPECT_TRUE(is_sure(space, {10 - d, 5})) << "a side of the boundary";
+  EXPECT_FALSE(is_sure(space, {8, 4 + d})) << "a wall that bends";
+}
+
 }  // namespace
 }  // namespace taut

@@ -8,7 +8,7 @@
 
 namespace taut::detail {
 
-/// See read_path().
-ClaimedPath read_path_json(std::string_view bytes, const std::string& source);
+/// See read_paths().
+std::vector<ClaimedPath> read_paths_json(std::string_view bytes, const std::string& source);
 
 }  // namespace taut::detail

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <taut/geometry/world.h>
+#include <taut/io/worlds/detail/doors.h>
 #include <taut/io/worlds/detail/text_input.h>
 #include <taut/io/worlds/read_world.h>
 
@@ -18,7 +19,10 @@ class Shapes {
       : source_(options.source),
         as_(options.polygons),
         thickness_(options.wall_thickness),
-        closes_(options.crossings == Crossings::even_odd) {
+        closes_(options.crossings == Crossings::even_odd),
+        snap_(options.snap) {
+    // In degrees only what lies within rounding is joined.
+    if (options.project && snap_.what != Snap::What::nothing) snap_ = {};
     parts_.source = source_;
   }
 
@@ -53,11 +57,13 @@ class Shapes {
 
  private:
   Place at(int line) const { return {source_, line}; }
+  Beside beside_walls() const;
 
   std::string source_;
   ReadOptions::Polygons as_;
   std::optional<double> thickness_;  // of all walls, whatever they say
   bool closes_;
+  Snap snap_;
   Boundary boundary_ = Boundary::walled;
   WorldParts parts_;
   std::vector<Area> nested_;  // polygons that count by the even-odd rule

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "support/program_test.h"
 
@@ -21,13 +22,14 @@ class RoundTrip : public ProgramTest {
  protected:
   /// Solves, and has each file that it wrote checked. Planners that cannot do with the world or give up are left out.
   void expect_accepted(const std::string& world, const std::string& words, const std::string& robot = "") {
-    const std::string files = fmt::format(" --json {0}/p.json --geojson {0}/p.geojson --wkt {0}/p.wkt --csv {0}/p.csv",
-                                          folder.path().string());
+    const std::string files =
+        fmt::format(" --json {0}/p.json --geojson {0}/p.geojson --wkt {0}/p.wkt --csv {0}/p.csv --poses {0}/p.yaml",
+                    folder.path().string());
     const Outcome solved = run_taut(words + " " + world + robot + files);
     if (solved.code == 3 || solved.code == 4) return;
     ASSERT_EQ(solved.code, 0) << world << " " << words << solved.err;
     ++solved_;
-    for (const char* name : {"p.json", "p.geojson", "p.wkt", "p.csv"}) {
+    for (const char* name : {"p.json", "p.geojson", "p.wkt", "p.csv", "p.yaml"}) {
       const Outcome checked = run_taut("check " + world + robot + " --path " + in_folder(name));
       EXPECT_EQ(checked.code, 0) << world << " " << words << " " << name << checked.out << checked.err;
     }
@@ -91,7 +93,53 @@ TEST_F(RoundTrip, HoldsForRobots) {
   expect_accepted(world, "solve", " --robot disc:0.1");
   expect_accepted(world, "solve", " --robot square:0.07");
   expect_accepted(world, "solve --roadmap visibility", " --robot disc:0.3");
-  EXPECT_EQ(solved_, 3);
+  expect_accepted(world, "solve --arcs", " --robot disc:0.3");
+  expect_accepted(data_file("floor_plan.geojson"), "solve --arcs", " --robot disc:0.25");
+  expect_accepted(data_file("maze_25x25.txt"), "solve --arcs", " --robot disc:0.4");
+  EXPECT_EQ(solved_, 6);
+}
+
+TEST_F(RoundTrip, HoldsForSeveralPathsOfOneFile) {
+  for (const char* world : {"maze_5x7.txt", "floor_plan.geojson", "half_open_60x60.txt"}) {
+    expect_accepted(data_file(world), "solve --tradeoff");
+    expect_accepted(data_file(world), "solve --clearance 0.1");
+  }
+  EXPECT_EQ(solved_, 6);
+  const std::string world = folder.file("w.txt", "boundary 0 0 10 10\n0 5 8 5\n");
+  const std::string both = folder.file("both.csv", "path,x,y\n1,1,1\n1,9,1\n2,1,1\n2,1,9\n");
+  const Outcome checked = run_taut("check " + world + " --path " + both + " --json - -q");
+  EXPECT_EQ(checked.code, 1);
+  const auto result = nlohmann::json::parse(checked.out)["result"];
+  EXPECT_EQ(result["paths"].size(), 2u);
+  EXPECT_EQ(result["paths"][0]["valid"], true);
+  EXPECT_EQ(result["path"], result["paths"][1]) << "the one that is not valid";
+}
+
+TEST_F(RoundTrip, OfLegsForADiscTheDiscCounts) {
+  // A gap of twice the radius: the disc gets through, the polygon around it does not.
+  const std::string world = folder.file("gap.txt", "boundary 0 0 10 10\n0 5 4.3 5\n5 5 10 5\n");
+  const std::string legs = folder.file("legs.txt", "4.65 1\n4.65 9\n");
+  EXPECT_EQ(run_taut("check " + world + " --robot disc:0.35 --path " + legs).code, 0);
+  EXPECT_EQ(run_taut("check " + world + " --robot disc:0.3500001 --path " + legs).code, 1);
+  const std::string near = folder.file("near.csv",
+                                       "# legs between points of a curve, no farther than 0.01 from it\n"
+                                       "x,y\n4.645,1\n4.645,9\n");
+  const Outcome said = run_taut("check " + world + " --robot disc:0.35 --path " + near);
+  EXPECT_EQ(said.code, 0);
+  EXPECT_THAT(said.out, HasSubstr(", legs within 0.01 of the path"));
+}
+
+TEST_F(RoundTrip, CurvesMeasureWhatTheyClaim) {
+  const std::string world = data_file("half_open_60x60.txt"), file = in_folder("widest.json");
+  ASSERT_EQ(run_taut("solve " + world + " --widest -q --json " + file).code, 0);
+  const auto claimed = nlohmann::json::parse(contents(file))["result"]["length"].get<double>();
+  const Outcome checked = run_taut("check " + world + " --json - -q --path " + file);
+  EXPECT_NEAR(nlohmann::json::parse(checked.out)["result"]["path"]["length"].get<double>(), claimed, 1e-9);
+  std::string forged = contents(file);
+  const std::string length = fmt::format("\"length\": {}", claimed);
+  ASSERT_NE(forged.find(length), std::string::npos);
+  forged.replace(forged.find(length), length.size(), fmt::format("\"length\": {}", claimed + 1e-6));
+  EXPECT_EQ(run_taut("check " + world + " --path " + folder.file("forged.json", forged)).code, 1);
 }
 
 TEST_F(RoundTrip, HoldsForDecimalsAndTurnedWorlds) {
@@ -143,6 +191,7 @@ TEST_F(RoundTrip, DrivesAndChasesAreWrittenWithWhatElseIsKnown) {
   EXPECT_EQ(drive.code, 0) << drive.err;
   EXPECT_THAT(drive.out, HasSubstr("x,y,heading,gear\n"));
   EXPECT_THAT(run_taut(car + " --wkt - -q").out, HasSubstr("CIRCULARSTRING ("));
+  EXPECT_THAT(run_taut(car + " --poses - -q").out, HasSubstr("\nposes:\n- header:\n"));
   const std::string chase = "chase " + data_file("town_60x40.chase");
   EXPECT_THAT(run_taut(chase + " --csv - -q").out, testing::StartsWith("x,y,second\n"));
   EXPECT_THAT(run_taut(chase + " --geojson - -q").out, HasSubstr("\"second\": ["));

@@ -1,6 +1,9 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include <taut/io/worlds/read_world.h>
 
@@ -142,6 +145,32 @@ TEST(GeoJson, DoorsStayAsWideAsDrawnInWallsThatAreMadeThick) {
   EXPECT_EQ(thick.walls()[0].thickness, 0.5);
 }
 
+TEST(GeoJson, OpensTheWallThatADoorLiesBesideWhereThatIsJoined) {
+  const auto with_door = [](const std::string& wall, const std::string& door, Snap snap) {
+    ReadOptions options;
+    options.snap = snap;
+    return read_world(collection(feature("{}", "Polygon", kSquare) + "," + feature("{}", "LineString", wall) + "," +
+                                 feature(R"({"role": "door"})", "LineString", door)),
+                      options)
+        .walls();
+  };
+  const std::string wall = "[[2, 4], [2, 0]]", door = "[[2.001, 1], [1.9995, 2]]";
+  EXPECT_EQ(with_door(wall, door, {}).size(), 1U) << "a millimetre that was written is a millimetre";
+  const std::vector<Wall> joined = with_door(wall, door, {Snap::What::within, 0.001});
+  ASSERT_EQ(joined.size(), 2U);
+  EXPECT_EQ(joined[0].b, (Point{2.001, 1}));
+  EXPECT_EQ(with_door(wall, door, {Snap::What::within, 0.0009}).size(), 1U);
+  EXPECT_EQ(with_door(wall, "[[2, 0.0005], [2, 3.9999]]", {Snap::What::within, 0.001}).size(), 0U) << "no slivers";
+  // A door in a wall that was turned lies beside it by a rounding.
+  const double c = std::cos(0.3), s = std::sin(0.3);
+  const auto at = [&](double along) { return fmt::format("[{}, {}]", 0.5 + c * along, 0.4 + s * along); };
+  const std::string sloped = "[" + at(0.1) + ", " + at(3.1) + "]";
+  for (int k = 1; k < 40; ++k) {
+    const std::string opening = "[" + at(0.31 + 0.03 * k) + ", " + at(1.17 + 0.03 * k) + "]";
+    EXPECT_EQ(with_door(sloped, opening, {}).size(), 2U) << opening;
+  }
+}
+
 TEST(GeoJson, ReadsOneFeatureALineWithOrWithoutRecordSeparators) {
   const std::string square = feature("{}", "Polygon", kSquare), wall = feature("{}", "LineString", "[[1, 1], [1, 2]]");
   for (const std::string& text :
@@ -153,6 +182,11 @@ TEST(GeoJson, ReadsOneFeatureALineWithOrWithoutRecordSeparators) {
   EXPECT_EQ(test::refusal_of([&] { read_world(square + "\n" + wall + "\n{\"type\": 3}\n"); }),
             "line 3: a GeoJSON object without \"type\"");
   EXPECT_EQ(test::refusal_of([&] { read_world(square + "\n{\"type\": \n"); }).substr(0, 23), "line 2: not valid JSON:");
+}
+
+TEST(GeoJson, IsNotEsriJson) {
+  const std::string rings = R"({"rings": [[[0, 0], [1, 0], [1, 1], [0, 0]]], "spatialReference": {"wkid": 4326}})";
+  EXPECT_NE(test::refusal_of([&] { read_world(rings); }).find("is ESRI JSON"), std::string::npos);
 }
 
 }  // namespace

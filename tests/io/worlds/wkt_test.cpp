@@ -96,6 +96,8 @@ TEST(Wkt, SaysWhatItExpected) {
   EXPECT_EQ(message_of("POLYGON (0 0, 1 1)"), "line 1: '(' is expected, not '0'");
   EXPECT_EQ(message_of("LINESTRING (0 0,\n 1)"), "line 2: a number is expected, not ')'");
   EXPECT_EQ(message_of("LINESTRING (0 0)"), "line 1: a line needs at least two points");
+  EXPECT_EQ(message_of("CURVEPOLYGON (CIRCULARSTRING (0 0, 5 5, 10 0, 5 -5, 0 0))"),
+            "line 1: geometry 'CURVEPOLYGON' is not supported: write its curves as legs (ST_CurveToLine)");
   EXPECT_EQ(message_of("GEOMETRYCOLLECTION (CURVE (0 0))"), "line 1: geometry 'CURVE' is not supported");
   EXPECT_EQ(message_of("LINESTRING (0 0, 1 nan)"), "line 1: 'nan' is not a finite number");
   EXPECT_EQ(message_of("POINT (0 0) POINT"), "line 1: '(' is expected, not the end of the file");
@@ -114,6 +116,13 @@ TEST(Wkt, LeavesOutPointsThatCannotBeEnds) {
   ReadNotes notes;
   EXPECT_FALSE(read_world("LINESTRING (0 0, 1 0)\nMULTIPOINT (0 1, 1 1, 2 1)", {}, &notes).start());
   EXPECT_EQ(notes.remarks.size(), 1U);
+}
+
+TEST(Wkt, ReadsTrianglesAndSurfacesOfPolygons) {
+  EXPECT_EQ(read_world("TRIANGLE ((0 0, 10 0, 0 10, 0 0))").areas().size(), 1U);
+  EXPECT_EQ(
+      read_world("POLYHEDRALSURFACE Z (((0 0 1, 4 0 1, 0 4 1, 0 0 1)), ((4 0 1, 4 4 1, 0 4 1, 4 0 1)))").areas().size(),
+      2U);
 }
 
 }  // namespace
