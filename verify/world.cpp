@@ -34,9 +34,9 @@ World::World(const std::string& text, Int scale) {
     std::istringstream fields(line);
     fields >> word;
     if (word == "taut" || word == "boundary" || word == "start" || word == "goal") continue;
-    long double above = 0, below = 1;
+    long double below = 1;
     char slash = 0;
-    if (word == "unit" && fields >> above) unit = fields >> slash >> below ? above / below : above;
+    if (word == "unit" && fields >> unit && fields >> slash >> below) unit /= below;
     if (word == "unit") continue;
     std::vector<Place> ring;
     for (Place p; fields >> p.x >> p.y; ring.push_back({p.x * scale, p.y * scale}))

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include <taut/geometry/errors.h>
+#include <taut/geometry/plain_world.h>
 #include <taut/io/results/path_certificate_text.h>
 #include <taut/io/worlds/write_world.h>
 #include <taut/roadmaps/visibility_graph.h>
@@ -20,8 +21,8 @@ void add_certificate_option(CommandLine& app, std::string& file) {
 
 void require_certifiable(const SolveOptions& options) {
   if (options.certificate.empty()) return;
-  if (options.query.robot.kind() != Footprint::Kind::point)
-    throw UsageError("--certificate is for a point, not for --robot");
+  if (options.query.robot.kind() == Footprint::Kind::disc)
+    throw UsageError("--certificate is for a point or a square, not for a disc");
   if (options.clearance || options.arcs || options.anytime.wanted || options.world.read.project)
     throw UsageError(
         "--certificate does not go with --clearance, --widest, --tradeoff, --arcs, --anytime and --project");
@@ -30,19 +31,21 @@ void require_certifiable(const SolveOptions& options) {
         "--certificate is for the shortest path: with --roadmap polyanya or visibility, by astar or dijkstra");
 }
 
-Certified certified(const FreeSpace& space, const PlanResult& result, Run& run) {
+Certified certified(const FreeSpace& space, const PlanResult& result, bool is_judged, Run& run) {
   const World& world = space.world();
   if (!result.goal.point)
     throw InputError(world.source(), 0,
                      "a certificate is for a goal that is a point, not for a room: name one by --to");
-  const std::string text = write_integers(world);
+  const FreeSpace plain = is_plain(world, space.footprint()) ? space : FreeSpace(plain_world(space));
+  const std::string text = write_plain_integers(plain.world());
   const auto certificate = run.stage("certificate", [&] {
-    const VisibilityGraph graph(space);
+    const VisibilityGraph graph(plain);
     return result.status == SearchStatus::found ? shortest_certificate(graph, result.path)
                                                 : none_certificate(graph, *result.start, *result.goal.point);
   });
   if (!certificate) return {"", "no certificate: crossings of walls were rounded where paths bend"};
   Certified answer{certificate_text(*certificate, text), ""};
+  if (!is_judged) return answer;
   const proof::Judgement said = run.stage("judge", [&] { return proof::judge(text, answer.text); });
   answer.words = said.words;
   if (!said.proven) answer = {"", "the certificate proves nothing: " + said.words};

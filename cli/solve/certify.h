@@ -15,7 +15,7 @@ void add_certificate_option(CommandLine& app, std::string& file);
 /// Throws UsageError where nothing could be proven of what is asked for.
 void require_certifiable(const SolveOptions& options);
 
-/// The certificate, judged already.
+/// The certificate, judged already unless that was not wanted.
 struct Certified {
   std::string text;   ///< the file; empty where there is none
   std::string words;  ///< what it proves, or why there is none
@@ -23,6 +23,6 @@ struct Certified {
 
 /// Of what was found in a space of a point, or that nothing was. Throws InputError where the world's numbers or its
 /// goal do not allow one.
-Certified certified(const FreeSpace& space, const PlanResult& result, Run& run);
+Certified certified(const FreeSpace& space, const PlanResult& result, bool is_judged, Run& run);
 
 }  // namespace taut::cli

@@ -191,7 +191,7 @@ class Solver {
   // An answer without the proof that was asked for is unproven.
   void certify(const FreeSpace& space) {
     if (answer_.outcome != Outcome::found && answer_.outcome != Outcome::none) return;
-    certified_ = certified(space, result_, run_);
+    certified_ = certified(space, result_, !options_.no_verify, run_);
     if (!certified_.text.empty()) return;
     answer_.outcome = Outcome::unproven;
     answer_.reason = certified_.words;

@@ -155,7 +155,8 @@ void add_solve_options(CommandLine& app, SolveOptions& options) {
   app.add_flag("--arcs", options.arcs,
                "With --robot disc:R: the disc itself, not a polygon around it; the path bends in arcs")
       .group("Query");
-  app.add_flag("--no-verify", options.no_verify, "Do not check the answer independently").group("Query");
+  app.add_flag("--no-verify", options.no_verify, "Do not check the answer independently, nor --certificate's file")
+      .group("Query");
   app.add_flag("--path", options.path, "Print the points of the path, one `x y` a line").group("Output");
   add_path_file_options(app, options.files);
   add_certificate_option(app, options.certificate);

@@ -1,9 +1,15 @@
 // taut verify: does a certificate prove what it says?
+#include <fmt/format.h>
+
+#include <utility>
+
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
 #include <taut/cli/input.h>
 #include <taut/cli/run.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/free_space.h>
+#include <taut/geometry/plain_world.h>
 #include <taut/io/worlds/write_world.h>
 #include <taut/verify/judge.h>
 
@@ -15,13 +21,17 @@ struct VerifyOptions {
   WorldOptions world;
   CommonOptions common;
   std::string certificate;
+  Footprint robot;
 };
 
 void add_options(CommandLine& app, VerifyOptions& options) {
   add_world_options(app, options.world);
+  add_robot_option(app, options.robot);
   app.add_option("CERTIFICATE", options.certificate, "What `taut solve --certificate` wrote; - is standard input")
       .required();
   app.callback([&options] {
+    if (options.robot.kind() == Footprint::Kind::disc)
+      throw UsageError("certificates are for a point or a square, not for a disc");
     if (options.certificate == "-" && options.world.file == "-")
       throw UsageError("FILE and CERTIFICATE cannot both be standard input");
   });
@@ -47,14 +57,23 @@ Json result_of(const proof::Judgement& said) {
 int run(const VerifyOptions& options, Run& run) {
   run.source(options.world.file);
   const Input input = read_input(options.world, run);
-  const std::string world = run.stage("integers", [&] { return write_integers(input.world); });
+  double moved = 0;  // by rounding, where the world is not judged as it was written
+  const std::string world = run.stage("integers", [&] {
+    if (is_plain(input.world, options.robot)) return write_plain_integers(input.world);
+    const FreeSpace space(input.world, options.robot);
+    moved = space.report().displacement;
+    return write_plain_integers(plain_world(space));
+  });
   const std::string name = options.certificate == "-" ? "<stdin>" : options.certificate;
   const std::string certificate = read_bytes(options.certificate);
   const proof::Judgement said = run.stage("verify", [&] { return judged(world, certificate, name); });
+  Json result = result_of(said);
+  result["displacement"] = moved;
+  const std::string rounded = moved > 0 ? fmt::format(" (obstacles grown by rounding, {:.1g} at most)", moved) : "";
   return run.end({.outcome = said.proven ? Outcome::done : Outcome::invalid,
                   .reason = said.proven ? "" : said.words,
-                  .result = result_of(said),
-                  .line = name + (said.proven ? ": proven: " : ": not proven: ") + said.words + "\n"});
+                  .result = std::move(result),
+                  .line = name + (said.proven ? ": proven: " : ": not proven: ") + said.words + rounded + "\n"});
 }
 
 }  // namespace

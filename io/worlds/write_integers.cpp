@@ -1,8 +1,13 @@
+#include <algorithm>
 #include <numeric>
 #include <string_view>
+#include <tuple>
+#include <utility>
 
 #include <taut/geometry/errors.h>
+#include <taut/geometry/free_space.h>
 #include <taut/geometry/lattice_integers.h>
+#include <taut/geometry/plain_world.h>
 #include <taut/geometry/text.h>
 #include <taut/io/worlds/write_world.h>
 
@@ -22,6 +27,27 @@ class Writer {
       append(place[1]);
     }
     out_ += '\n';
+  }
+
+  // Those of one line that touch are one.
+  void walls(const std::vector<Wall>& all) {
+    std::vector<Run> runs;
+    for (const Wall& wall : all) {
+      auto [a, b] = std::minmax(integers_.place(wall.a).value(), integers_.place(wall.b).value());
+      Place d{b[0] - a[0], b[1] - a[1]};
+      const std::int64_t common = std::gcd(d[0], d[1]);
+      if (common == 0) continue;
+      d = {d[0] / common, d[1] / common};
+      runs.push_back({d, Wide{d[0]} * a[1] - Wide{d[1]} * a[0], a, b});
+    }
+    std::sort(runs.begin(), runs.end());
+    for (std::size_t i = 0, next = 0; i < runs.size(); i = next) {
+      Run run = runs[i];
+      for (next = i + 1; next < runs.size() && runs[next].continues(run); ++next) run.b = std::max(run.b, runs[next].b);
+      out_ += "wall";
+      for (const std::int64_t n : {run.a[0], run.a[1], run.b[0], run.b[1]}) append(n);
+      out_ += '\n';
+    }
   }
 
   void rings(std::string_view word, const std::vector<Area>& areas) {
@@ -49,6 +75,19 @@ class Writer {
   std::string out_ = "taut integers 1\n";
 
  private:
+  using Place = LatticeIntegers::Place;
+  __extension__ using Wide = __int128;
+  struct Run {  // a piece of a line, from its lower end
+    Place direction;
+    Wide offset;
+    Place a, b;
+
+    friend bool operator<(const Run& s, const Run& t) {
+      return std::tie(s.direction, s.offset, s.a, s.b) < std::tie(t.direction, t.offset, t.a, t.b);
+    }
+    bool continues(const Run& run) const { return direction == run.direction && offset == run.offset && a <= run.b; }
+  };
+
   void append(std::int64_t n) {
     out_ += ' ';
     out_ += std::to_string(n);
@@ -72,15 +111,13 @@ class Writer {
   LatticeIntegers integers_;
 };
 
-void check(const World& world) {
-  for (const Wall& wall : world.walls())
-    if (wall.thickness > 0) throw InputError(world.source(), 0, "integers cannot hold walls with a thickness");
-}
-
 }  // namespace
 
 std::string write_integers(const World& world) {
-  check(world);
+  return write_plain_integers(is_plain(world) ? world : plain_world(FreeSpace(world)));
+}
+
+std::string write_plain_integers(const World& world) {
   Writer writer(world);
   writer.unit();
   writer.out_ += world.boundary() == Boundary::walled  ? "boundary walled\n"
@@ -88,7 +125,7 @@ std::string write_integers(const World& world) {
                                                        : "boundary open\n";
   writer.rings("area", world.areas());
   writer.rings("solid", world.solids());
-  for (const Wall& wall : world.walls()) writer.line("wall", {wall.a, wall.b});
+  writer.walls(world.walls());
   if (world.start()) writer.end("start", {*world.start()});
   if (world.goal().point) writer.end("goal", {*world.goal().point});
   Ring room;

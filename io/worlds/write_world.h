@@ -52,9 +52,12 @@ std::string write_movingai(const World& world);
 std::string write_blocks(const World& world);
 
 /// For judges of certificates (docs/certificates.md): walls, areas and solids as integers over one unit, with the
-/// boundary's kind; start and goal as they are. Cannot hold worlds whose numbers lie on no lattice (number_lattice.h),
-/// and walls with a thickness. Nothing reads it back.
+/// boundary's kind; start and goal as they are. Walls of one line that touch are written as one. What is not plain
+/// (plain_world.h) is written as the polygons of its free space. Cannot hold worlds whose numbers lie on no lattice
+/// (number_lattice.h). Nothing reads it back.
 std::string write_integers(const World& world);
+/// Of a world of any number of areas that do not overlap, walls without thickness.
+std::string write_plain_integers(const World& world);
 
 /// Any of these. For cell_values, drawing, maz and num the world must come from a grid whose walls are thin, or have
 /// walls along the sides of unit cells from (0, 0) on.

@@ -72,10 +72,21 @@ TEST_F(CertificateProgram, RefusesToProveWhatItCannot) {
   EXPECT_THAT(refusal("--robot disc:0.1", kRoom), testing::StartsWith("2 "));
   EXPECT_THAT(refusal("--widest", kRoom), testing::StartsWith("2 "));
   EXPECT_THAT(refusal("--roadmap prm", kRoom), testing::StartsWith("2 "));
-  EXPECT_THAT(refusal("--wall-thickness 0.1", kRoom), testing::StartsWith("3 "));
   EXPECT_THAT(refusal("", "boundary 0 0 4 4\nstart 1 1\ngoal 3 3 4 4\n"), HasSubstr("not for a room"));
   EXPECT_THAT(refusal("", "boundary 0 0 4 4\nstart 1 1\ngoal 3 3\n0 1.0000000000000002 1 0.1\n"),
               HasSubstr("no multiples of one unit"));
+}
+
+TEST_F(CertificateProgram, ProvesItOfThickWallsSquaresAndSeveralAreas) {
+  const std::string proof = in_folder("proof");
+  for (const std::string options : {"--wall-thickness 0.1", "--robot square:0.2"}) {
+    SCOPED_TRACE(options);
+    EXPECT_EQ(run_taut("solve - --certificate " + proof + " " + options, kRoom).code, 0);
+    EXPECT_EQ(run_taut("verify - " + proof + " " + options, kRoom).code, 0);
+    EXPECT_EQ(run_taut("verify - " + proof, kRoom).code, 1);
+  }
+  EXPECT_EQ(run_taut("solve " + data_file("floor_plan.geojson") + " --certificate " + proof).code, 0);
+  EXPECT_EQ(run_taut("verify " + data_file("floor_plan.geojson") + " " + proof).code, 0);
 }
 
 // Mazes and islands between two points.
