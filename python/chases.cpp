@@ -59,6 +59,14 @@ Played planned(const std::shared_ptr<const ChaseMap>& map, const std::string& wo
   return {map, run_chase(*map, request)};
 }
 
+std::pair<int, int> cell_of(const py::object& answer) {
+  try {
+    return answer.cast<std::pair<int, int>>();
+  } catch (const py::cast_error&) {
+    throw py::type_error("a planner gives the next cell (x, y), or None, not " + std::string(py::repr(answer)));
+  }
+}
+
 // `robot(cell, second)` gives the next cell, or None.
 Played driven(const std::shared_ptr<const ChaseMap>& map, const py::object& robot, const std::string& clock) {
   Played played;
@@ -68,7 +76,7 @@ Played driven(const std::shared_ptr<const ChaseMap>& map, const py::object& robo
   const auto next = [&](CellIndex at, int now) -> std::optional<CellIndex> {
     const py::object answer = robot(py::make_tuple(map->cell(at).x, map->cell(at).y), now);
     if (answer.is_none()) return std::nullopt;
-    const auto cell = answer.cast<std::pair<int, int>>();
+    const std::pair<int, int> cell = cell_of(answer);
     const bool on_map =
         cell.first >= 0 && cell.second >= 0 && cell.first <= map->x_size() + 1 && cell.second <= map->y_size() + 1;
     return map->index(on_map ? Cell{cell.first, cell.second} : Cell{0, 0});  // the border is an obstacle
