@@ -76,8 +76,13 @@ Goal goal_of(py::handle value) {
   if (!PySequence_Check(value.ptr()) || is_text(value)) throw py::type_error("a goal is a point, or boxes (n, 4)");
   Goal goal;
   const Doubles boxes = rows_of(value, 4, "a room");
-  for (py::ssize_t i = 0; i < boxes.shape(0); ++i)
-    goal.room.push_back({{boxes.at(i, 0), boxes.at(i, 1)}, {boxes.at(i, 2), boxes.at(i, 3)}});
+  for (py::ssize_t i = 0; i < boxes.shape(0); ++i) {
+    const double* row = boxes.data(i, 0);
+    const Box box{{row[0], row[1]}, {row[2], row[3]}};
+    const bool is_box = is_in_reach(box.min) && is_in_reach(box.max) && row[0] <= row[2] && row[1] <= row[3];
+    if (!is_box) throw py::value_error("a room: boxes xmin, ymin, xmax, ymax");
+    goal.room.push_back(box);
+  }
   return goal;
 }
 

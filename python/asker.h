@@ -51,7 +51,9 @@ class Asker {
   std::optional<std::pair<FoundPath, std::size_t>> find_nearest(Point from, std::span<const Point> goals) const;
   std::vector<std::optional<FoundPath>> find_each(Point from, std::span<const Point> goals) const;
 
-  /// The length from each start to each goal, a row a start; infinite where there is none, NaN where an end is not free. Precondition: threads >= 1, points are in reach.
+  /// The length from each start to each goal, a row a start; infinite where there is none, NaN where an end is not
+  /// free.
+  /// Precondition: threads >= 1, points are in reach.
   std::vector<double> distances(std::span<const Point> starts, std::span<const Point> goals, unsigned threads,
                                 const std::function<bool()>& is_over) const;
 

@@ -56,7 +56,7 @@ auto about(const std::string& source, Ask&& ask) {
 }
 
 // ---- arrays.cpp -----------------------------------------------------------------------------------------------------
-/// x and y of `value`: a pair, an array of two numbers, or what has x and y (as shapely's points). Nothing for all else.
+/// x and y of `value`: a pair, an array of two numbers, or what has x and y, as shapely's points. Else nothing.
 std::optional<Point> point_of(py::handle value);
 /// May the library be asked about it: are the coordinates 0 or of a magnitude that a World can have?
 bool is_in_reach(Point p);
@@ -106,6 +106,11 @@ void bind_planners(py::module_& m);
 void bind_discs(py::module_& m);
 void bind_clearance(py::module_& m);
 void bind_snapping(py::module_& m);
+void bind_grids(py::module_& m);
+void bind_mice(py::module_& m);
+void bind_chases(py::module_& m);
+void bind_bugs(py::module_& m);
+void bind_cars(py::module_& m);
 
 }  // namespace taut::python
 

@@ -25,7 +25,7 @@ void require_radius(double r) {
   if (!(r > 0 && r <= World::kLargest)) throw InputError("", 0, "a disc's radius is above 0");
 }
 
-// ---- passages ----------------------------------------------------------------------------------------------------------
+// ---- passages -------------------------------------------------------------------------------------------------------
 
 py::array gates_array(const Gates& gates) {
   std::vector<Segment> segments;
@@ -93,7 +93,7 @@ void bind_passages(py::module_& m) {
            py::arg("radius") = py::none(), "A Passage from start to goal. Raises InputError when an end is not free.");
 }
 
-// ---- paths of arcs -----------------------------------------------------------------------------------------------------
+// ---- paths of arcs --------------------------------------------------------------------------------------------------
 
 struct Rounded {
   FreeSpace space;

@@ -5,12 +5,22 @@
 
 namespace taut::python {
 
+namespace {
+
+Length length_of(const py::object& given) {
+  const std::vector<Point> points = points_of(given, "points");
+  for (const Point p : points)
+    if (!is_in_reach(p)) throw InputError("", 0, "points: not all are points");
+  return Length(points);
+}
+
+}  // namespace
+
 void bind_lengths(py::module_& m) {
   py::class_<Length>(m, "Length",
                      "The length of a chain of points: a sum of square roots, kept as such. Compared exactly; "
                      "float() is the nearest double.")
-      .def(py::init([](const py::object& points) { return Length(points_of(points, "points")); }),
-           py::arg("points") = py::tuple(), "Of the chain through the points (n, 2).")
+      .def(py::init(&length_of), py::arg("points") = py::tuple(), "Of the chain through the points (n, 2).")
       .def("decimals", &Length::decimals, py::arg("places"), "The nearest number with that many decimals, as text.")
       .def_property_readonly("terms", &Length::terms, "How many square roots it is a sum of.")
       .def("__float__", &Length::value)

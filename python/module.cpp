@@ -16,4 +16,9 @@ PYBIND11_MODULE(_taut, m) {
   taut::python::bind_discs(m);
   taut::python::bind_clearance(m);
   taut::python::bind_snapping(m);
+  taut::python::bind_grids(m);
+  taut::python::bind_mice(m);
+  taut::python::bind_chases(m);
+  taut::python::bind_bugs(m);
+  taut::python::bind_cars(m);
 }

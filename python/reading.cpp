@@ -85,7 +85,7 @@ Snap snap_of(py::handle value) {
   if (value.is_none()) return {};
   if (py::isinstance<py::str>(value) && value.cast<std::string>() == "auto") return {Snap::What::automatic, 0};
   const double tolerance = py::isinstance<py::str>(value) ? -1 : value.cast<double>();
-  if (!(tolerance >= 0)) throw py::value_error("snap: None, a distance, 0 or 'auto'");
+  if (!(tolerance >= 0 && tolerance <= World::kLargest)) throw py::value_error("snap: None, a distance, 0 or 'auto'");
   return tolerance == 0 ? Snap{Snap::What::nothing, 0} : Snap{Snap::What::within, tolerance};
 }
 

@@ -131,6 +131,7 @@ void bind_worlds(py::module_& m) {
       .def_property_readonly(
           "openings", [](const World& w) { return segments_array(w.openings()); },
           "(n, 4): the pieces of the outline on which no wall stands.")
+      .def_property_readonly("y_down", &World::y_down, "Pictures show its y growing downwards.")
       .def_property_readonly("uncertainty", &World::uncertainty, "How far from where it was meant a place may lie.")
       .def("with_ends", &World::with_ends, py::arg("start") = py::none(), py::arg("goal") = py::none(),
            "A copy with another start, goal (a point); an absent one stays. Raises InputError.")

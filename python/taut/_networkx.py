@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING, Any
 
-def to_networkx(roadmap):
+if TYPE_CHECKING:
+    from ._taut import Roadmap
+
+
+def to_networkx(roadmap: Roadmap) -> Any:
     """A networkx.Graph: nodes 0 to v - 1 with `pos`, edges with `weight`, their length."""
     import networkx
 

@@ -12,8 +12,8 @@ ROOM = "boundary 0 0 4 4\nstart 1 1\ngoal 3 1\n2 0 2 3\n"  # over the wall's end
 SEALED = "boundary 0 0 4 4\nstart 1 1\ngoal 3 1\n2 0 2 4\n"
 
 
-@pytest.fixture
-def data():
+@pytest.fixture(scope="session")
+def data_folder():
     return DATA
 
 

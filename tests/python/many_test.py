@@ -128,3 +128,17 @@ def test_an_interrupt_ends_it(finder, threads):
         finder.find_many(asked, threads=threads)
     timer.join()
     assert time.process_time() - begin < 2.5
+
+
+def test_a_query_from_python_costs_little_more_than_one_from_cpp(finder):
+    asked = queries(5000, seed=4)
+    pairs = [((sx, sy), (gx, gy)) for sx, sy, gx, gy in asked.tolist()]
+
+    def cpu(work):
+        begin = time.process_time()
+        work()
+        return (time.process_time() - begin) / len(asked)
+
+    from_python = min(cpu(lambda: [finder.find(*pair).length for pair in pairs]) for _ in range(5))
+    from_cpp = min(cpu(lambda: finder.find_many(asked, threads=1)) for _ in range(5))
+    assert from_python - from_cpp < 10e-6  # about 2 us; the rest is for machines that are busy

@@ -114,3 +114,16 @@ def test_a_sloped_wall_keeps_the_end_that_lies_on_it():
 def test_a_notebook_shows_it(room):
     picture = taut.shortest_path(room)._repr_svg_()
     assert "<svg" in picture and "length 4.472136" in picture
+
+
+@pytest.mark.parametrize("room", [[[3, 0, 4, math.nan]], [[4, 0, 3, 1]], [[0, 0, 1e80, 1]], [[1, 2, 3]]])
+def test_a_goal_room_is_of_boxes(room):
+    space = taut.FreeSpace(taut.read_world("boundary 0 0 4 4\nstart 1 1\ngoal 3 1\n2 0 2 3\n"))
+    with pytest.raises(ValueError):
+        taut.shortest_path(space, goal=room)
+
+
+def test_lengths_are_of_points():
+    for points in [(0, 0), (math.nan, 1)], [(0, 0), (math.inf, 1)], [(1, 2, 3)], "ab":
+        with pytest.raises(ValueError):
+            taut.Length(points)

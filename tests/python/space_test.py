@@ -59,6 +59,8 @@ def test_walls_separate(sealed):
 
 @pytest.mark.parametrize("make", [lambda: taut.Footprint.disc(0), lambda: taut.Footprint.square(-1),
                                   lambda: taut.Footprint.disc(math.nan),
+                                  lambda: taut.Footprint.polygon([(-1, -1), (1, -1), (0, math.nan)]),
+                                  lambda: taut.Footprint.polygon([]),
                                   lambda: taut.Footprint.polygon([(1, 0), (2, 0), (2, 1)])])
 def test_robots_that_are_none_are_refused(make):
     with pytest.raises(taut.InputError):

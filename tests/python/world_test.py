@@ -118,6 +118,9 @@ def test_snap_joins_what_was_meant_to_touch():
     assert taut.World(walls, snap=0).walls.tolist() == walls
     with pytest.raises(ValueError, match="snap"):
         taut.World(walls, snap="all")
+    for snap in (-1, float("nan"), float("inf")):
+        with pytest.raises(ValueError, match="snap"):
+            taut.World(walls, snap=snap)
 
 
 def test_a_notebook_shows_it(room):
