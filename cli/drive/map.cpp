@@ -96,21 +96,34 @@ std::string picture_of(const RoadblockDrive& result, const roadblocks::Course& c
   return drive_svg(course, result.drive, picture);
 }
 
-/// Trees draw anew for each sample; a sample drives the same alone and among all.
-std::unique_ptr<roadblocks::Driver> driver_for(const roadblocks::Sample& sample, const roadblocks::Course& course,
-                                               roadblocks::LatticePlanner& planner, const DriveOptions& options) {
-  if (options.peer)
-    return options.peer->make(course, options.walls, options.common.seed + static_cast<std::uint64_t>(sample.number));
-  return roadblocks::make_driver(options.planner, planner, sample.open, options.aim);
+bool has_policy(const DriveOptions& options) {
+  return !options.peer && options.planner == roadblocks::DriverKind::policy;
 }
 
-RoadblockDrive driven(const roadblocks::Sample& sample, const roadblocks::Course& course,
-                      roadblocks::LatticePlanner& planner, const DriveOptions& options, const Run& run) {
-  TimedDriver driver(driver_for(sample, course, planner, options), run);
+/// What the drives of a map share.
+struct Garage {
+  Garage(const roadblocks::Course& course, const DriveOptions& options) : planner(course, options.walls) {
+    if (has_policy(options)) policy.emplace(planner, options.aim);
+  }
+  roadblocks::LatticePlanner planner;
+  std::optional<roadblocks::DrivePolicy> policy;
+};
+
+/// Trees draw anew for each sample; a sample drives the same alone and among all.
+std::unique_ptr<roadblocks::Driver> driver_for(const roadblocks::Sample& sample, const roadblocks::Course& course,
+                                               Garage& garage, const DriveOptions& options) {
+  if (options.peer)
+    return options.peer->make(course, options.walls, options.common.seed + static_cast<std::uint64_t>(sample.number));
+  if (garage.policy) return roadblocks::make_driver(*garage.policy, garage.planner);
+  return roadblocks::make_driver(options.planner, garage.planner, sample.open);
+}
+
+RoadblockDrive driven(const roadblocks::Sample& sample, const roadblocks::Course& course, Garage& garage,
+                      const DriveOptions& options, const Run& run) {
+  TimedDriver driver(driver_for(sample, course, garage, options), run);
   roadblocks::Drive drive = roadblocks::drive(course, sample.open, driver, options.walls);
   outcome_of(drive.outcome);
-  const bool has_policy = !options.peer && options.planner == roadblocks::DriverKind::policy;
-  const auto policy_exact = has_policy ? std::optional(driver.exact()) : std::nullopt;
+  const auto policy_exact = has_policy(options) ? std::optional(driver.exact()) : std::nullopt;
   return {sample, std::move(drive), driver.first(), driver.slowest_later(), policy_exact};
 }
 
@@ -161,11 +174,11 @@ int drive_on_map(const DriveOptions& options, std::string_view bytes, const std:
     roadblocks::require_start_free(read.course, options.walls, source);
     return read;
   });
-  roadblocks::LatticePlanner planner(map.course, options.walls);
+  Garage garage(map.course, options);
   Logbook logbook(options, map.course);
   Keeping keeping;
   for (const roadblocks::Sample& sample : chosen_samples(options, map, source)) {
-    logbook.add(run.stage("drive", [&] { return driven(sample, map.course, planner, options, run); }));
+    logbook.add(run.stage("drive", [&] { return driven(sample, map.course, garage, options, run); }));
     keeping.tell([&] { run.so_far(logbook.json(), logbook.table()); });
   }
   Answer answer = logbook.answer();

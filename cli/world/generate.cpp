@@ -91,7 +91,8 @@ void add_options(CommandLine& app, GenerateOptions& options) {
   add("--kind", options.kind, kind_of, "NAME",
       "biased (default): a spanning tree of varied texture, open at two corners; backtracker: long corridors, closed, "
       "goal top right; roadblocks: rooms and narrow lanes for taut drive, 24 or more a side");
-  app.add_option("--roadblocks", options.roadblocks, "With --kind roadblocks: how many, at most (default: 4)")
+  app.add_option("--roadblocks", options.roadblocks,
+                 "With --kind roadblocks: how many, fewer only where all lanes are full (default: 4)")
       .group("Maze");
   app.add_option("--samples", options.samples, "With --kind roadblocks: how many (default: 10)").group("Maze");
   add("--loops", options.loops, loops_of, "SHARE", "Take down this share of the inner walls, 0 to 1 (default: 0)");

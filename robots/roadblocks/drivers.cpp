@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace taut::roadblocks {
 
@@ -53,7 +54,12 @@ class PlannedDriver : public Driver {
 
 class PolicyDriver : public PlannedDriver {
  public:
-  PolicyDriver(LatticePlanner& planner, Aim aim) : PlannedDriver(planner), policy_(planner, aim) {}
+  PolicyDriver(DrivePolicy& policy, LatticePlanner& planner) : PlannedDriver(planner), policy_(policy) {
+    policy_.begin_drive();
+  }
+  PolicyDriver(std::unique_ptr<DrivePolicy> policy, LatticePlanner& planner) : PolicyDriver(*policy, planner) {
+    own_ = std::move(policy);
+  }
 
   bool exact() const override { return exact_; }
 
@@ -66,7 +72,8 @@ class PolicyDriver : public PlannedDriver {
   }
 
  private:
-  RoadblockPolicy policy_;
+  std::unique_ptr<DrivePolicy> own_;
+  DrivePolicy& policy_;
   RoadblockPolicy::Choice choice_;
   bool exact_ = true;
 };
@@ -124,8 +131,13 @@ std::optional<DriverKind> driver_named(std::string_view word) {
 }
 
 std::unique_ptr<Driver> make_driver(DriverKind kind, LatticePlanner& planner, RoadblockSet told, Aim aim) {
-  if (kind == DriverKind::policy) return std::make_unique<PolicyDriver>(planner, aim);
+  if (kind == DriverKind::policy)
+    return std::make_unique<PolicyDriver>(std::make_unique<DrivePolicy>(planner, aim), planner);
   return std::make_unique<BelievingDriver>(kind, planner, told);
+}
+
+std::unique_ptr<Driver> make_driver(DrivePolicy& policy, LatticePlanner& planner) {
+  return std::make_unique<PolicyDriver>(policy, planner);
 }
 
 }  // namespace taut::roadblocks

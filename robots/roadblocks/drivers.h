@@ -6,12 +6,12 @@
 #include <string_view>
 
 #include <taut/robots/roadblocks/drive.h>
+#include <taut/robots/roadblocks/drive_policy.h>
 #include <taut/robots/roadblocks/lattice_planner.h>
-#include <taut/robots/roadblocks/roadblock_policy.h>
 
 namespace taut::roadblocks {
 
-///  policy       follows a RoadblockPolicy: the fewest steps to be expected, or in the worst case
+///  policy       follows a DrivePolicy: the fewest steps to be expected, or in the worst case
 ///  optimist     takes unknown roadblocks for open until it sees otherwise
 ///  pessimist    takes unknown roadblocks for closed while there is another way
 ///  clairvoyant  is told the sample: the bound that no honest driver is asked to reach
@@ -26,5 +26,9 @@ std::optional<DriverKind> driver_named(std::string_view word);
 /// and may be shared by drives on one course.
 std::unique_ptr<Driver> make_driver(DriverKind kind, LatticePlanner& planner, RoadblockSet told = 0,
                                     Aim aim = Aim::expected);
+
+/// `policy` for one of many drives, which share what `policy` knows; it must outlive the driver, and drives follow one
+/// another.
+std::unique_ptr<Driver> make_driver(DrivePolicy& policy, LatticePlanner& planner);
 
 }  // namespace taut::roadblocks

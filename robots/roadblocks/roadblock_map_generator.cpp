@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <span>
+#include <utility>
 
 #include <taut/geometry/draws.h>
 #include <taut/geometry/errors.h>
@@ -138,20 +140,72 @@ class Generator {
     std::erase_if(lanes_, [](const Lane& l) { return l.room.right < l.room.left || l.room.bottom < l.room.top; });
     for (std::size_t i = lanes_.size(); i > 1; --i)
       std::swap(lanes_[i - 1], lanes_[draws_.below(static_cast<std::uint32_t>(i))]);
-    const auto count = std::min(lanes_.size(), static_cast<std::size_t>(recipe_.roadblocks));
-    for (std::size_t i = 0; i < count; ++i) {
-      Roadblock block;
-      block.letter = static_cast<char>('A' + i);
-      block.open_probability = within(2, 9) / 10.0;
-      block.cells = cells_across(lanes_[i]);
-      map_.course.roadblocks.push_back(std::move(block));
+    // Where there are more roadblocks than lanes a third of the lanes has none, or hardly a sample would have a way.
+    const bool in_series = static_cast<std::size_t>(recipe_.roadblocks) > lanes_.size();
+    const auto some = static_cast<std::ptrdiff_t>(in_series ? (2 * lanes_.size() + 2) / 3 : lanes_.size());
+    for (const Lane& lane : std::span(lanes_.begin(), lanes_.begin() + some)) {
+      if (!needs_roadblock()) return;
+      const double open_probability = within(2, 9) / 10.0;
+      put_roadblock(open_probability, cells_across(lane, place_in(lane)));
+    }
+    while (needs_roadblock() && (put_another(true) || put_another(false))) {
     }
   }
 
-  /// One cell in the middle of a narrow lane, all across a wide one.
-  std::vector<Cell> cells_across(const Lane& lane) {
+  bool needs_roadblock() const { return map_.course.roadblocks.size() < static_cast<std::size_t>(recipe_.roadblocks); }
+
+  void put_roadblock(double open_probability, std::vector<Cell> cells) {
+    const auto letter = static_cast<char>('A' + map_.course.roadblocks.size());
+    map_.course.roadblocks.push_back({letter, open_probability, std::move(cells)});
+  }
+
+  /// One more, in a lane that has some or that has none, in a row of the lane's without one: likelier to be open, since
+  /// all have to be.
+  bool put_another(bool in_series) {
+    std::vector<std::pair<const Lane*, Cell>> places;
+    for (const Lane& lane : lanes_)
+      for (int k = 0; k < length(lane) && has_roadblocks(lane) == in_series; ++k)
+        if (const Cell at = in_row(lane, k); !has_roadblock(lane, at)) places.emplace_back(&lane, at);
+    if (places.empty()) return false;
+    const auto& [lane, at] = places[draws_.below(static_cast<std::uint32_t>(places.size()))];
+    put_roadblock(within(7, 9) / 10.0, cells_across(*lane, at));
+    return true;
+  }
+
+  static int length(const Lane& lane) {
+    return 1 + (lane.along_x ? lane.room.right - lane.room.left : lane.room.bottom - lane.room.top);
+  }
+
+  static Cell in_row(const Lane& lane, int k) {
     const Room& r = lane.room;
-    const Cell at{within(r.left, r.right), within(r.top, r.bottom)};
+    return lane.along_x ? Cell{r.left + k, r.top} : Cell{r.left, r.top + k};
+  }
+
+  bool has_roadblocks(const Lane& lane) const {
+    for (int k = 0; k < length(lane); ++k)
+      if (has_roadblock(lane, in_row(lane, k))) return true;
+    return false;
+  }
+
+  /// Anywhere in the lane's row through the cell.
+  bool has_roadblock(const Lane& lane, Cell at) const {
+    const Room& r = lane.room;
+    const auto in_the_row = [&](Cell c) {
+      return c.x >= r.left && c.x <= r.right && c.y >= r.top && c.y <= r.bottom &&
+             (lane.along_x ? c.x == at.x : c.y == at.y);
+    };
+    return std::ranges::any_of(map_.course.roadblocks,
+                               [&](const Roadblock& b) { return std::ranges::any_of(b.cells, in_the_row); });
+  }
+
+  Cell place_in(const Lane& lane) {
+    const int x = within(lane.room.left, lane.room.right);
+    return {x, within(lane.room.top, lane.room.bottom)};
+  }
+
+  /// One cell of a narrow lane, all across a wide one.
+  static std::vector<Cell> cells_across(const Lane& lane, Cell at) {
+    const Room& r = lane.room;
     const int width = lane.along_x ? r.bottom - r.top + 1 : r.right - r.left + 1;
     if (width == 2) return {at};
     std::vector<Cell> cells;

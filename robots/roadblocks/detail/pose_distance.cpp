@@ -257,6 +257,11 @@ void PoseDistance::shut(const Obstacles& before, const Obstacles& obstacles, con
     for (std::size_t s = cell * kHeadings; near[cell] && s < (cell + 1) * kHeadings; ++s) lose(static_cast<State>(s));
 }
 
+void PoseDistance::keep_steps_only() {
+  entries_ = {};
+  free_ = {};
+}
+
 double PoseDistance::steps_from(const Pose& pose) const {
   const int i = raster(pose.x), j = raster(pose.y);
   if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return kFar;

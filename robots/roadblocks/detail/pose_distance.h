@@ -27,6 +27,9 @@ class PoseDistance {
   /// Steps, between the nearest headings; kFar where the lattice knows no way (the car may).
   double steps_from(const Pose& pose) const;
 
+  /// Gives the rest of the memory back: from now on steps_from only.
+  void keep_steps_only();
+
   std::size_t bytes() const { return entries_.size() * (sizeof(entries_[0]) + sizeof(cost_[0])); }  ///< about
 
   static constexpr double kFar = 1e9;

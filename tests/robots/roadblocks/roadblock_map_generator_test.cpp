@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include <taut/geometry/errors.h>
@@ -57,6 +59,21 @@ TEST(RoadMapGenerator, MakesTheSameMapForTheSameSeedAndReadsItBack) {
   EXPECT_NE(text, roadblock_map_text(generate_roadblock_map({40, 36, 4, 7, 12}), "remark"));
   EXPECT_THROW(generate_roadblock_map({23, 36, 4, 7, 11}), InputError);
   EXPECT_THROW(generate_roadblock_map({40, 36, 27, 7, 11}), InputError);
+}
+
+TEST(RoadMapGenerator, MakesAsManyRoadblocksAsAskedForThoughThereAreFewerLanes) {
+  for (const auto& [side, blocks] : {std::pair{50, 16}, {50, 26}, {44, 12}, {35, 8}})
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+      SCOPED_TRACE(testing::Message() << side << " with " << blocks << ", seed " << seed);
+      const RoadblockMap map = generate_roadblock_map({side, side, blocks, 1, seed});
+      ASSERT_EQ(map.course.roadblocks.size(), static_cast<std::size_t>(blocks));
+      std::set<std::pair<int, int>> cells;
+      for (const Roadblock& block : map.course.roadblocks)
+        for (const Cell c : block.cells) {
+          EXPECT_FALSE(map.course.is_wall(c));
+          EXPECT_TRUE(cells.emplace(c.x, c.y).second) << "in two roadblocks";
+        }
+    }
 }
 
 TEST(RoadMapGenerator, LeavesRoomAtTheStartAndHasBothKindsOfSamples) {

@@ -1,0 +1,55 @@
+// Decisions where there are too many roadblocks to think all outcomes through.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include <taut/robots/roadblocks/roadblock_policy.h>
+
+namespace taut::roadblocks {
+
+/// Decides as RoadblockPolicy does, by simulated drives between doors (doors.h) instead of all outcomes.
+///
+///  1. Once for a course: places at both sides of every door and the estimated steps between them. A state is where the
+///     car is, and which doors are open, closed and unknown.
+///  2. A decision is which unknown door to go and see, from which side, or to go to the goal through what is open. Each
+///     that might be better than the last is valued by simulated drives in `worlds` random worlds that have a way, the
+///     same for all: optimistic rollouts (Eyerich, Keller, Helmert, "High-quality policies for the Canadian traveler's
+///     problem", 2010), where the drive after the first sight is the best of a family that takes unknown doors for open
+///     at a price, from none (the optimist) to infinite (the pessimist), chosen by what is seen first. So no choice
+///     looks worse than the optimist's or the pessimist's.
+///  3. One plan of the planner's a decision, around all doors that the choice does not pass; it is kept as long as that
+///     stays so. Where no plan is found that way, and where the places know no way, the optimist's.
+///  4. Every sight of a roadblock makes a new decision. Those met before, in other drives too, are looked up.
+///  5. Worlds are drawn from a fixed seed by the roadblocks' probabilities: same questions, same answers. Choice::value
+///     is an estimate, and Choice::exact false.
+/// `Aim::worst` takes the longest of the simulated drives instead of their mean. Memory: the tables between doors (2.5
+/// MB for each side of a door on 50 x 50), 30 MB for what is kept, and the planner's.
+class RolloutPolicy {
+ public:
+  static constexpr std::size_t kWorlds = 200;
+
+  /// `planner` must outlive it.
+  RolloutPolicy(LatticePlanner& planner, Aim aim, std::size_t worlds = kWorlds);
+  ~RolloutPolicy();
+  RolloutPolicy(const RolloutPolicy&) = delete;
+  RolloutPolicy& operator=(const RolloutPolicy&) = delete;
+
+  RoadblockPolicy::Choice choose(const Pose& from, RoadblockSet open, RoadblockSet closed);
+
+  /// Of doors by which the goal might be reached sooner than without any that is unknown; all that can be reached where
+  /// there is no such way. By estimates, from the course's start.
+  RoadblockSet relevant();
+
+  /// Null when the tables between doors would need more bytes.
+  static std::unique_ptr<RolloutPolicy> within(LatticePlanner& planner, Aim aim, std::size_t bytes);
+
+  std::size_t decisions() const;  ///< made, not looked up
+
+ private:
+  struct Impl;
+  explicit RolloutPolicy(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace taut::roadblocks
