@@ -3,6 +3,7 @@
 #include <numeric>
 #include <optional>
 
+#include <taut/geometry/detail/axis_noding.h>
 #include <taut/geometry/detail/axis_sweep.h>
 #include <taut/geometry/detail/radix_sort.h>
 #include <taut/geometry/detail/triangulate.h>
@@ -166,8 +167,6 @@ Mesh arranged(std::span<const RawTriangle> raw, const Vertices& v) {
   }
   return mesh;
 }
-
-bool is_axis_parallel(const Edge& e) { return e.a.x == e.b.x || e.a.y == e.b.y; }
 
 }  // namespace
 
