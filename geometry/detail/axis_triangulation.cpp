@@ -172,10 +172,12 @@ Mesh arranged(std::span<const RawTriangle> raw, const Vertices& v) {
 
 std::optional<Mesh> triangulate_axis_parallel(std::span<const Edge> edges) {
   if (edges.empty() || !std::all_of(edges.begin(), edges.end(), is_axis_parallel)) return std::nullopt;
-  const std::optional<std::vector<LatticePoint>> ends = lattice_ends(edges);
+  std::optional<std::vector<LatticePoint>> ends = lattice_ends(edges);
   if (!ends) return std::nullopt;
-  const Vertices v = vertices(edges, *ends);
+  Vertices v = vertices(edges, *ends);
+  ends.reset();
   std::vector<RawTriangle> raw = sweep(v.places, stars(v, edges), edges.size());
+  v.of_end = {};
   if (!make_delaunay(raw, v.places, kTurns * v.places.size())) return std::nullopt;
   return arranged(raw, v);
 }
