@@ -158,7 +158,7 @@ int run(const Command& command) {
 // fresh ones. What is no longer needed goes back when the program ends.
 void keep_pages() {
 #ifdef __GLIBC__
-  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_MMAP_THRESHOLD, 1 << 25);  // the largest that is allowed; what is larger would leave holes
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
   mallopt(M_TOP_PAD, 1 << 24);
 #endif

@@ -144,6 +144,7 @@ FreeSpace::FreeSpace(World world, Footprint footprint, std::span<const Point> pl
   detail::Mesh mesh = detail::triangulate(noded.edges);
   detail::classify(mesh, noded.edges);
   Classified classified = constraints_of(mesh, noded.edges);
+  noded.edges = {};
   if (classified.buried) {
     const std::vector<detail::Edge> edges = edges_of(classified.constraints);
     mesh = detail::triangulate(edges);

@@ -3,6 +3,7 @@
 #include <numeric>
 #include <optional>
 
+#include <taut/geometry/detail/axis_noding.h>
 #include <taut/geometry/detail/axis_sweep.h>
 #include <taut/geometry/detail/radix_sort.h>
 #include <taut/geometry/detail/triangulate.h>
@@ -167,16 +168,16 @@ Mesh arranged(std::span<const RawTriangle> raw, const Vertices& v) {
   return mesh;
 }
 
-bool is_axis_parallel(const Edge& e) { return e.a.x == e.b.x || e.a.y == e.b.y; }
-
 }  // namespace
 
 std::optional<Mesh> triangulate_axis_parallel(std::span<const Edge> edges) {
   if (edges.empty() || !std::all_of(edges.begin(), edges.end(), is_axis_parallel)) return std::nullopt;
-  const std::optional<std::vector<LatticePoint>> ends = lattice_ends(edges);
+  std::optional<std::vector<LatticePoint>> ends = lattice_ends(edges);
   if (!ends) return std::nullopt;
-  const Vertices v = vertices(edges, *ends);
+  Vertices v = vertices(edges, *ends);
+  ends.reset();
   std::vector<RawTriangle> raw = sweep(v.places, stars(v, edges), edges.size());
+  v.of_end = {};
   if (!make_delaunay(raw, v.places, kTurns * v.places.size())) return std::nullopt;
   return arranged(raw, v);
 }

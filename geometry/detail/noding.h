@@ -39,8 +39,8 @@ enum class Rounding {
 /// the splitting is repeated until nothing meets. An edge that bends at a rounded crossing still passes through those
 /// of the `fixed` points that lie on it. Closed chains stay closed, so winding numbers stay defined. Walls on one
 /// axis-parallel line are merged first into maximal runs.
-/// O((n + k) log n), n edges with k contacts; all of them axis-parallel: O(n + k), see node_axis_parallel. Throws TooFine
-/// when 32 rounds are not enough.
+/// O((n + k) log n), n edges with k contacts; all of them axis-parallel: O(n + k), see node_axis_parallel. Throws
+/// TooFine when 32 rounds are not enough.
 Noded node(std::vector<Edge> edges, const DecimalUnit& unit, std::span<const Point> fixed = {},
            Rounding rounding = Rounding::outward);
 

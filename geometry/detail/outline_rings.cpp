@@ -34,7 +34,8 @@ class Tracer {
 
  private:
   bool on_outline(std::uint32_t t, int i) const {
-    return tri_.neighbours[t][i] == kNone || !tri_.free[tri_.neighbours[t][i]];
+    // Between free and solid, and on the hull of what is free, there is always a constrained side.
+    return tri_.is_constrained(t, i) && (tri_.neighbours[t][i] == kNone || !tri_.free[tri_.neighbours[t][i]]);
   }
 
   void flood(std::uint32_t first) {
@@ -104,7 +105,7 @@ class Tracer {
 
   const Tri& tri_;
   std::vector<std::uint32_t> region_;
-  std::vector<bool> done_;
+  std::vector<std::uint8_t> done_;
   std::vector<std::uint32_t> place_;  // by vertex: where it is in the chain that is split
   std::uint32_t regions_ = 0;
   std::vector<Polygon> polygons_;

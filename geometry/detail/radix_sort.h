@@ -15,12 +15,15 @@ namespace taut::detail {
 template <class Item, class Key>
 void radix_sort(std::vector<Item>& items, int bits, const Key& key) {
   constexpr int kDigit = 11;
+  if (items.empty()) return;
+  std::uint64_t varying = 0;
+  for (const Item& item : items) varying |= key(item) ^ key(items.front());
   std::vector<Item> other(items.size());
   for (int shift = 0; shift < bits; shift += kDigit) {
+    if (((varying >> shift) & ((1U << kDigit) - 1)) == 0) continue;
     std::array<std::uint32_t, 1 << kDigit> next{};
     const auto digit = [&](const Item& item) { return (key(item) >> shift) & ((1U << kDigit) - 1); };
     for (const Item& item : items) ++next[digit(item)];
-    if (!items.empty() && next[digit(items.front())] == items.size()) continue;
     std::uint32_t sum = 0;
     for (std::uint32_t& n : next) sum += std::exchange(n, sum);
     for (const Item& item : items) other[next[digit(item)]++] = item;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -159,8 +160,10 @@ void require_projectable(Format format, const std::string& source) {
       fmt::format("is {}: --project takes longitude and latitude in GeoJSON, WKT or segments", name(format)));
 }
 
-std::string drain(std::istream& in) {
+/// `size`: how many bytes are expected.
+std::string drain(std::istream& in, std::size_t size = 0) {
   std::string bytes;
+  bytes.reserve(size);
   std::array<char, 1 << 16> block;
   while (in.read(block.data(), block.size()) || in.gcount() > 0)
     bytes.append(block.data(), static_cast<std::size_t>(in.gcount()));
@@ -261,7 +264,8 @@ std::string read_bytes(const std::string& path) {
   if (!std::filesystem::exists(path, error)) throw InputError(shown, 0, "no such file");
   std::ifstream in(path, std::ios::binary);
   if (!in) throw InputError(shown, 0, std::string("cannot be opened: ") + std::strerror(errno));
-  std::string bytes = drain(in);
+  const std::uintmax_t size = std::filesystem::file_size(path, error);  // of a pipe there is none
+  std::string bytes = drain(in, error ? 0 : size);
   if (in.bad()) throw InputError(shown, 0, "cannot be read");
   return unpacked(std::move(bytes), shown);
 }

@@ -13,6 +13,7 @@
 #include <taut/io/worlds/grid_csv.h>
 #include <taut/io/worlds/movingai.h>
 #include <taut/io/worlds/read_world.h>
+#include <taut/search/corner_count.h>
 #include <taut/search/grid/grid_search.h>
 #include <taut/search/shortest_path.h>
 #include <taut/search/verify.h>
@@ -36,7 +37,7 @@ TEST(Data, HasTheShortestPathsThatItsReadmePromises) {
     const auto path = shortest_path(space, *world.start(), world.goal());
     ASSERT_TRUE(path) << match[1];
     EXPECT_EQ(path->length.decimals(6), match[2].str()) << match[1];
-    EXPECT_EQ(std::to_string(path->points.size() - 2), match[3].str()) << match[1];
+    EXPECT_EQ(std::to_string(corner_count(path->points)), match[3].str()) << match[1];
     EXPECT_TRUE(verify(*path, space, *world.start(), world.goal()).valid) << match[1];
   }
   EXPECT_GE(rows, 13U);  // what is left out by a typing error is missed otherwise
