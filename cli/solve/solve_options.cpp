@@ -151,7 +151,10 @@ void add_solve_options(CommandLine& app, SolveOptions& options) {
                "With --robot disc:R: the disc itself, not a polygon around it; the path bends in arcs")
       .group("Query");
   app.add_flag("--no-verify", options.no_verify, "Do not check the answer independently").group("Query");
-  app.add_flag("--path", options.path, "Print the points of the path, one `x y` a line").group("Output");
+  app.add_flag(
+         "--path", options.path,
+         "Print the points of the path, one `x y` a line; of arcs and curves a `#` line first says how near they are")
+      .group("Output");
   add_path_file_options(app, options.files);
   add_anytime_options(app, options.anytime);
   add_clearance_options(app, options.clearance);
