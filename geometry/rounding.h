@@ -15,13 +15,13 @@ namespace taut {
 double rounding_bound(const FreeSpace& space);
 
 /// How far the space may be from where the robot itself can be as written: rounding_bound, and of a disc, which the
-/// space holds as a polygon around it, what that stands out (Footprint::kDiscExcess of its radius). What holds of a path
-/// for rounding_bound holds of the robot's path for this.
+/// space holds as a polygon around it, what that stands out (Footprint::kDiscExcess of its radius). What holds of a
+/// path for rounding_bound holds of the robot's path for this.
 double path_bound(const FreeSpace& space);
 
 /// Is p on the side of everything near it that it is on as written? So when nothing was rounded; else when no obstacle
-/// lies within twice rounding_bound of p but those that p lies on exactly, and of a point robot those that are where they
-/// are written: pieces of walls and sides that no rounding bent. O(n), and O(n) more for each that near.
+/// lies within twice rounding_bound of p but those that p lies on exactly, and of a point robot those that are where
+/// they are written: pieces of walls and sides that no rounding bent. O(n), and O(n) more for each that near.
 bool is_sure(const FreeSpace& space, Point p);
 
 }  // namespace taut

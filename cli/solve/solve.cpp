@@ -25,6 +25,7 @@
 #include <taut/io/results/result_json.h>
 #include <taut/io/results/words.h>
 #include <taut/io/saved/planned_roadmap.h>
+#include <taut/search/disc_passage.h>
 #include <taut/search/funnel.h>
 #include <taut/search/no_path.h>
 #include <taut/search/verify.h>
@@ -152,15 +153,35 @@ class Solver {
 
   // That a search found nothing is no proof; the walls are.
   void prove_none(const FreeSpace& space, const Input& input) {
+    const bool disc = options_.query.robot.kind() == Footprint::Kind::disc;
     const auto walls = NoPath(space).walls(*result_.start, result_.goal);
+    if (!walls && disc && prove_by_gates(input)) return;
     if (!walls) return leave_unproven();
     answer_.outcome = Outcome::none;
-    if (options_.query.robot.kind() == Footprint::Kind::disc) result_.within.reset();  // proven of the disc itself
+    if (disc) result_.within.reset();  // proven of the disc itself
     result_.separation = joined_walls(*walls, space.world().box());
     answer_.reason = walls->empty()                ? "no place of the goal is free"
                      : !result_.separation.empty() ? walls_text(shown_(result_.separation))
                                                    : "";
-    if (options_.query.robot.kind() == Footprint::Kind::disc) name_gates(input);
+    if (disc) name_gates(input);
+  }
+
+  // A disc a hair too wide for a gap: what the polygons around and inside it cannot tell, the gates can.
+  bool prove_by_gates(const Input& input) {
+    if (!result_.goal.point) return false;
+    const double radius = options_.query.robot.radius();
+    const Gates gates{FreeSpace(input.world)};
+    const DiscPassage passage = disc_passage(gates, *result_.start, *result_.goal.point, radius);
+    if (passage.status != DiscStatus::none || passage.barrier.empty()) return false;
+    const Barrier barrier = barrier_of(gates, passage.barrier);
+    answer_.outcome = Outcome::none;
+    answer_.reason = barrier_text(shown_(barrier), radius);
+    answer_.narrow = barrier.gate_segments();
+    result_.status = SearchStatus::none;
+    result_.separation = barrier.walls;
+    result_.within.reset();
+    if (rounding_bound(gates.space()) > 0) result_.within = rounding_bound(gates.space());
+    return true;
   }
 
   void leave_unproven() {
@@ -173,7 +194,9 @@ class Solver {
           "no path, but an end is so near a wall ({:.3g}) that rounded crossings may have put it on its other side",
           *result_.within);
     if (answer_.kind->optimal && options_.query.robot.kind() == Footprint::Kind::disc)
-      answer_.reason = "no path for the polygon around the disc, which does not prove that there is none for the disc";
+      answer_.reason =
+          "no path for the polygon around the disc, which does not prove that there is none for the disc; "
+          "--arcs plans for the disc itself";
     if (answer_.planned.prm)
       answer_.reason +=
           fmt::format(" ({} samples, {} vertices at the start, {} at the goal)", answer_.planned.prm->counts.drawn,

@@ -157,7 +157,10 @@ void add_solve_options(CommandLine& app, SolveOptions& options) {
       .group("Query");
   app.add_flag("--no-verify", options.no_verify, "Do not check the answer independently, nor --certificate's file")
       .group("Query");
-  app.add_flag("--path", options.path, "Print the points of the path, one `x y` a line").group("Output");
+  app.add_flag(
+         "--path", options.path,
+         "Print the points of the path, one `x y` a line; of arcs and curves a `#` line first says how near they are")
+      .group("Output");
   add_path_file_options(app, options.files);
   add_certificate_option(app, options.certificate);
   add_anytime_options(app, options.anytime);

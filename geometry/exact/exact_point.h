@@ -67,8 +67,8 @@ double displacement(const ExactPoint& exact, Point rounded);
 /// edge.
 Point round_outward(const ExactPoint& exact, std::span<const Segment> edges, const DecimalUnit& unit);
 
-/// round_outward, but where no double lies in the wedge: the nearest multiple of the unit. What is solid may shrink there
-/// by its displacement.
+/// round_outward, but where no double lies in the wedge: the nearest multiple of the unit. What is solid may shrink
+/// there by its displacement.
 Point round_outward_or_nearest(const ExactPoint& exact, std::span<const Segment> edges, const DecimalUnit& unit);
 
 }  // namespace taut

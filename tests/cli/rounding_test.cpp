@@ -100,6 +100,17 @@ TEST_F(Rounding, ComparedPlannersAreOptimalAsFarAsTheWorldIs) {
   EXPECT_EQ(result["planners"][1]["optimal"], false);
 }
 
+TEST_F(Rounding, OfADiscAHairTooWideTheGatesProveThatThereIsNone) {
+  const std::string world = "boundary 0 0 10 10\n0 5 4.65 5\n5.35 5 10 5\n";
+  const auto [none, why] = solved("--from 1,1 --to 1,9 --robot disc:0.3500000001", world);
+  EXPECT_EQ(none, 1);
+  EXPECT_THAT(why["reason"].get<std::string>(), HasSubstr("7/10 between (4.65, 5) and (5.35, 5)"));
+  const auto [fits, hint] = solved("--from 1,1 --to 1,9 --robot disc:0.35", world);
+  EXPECT_EQ(fits, 4) << "the polygon around it does not fit";
+  EXPECT_THAT(hint["reason"].get<std::string>(), HasSubstr("--arcs plans for the disc itself"));
+  EXPECT_EQ(solved("--from 1,1 --to 1,9 --robot disc:0.35 --arcs", world).first, 0);
+}
+
 TEST_F(Rounding, OfADiscThePolygonAroundItStandsOut) {
   const std::string world = "boundary 0 0 10 10\n3 3 5 5\n";
   const auto [code, answer] = solved("--from 3,6 --to 6,3 --robot disc:0.5", world);
