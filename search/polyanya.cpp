@@ -37,14 +37,19 @@ class PolygonsAt {
   }
 
  private:
-  /// And the neighbour, when p lies on a portal.
+  /// And the neighbour, when p lies on a portal: that is a side of the triangle then.
   void in_triangle(Point p, const Location& at, std::vector<std::uint32_t>& out) const {
     const std::uint32_t polygon = mesh_.polygon_of[at.triangle];
+    const auto& corners = tri_.triangles[at.triangle];
     out.push_back(polygon);
-    for (std::uint32_t c = mesh_.first[polygon]; c < mesh_.first[polygon + 1]; ++c) {
-      const std::uint32_t across = mesh_.corners[c].across;
-      if (across != kNone && written::on_segment(p, mesh_.corners[c].point, mesh_.corners[mesh_.next(c)].point))
-        out.push_back(mesh_.corners[across].polygon);
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t n = tri_.neighbours[at.triangle][i];
+      if (n == kNone || tri_.is_constrained(at.triangle, i)) continue;
+      const std::uint32_t across = mesh_.polygon_of[n];
+      if (across != kNone && across != polygon &&
+          written::on_segment(p, tri_.points[corners[Triangulation::ccw(i)]],
+                              tri_.points[corners[Triangulation::cw(i)]]))
+        out.push_back(across);
     }
   }
 

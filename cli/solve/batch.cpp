@@ -29,10 +29,10 @@ namespace taut::cli {
 
 namespace {
 
-// The graph, and then landmarks, are made once the searches have looked at about as much as making them takes;
-// landmarks only if paths wind: where they are hardly longer than straight lines landmarks say nothing that those do
-// not.
-constexpr std::size_t kConesABend = 8;
+// The graph, and then landmarks, are made once the searches have looked at about as much as making them takes, if paths
+// wind: where they are hardly longer than straight lines a corner has many legs, and landmarks say nothing that
+// those lines do not.
+constexpr std::size_t kConesABend = 16;
 constexpr std::size_t kNodesABend = 16;
 constexpr double kWinding = 1.1;
 constexpr std::size_t kManyBends = 20000;
@@ -154,9 +154,8 @@ class Batch {
   void prepare(Polyanya& polyanya, PolyanyaSearch& search) {
     const std::size_t bends = polyanya.mesh().bends.size();
     const bool graph = !polyanya.has_graph() && nodes_ > kConesABend * bends;
-    const bool landmarks = polyanya.has_graph() && !polyanya.has_landmarks() && nodes_ > kNodesABend * bends &&
-                           lengths_ > kWinding * straight_;
-    if (is_full_ || (!graph && !landmarks)) return;
+    const bool landmarks = polyanya.has_graph() && !polyanya.has_landmarks() && nodes_ > kNodesABend * bends;
+    if (is_full_ || (!graph && !landmarks) || !(lengths_ > kWinding * straight_)) return;
     const Stopwatch watch;
     try {
       Polyanya made = graph ? polyanya.with_graph() : polyanya.with_landmarks(bends > kManyBends ? 16 : 8);

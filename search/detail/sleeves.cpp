@@ -87,6 +87,10 @@ bool SleeveString::find(Point from, std::span<const std::uint32_t> starts, Point
   if (!are_in_one_tree(starts, goals)) return false;
   string_.sides().set_ends(from, to);
   path.clear();
+  if (lay_out_at_once()) {
+    pull_taut(path);
+    return true;
+  }
   for (const std::uint32_t p : starts_)
     for (const std::uint32_t q : goals_) {
       if (!lay_out(p, q)) continue;
@@ -112,15 +116,36 @@ bool SleeveString::are_in_one_tree(std::span<const std::uint32_t> starts, std::s
   return std::all_of(starts_.begin(), starts_.end(), is_in_it) && std::all_of(goals_.begin(), goals_.end(), is_in_it);
 }
 
+/// Where each end is in one polygon, or on the portal between two: then the way from the lower one needs no portal that
+/// the end lies on.
+bool SleeveString::lay_out_at_once() {
+  const auto lowest = [&](const std::vector<std::uint32_t>& nodes) {
+    if (nodes.size() == 1) return nodes[0];
+    const std::uint32_t low = std::max(nodes[0], nodes[1]), high = std::min(nodes[0], nodes[1]);
+    return nodes.size() == 2 && sleeves_[low].above == high ? low : kNone;
+  };
+  std::uint32_t p = lowest(starts_), q = lowest(goals_);
+  if (p == kNone || q == kNone) return false;
+  up_.clear();
+  down_.clear();
+  while (p != q) {
+    std::uint32_t& lower = p > q ? p : q;
+    (p > q ? up_ : down_).push_back(lower);
+    lower = sleeves_[lower].above;
+  }
+  if (starts_.size() == 2 && !up_.empty()) up_.erase(up_.begin());
+  if (goals_.size() == 2 && !down_.empty()) down_.erase(down_.begin());
+  return true;
+}
+
 /// The way between two nodes. False when it passes another node of an end: from there it is no longer.
 bool SleeveString::lay_out(std::uint32_t p, std::uint32_t q) {
   const std::uint32_t start = p, goal = q;
   const auto holds = [](const std::vector<std::uint32_t>& nodes, std::uint32_t node) {
     return std::find(nodes.begin(), nodes.end(), node) != nodes.end();
   };
-  const bool alone = starts_.size() == 1 && goals_.size() == 1;
   const auto is_other_end = [&](std::uint32_t node) {
-    return !alone && ((node != start && holds(starts_, node)) || (node != goal && holds(goals_, node)));
+    return (node != start && holds(starts_, node)) || (node != goal && holds(goals_, node));
   };
   up_.clear();
   down_.clear();

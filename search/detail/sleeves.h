@@ -106,6 +106,7 @@ class SleeveString {
   using Place = SleeveSides::Place;
 
   bool are_in_one_tree(std::span<const std::uint32_t> starts, std::span<const std::uint32_t> goals);
+  bool lay_out_at_once();
   bool lay_out(std::uint32_t p, std::uint32_t q);
   void pull_taut(std::vector<Point>& path);
   void widen(const Place& right, const Place& left);

@@ -4,8 +4,10 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "support/program_test.h"
+#include "support/text.h"
 
 namespace taut::test {
 namespace {
@@ -157,6 +159,22 @@ TEST_F(Batch, SolvesTheSameWithAndWithoutAGraph) {
   EXPECT_EQ(json::parse(fast)["result"]["length_text"], json::parse(graph)["result"]["length_text"]);
   EXPECT_EQ(json::parse(fast)["result"]["roadmap"], "polyanya");
   EXPECT_EQ(run_taut(maze + " --roadmap polyanya --save x").code, 2);
+}
+
+TEST_F(Batch, AnswersAlikeOnceItHasAGraphAndLandmarks) {
+  map = in_folder("maze.txt");
+  ASSERT_EQ(run_taut("generate --size 40x40 --loops 0.2 --seed 2 -o " + map).code, 0);
+  std::string once;
+  for (int n = 0; n < 400; ++n)
+    for (const int k : {7, 11, 13, 17}) once += std::to_string(n * k % 40 + 1) + (k < 17 ? ".25 " : "\n");
+  const Outcome outcome = run(once + once, "--path");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::vector<std::string> lines = lines_of(outcome.out);
+  ASSERT_EQ(lines.size(), 800u);
+  for (std::size_t i = 0; i < 400; ++i) {
+    const std::string first = lines[i].substr(lines[i].find(' ') + 1), second = lines[i + 400].substr(4);
+    EXPECT_EQ(first.substr(0, first.find(' ')), second.substr(0, second.find(' '))) << lines[i];
+  }
 }
 
 }  // namespace
