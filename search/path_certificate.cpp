@@ -113,7 +113,8 @@ class Distances {
     queue.push({straight(net_.start()), net_.start()});
     Int bound = kFar;
     while (!queue.empty()) {
-      const auto [key, v] = queue.top();
+      const Int key = queue.top().first;
+      const Vertex v = queue.top().second;
       queue.pop();
       if (bound != kFar && key > bound + kMargin && key > highest(seen, bound) + kMargin) break;
       if (key != estimate(v) || seen[v] == key) continue;
