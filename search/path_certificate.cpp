@@ -19,7 +19,6 @@ using Vertex = Roadmap::Vertex;
 
 constexpr Int kFar = INT64_MAX;
 constexpr int kMostBits = 40;
-constexpr Int kLargest = Int{1} << 61;  // of potentials, as the judge allows
 
 Wide squared(Place p, Place q) {
   const Wide x = q[0] - p[0], y = q[1] - p[1];
