@@ -19,7 +19,6 @@ using Vertex = Roadmap::Vertex;
 
 constexpr Int kFar = INT64_MAX;
 constexpr int kMostBits = 40;
-constexpr Int kLargest = Int{1} << 61;  // of potentials, as the judge allows
 
 Wide squared(Place p, Place q) {
   const Wide x = q[0] - p[0], y = q[1] - p[1];
@@ -113,7 +112,8 @@ class Distances {
     queue.push({straight(net_.start()), net_.start()});
     Int bound = kFar;
     while (!queue.empty()) {
-      const auto [key, v] = queue.top();
+      const Int key = queue.top().first;
+      const Vertex v = queue.top().second;
       queue.pop();
       if (bound != kFar && key > bound + kMargin && key > highest(seen, bound) + kMargin) break;
       if (key != estimate(v) || seen[v] == key) continue;

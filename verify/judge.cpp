@@ -153,11 +153,11 @@ std::string fault(const std::vector<Place>& path, const World& world, Potentials
     return i == 0 || i + 1 == path.size() ? 0 : side(path[i - 1], path[i], path[i + 1]);
   };
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const Node *const u = nodes.find(path[i]), *const v = nodes.find(path[i + 1]);
-    if (!v || u == v || (i + 2 < path.size() && (v->is_end() || turn(i + 1) == 0)))
-      return "the path bends at " + text(path[i + 1], unit) + ", where no shortest one does";
-    if (world.leg(*u, *v, turn(i), turn(i + 1)) != World::kOpen)
-      return "the path does not get from " + text(u->at, unit) + " to " + text(v->at, unit);
+    const Corner u{path[i], Place{i > 0, 0}}, v{path[i + 1], Place{i + 2 < path.size(), 0}};  // ends have no directions
+    if (u.at == v.at || (i + 2 < path.size() && (!nodes.find(v.at) || turn(i + 1) == 0)))
+      return "the path bends at " + text(v.at, unit) + ", where no shortest one does";
+    if (world.leg(u, v, turn(i), turn(i + 1)) != World::kOpen)
+      return "the path does not get from " + text(u.at, unit) + " to " + text(v.at, unit);
   }
   return {};
 }

@@ -30,6 +30,7 @@ bool World::cells(Place p, Place q, Visit visit) const {
 
 World::World(const std::string& text, Int scale) {
   std::istringstream lines(text);
+  bool area = false;
   for (std::string line, word; std::getline(lines, line);) {
     std::istringstream fields(line);
     fields >> word;
@@ -42,18 +43,17 @@ World::World(const std::string& text, Int scale) {
     for (Place p; fields >> p.x >> p.y; ring.push_back({p.x * scale, p.y * scale}))
       if (scale < 1 || std::hypot(static_cast<long double>(p.x), p.y) > static_cast<long double>(kLargest / scale))
         throw BadInput("coordinates, with the certificate's scale, are out of range");
-    const bool hole = word == "hole" && !is_area.empty(), area = word == "area" || (hole && is_area.back());
-    const bool wall = word == "wall" && ring.size() == 2;
-    if (!fields.eof() || !(wall || (ring.size() > 2 && (area || hole || word == "solid"))))
+    const bool hole = word == "hole", wall = word == "wall" && ring.size() == 2;
+    if (!fields.eof() || !(wall || (ring.size() > 2 && (hole || word == "area" || word == "solid"))))
       throw BadInput("the world's text cannot be read at '" + line.substr(0, 40) + "'");
     if (wall) edges.push_back({ring[0], ring[1]});
     if (wall) continue;
-    if (!hole) is_area.push_back(area);
+    area = word == "area" || (hole && area);
+    has_area_ |= area;
     std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
     if (side(ring.back(), ring[0], ring[1]) != (hole ? -1 : 1)) throw BadInput("a ring goes the wrong way round");
     if (area) std::reverse(ring.begin(), ring.end());
-    for (std::size_t i = 0; i < ring.size(); ++i)
-      edges.push_back({ring[i], ring[(i + 1) % ring.size()], static_cast<int>(is_area.size()) - 1});
+    for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()], true});
   }
   if (!(unit > 0) || edges.empty()) throw BadInput("the world's text has no unit or no edges");
   low = high = edges.front().a;
@@ -79,12 +79,12 @@ void World::find_corners() {
   std::sort(ends.begin(), ends.end());
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   for (const Place p : ends) {
-    std::vector<Edge> leaving;  // from p; with the polygon of those that are solid on their left
+    std::vector<Edge> leaving;  // from p; sides are those with their solid on the left
     bool bends = true;
     cells(p, p, [&](std::size_t cell) {
       for (const std::uint32_t i : grid_[cell]) {
         const Edge& e = edges[i];
-        if (e.a == p && e.b != p) leaving.push_back({p, e.b, e.polygon});
+        if (e.a == p && e.b != p) leaving.push_back({p, e.b, e.is_side});
         if (e.b == p && e.a != p) leaving.push_back({p, e.a});
         if (e.a != p && e.b != p && side(e.a, e.b, p) == 0 && dot(e.a - p, e.b - p) < 0) bends = false;
       }
@@ -100,7 +100,7 @@ void World::find_corners() {
       const Place d = e.b - p;
       const int l = sign(cross(d, corner.left)), r = sign(cross(corner.right, d));
       bends &= l >= 0 && r >= 0 && (l > 0 || dot(d, corner.left) > 0) && (r > 0 || dot(d, corner.right) > 0) &&
-               !(e.polygon >= 0 && l == 0);  // its solid is where the path would go
+               !(e.is_side && l == 0);  // its solid is where the path would go
     }
     if (bends && !leaving.empty()) corners.push_back(corner);
   }
@@ -127,7 +127,7 @@ int World::leg(const Corner& from, const Corner& to, int turn_at_u, int turn_at_
       const Wide at_a = dot(d, e.a - u), at_b = dot(d, e.b - u);
       if (a == 0 && b == 0) {
         const Wide begin = std::max<Wide>(std::min(at_a, at_b), 0), end = std::min(std::max(at_a, at_b), length);
-        const bool solid = e.polygon >= 0 && begin < end;
+        const bool solid = e.is_side && begin < end;
         add(begin, end, solid && at_a < at_b, solid && at_a > at_b);
       } else if (a * b == 0) {
         add(a == 0 ? at_a : at_b, a == 0 ? at_a : at_b, a + b > 0, a + b < 0);
@@ -154,24 +154,19 @@ int World::leg(const Corner& from, const Corner& to, int turn_at_u, int turn_at_
   return kOpen;
 }
 
-// By the sides of each polygon above the place.
+// By the sides above: how many solids are around the place, less the areas, which do not overlap.
 bool World::is_solid(Place p, Place d, int shift) const {
-  std::vector<bool> inside(is_area.size(), false);
+  int around = has_area_ ? 1 : 0;
   const Int ahead = d.x != 0 ? d.x : -shift * d.y;
   const auto is_left = [&](Place q) { return q.x != p.x ? q.x < p.x : ahead > 0; };
   for (const Edge& e : edges) {
-    if (e.polygon < 0 || is_left(e.a) == is_left(e.b)) continue;
+    if (!e.is_side || is_left(e.a) == is_left(e.b)) continue;
     int at = side(e.a, e.b, p);
     if (at == 0) at = sign(cross(e.b - e.a, d));
     if (at == 0) at = dot(e.b - e.a, d) > 0 ? shift : -shift;
-    if ((e.a.x < e.b.x) == (at < 0)) inside[static_cast<std::size_t>(e.polygon)].flip();
+    if ((e.a.x < e.b.x) == (at < 0)) around += at;
   }
-  bool outside = std::count(is_area.begin(), is_area.end(), true) > 0;
-  for (std::size_t i = 0; i < inside.size(); ++i) {
-    if (inside[i] && !is_area[i]) return true;
-    outside &= !(inside[i] && is_area[i]);
-  }
-  return outside;
+  return around > 0;
 }
 
 }  // namespace taut::proof

@@ -28,10 +28,10 @@ inline Wide dot(Place d, Place e) { return Wide{d.x} * e.x + Wide{d.y} * e.y; }
 inline int sign(Wide v) { return (v > 0) - (v < 0); }
 inline int side(Place p, Place q, Place r) { return sign(cross(q - p, r - p)); }  ///< +1: r is to the left of p -> q
 
-/// A wall, or a side of a polygon, solid on its left. Polygons are numbered; walls have -1, and no solid.
+/// A wall, or a side of a ring, solid on its left.
 struct Edge {
   Place a, b;
-  int polygon = -1;
+  bool is_side = false;
 };
 
 /// All that stands at `at` lies within less than half a turn, counter-clockwise from `right` to `left`, so a shortest
@@ -45,7 +45,6 @@ struct Corner {
 
 struct World {
   std::vector<Edge> edges;
-  std::vector<bool> is_area;  ///< of polygons: solid is what is outside
   std::vector<Corner> corners;
   Place low, high;  ///< the box of all edges
   long double unit = 0;
@@ -67,6 +66,7 @@ struct World {
   template <class Visit>
   bool cells(Place p, Place q, Visit visit) const;
 
+  bool has_area_ = false;  // then all that is outside is solid
   Int size_ = 1, columns_ = 1, rows_ = 1;
   std::vector<std::vector<std::uint32_t>> grid_;  // edges by cell
 };

@@ -33,7 +33,8 @@ class Writer {
   void walls(const std::vector<Wall>& all) {
     std::vector<Run> runs;
     for (const Wall& wall : all) {
-      auto [a, b] = std::minmax(integers_.place(wall.a).value(), integers_.place(wall.b).value());
+      Place a = integers_.place(wall.a).value(), b = integers_.place(wall.b).value();
+      if (b < a) std::swap(a, b);
       Place d{b[0] - a[0], b[1] - a[1]};
       const std::int64_t common = std::gcd(d[0], d[1]);
       if (common == 0) continue;

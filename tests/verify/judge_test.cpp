@@ -66,12 +66,14 @@ TEST(Judge, RefusesAPathThatBeginsInASolid) {
 }
 
 TEST(Judge, KnowsACertificateOfAnotherWorld) {
-  const std::string other = std::string(kRoom) + "wall 0 0 1 1\n";
+  std::string other = kRoom;
+  other += "wall 0 0 1 1\n";
   EXPECT_EQ(judge(other, certificate(kRoom, "[[5, 10]]", "[]")).words, "the certificate is of another world");
 }
 
 TEST(Judge, DoesNotAskWhereTheWorldStartsAndEnds) {
-  const std::string with_ends = std::string(kRoom) + "start 0.5 1\ngoal 3.5 1\n";
+  std::string with_ends = kRoom;
+  with_ends += "start 0.5 1\ngoal 3.5 1\n";
   EXPECT_TRUE(
       judge(with_ends, certificate(kRoom, "[[5, 10], [20, 30], [35, 10]]", "[[5, 10, 0], [20, 30, 25], [35, 10, 50]]"))
           .proven);

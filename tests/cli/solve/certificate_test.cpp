@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -99,6 +100,24 @@ TEST_F(CertificateProgram, ProvesTheAnswersOfData) {
     const json result = json::parse(run.out)["result"];
     EXPECT_NEAR(result["length"], result["bound"], 1e-9);
   }
+}
+
+// Mazes of others, from the corner to a place in the middle; those that are smaller have none there.
+TEST_F(CertificateProgram, ProvesTheAnswersOfOthersMazes) {
+  const char* const shared = std::getenv("TAUT_SHARED_DATA");
+  if (shared == nullptr) GTEST_SKIP() << "TAUT_SHARED_DATA is not set";
+  int proven = 0;
+  for (const char* kind : {"micromouse", "prm"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(std::filesystem::path(shared) / kind)) {
+      if (!entry.is_regular_file()) continue;
+      SCOPED_TRACE(entry.path());
+      const std::string maze = entry.path().string(), proof = in_folder(entry.path().filename().string() + ".proof");
+      const std::string to = std::string(kind) == "prm" ? "" : " --to 8,8";
+      if (run_taut("solve " + maze + " --no-verify --certificate " + proof + to).code > 1) continue;
+      EXPECT_EQ(run_taut("verify " + maze + " " + proof).code, 0);
+      ++proven;
+    }
+  EXPECT_GE(proven, 50);
 }
 
 }  // namespace
