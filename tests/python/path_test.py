@@ -68,7 +68,8 @@ def test_a_disc_keeps_away_from_walls(room):
 
 def test_a_disc_between_its_polygons_is_unproven():
     # The gap is 2 wide: the disc of radius 1 fits, the polygon around it does not.
-    world = taut.World([[2, 0, 2, 3], [2, 5, 2, 9]], areas=[[(0, 0), (4, 0), (4, 9), (0, 9)]], start=(1, 4), goal=(3, 4))
+    area = [(0, 0), (4, 0), (4, 9), (0, 9)]
+    world = taut.World([[2, 0, 2, 3], [2, 5, 2, 9]], areas=[area], start=(1, 4), goal=(3, 4))
     with pytest.raises(taut.Unproven, match="polygon around the disc"):
         taut.shortest_path(world, footprint=taut.Footprint.disc(1))
 
