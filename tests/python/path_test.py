@@ -109,7 +109,11 @@ def test_a_sloped_wall_keeps_the_end_that_lies_on_it():
     above = finder.find((0.8, 1.1), (0.1, 3.9))
     below = finder.find((0.8, 1.1), (0.1, 0.1))
     assert above.verify() and below.verify()
-    assert finder.find_many([[0.8, 1.1, 0.1, 3.9]]).length[0] == above.length
+    goals = [(0.1, 3.9), (0.1, 0.1)]
+    assert finder.find_many([[0.8, 1.1, *goal] for goal in goals]).length.tolist() == [above.length, below.length]
+    assert finder.distances([(0.8, 1.1)], goals).tolist() == [[above.length, below.length]]
+    assert [path.length for path in finder.find_each((0.8, 1.1), goals)] == [above.length, below.length]
+    assert finder.find_nearest((0.8, 1.1), goals)[1] == (0 if above.length < below.length else 1)
 
 
 def test_a_notebook_shows_it(room):
