@@ -109,6 +109,7 @@ def test_a_sloped_wall_keeps_the_end_that_lies_on_it():
     above = finder.find((0.8, 1.1), (0.1, 3.9))
     below = finder.find((0.8, 1.1), (0.1, 0.1))
     assert above.verify() and below.verify()
+    assert len(above) == len(below) == 2  # straight off to both sides
     goals = [(0.1, 3.9), (0.1, 0.1)]
     assert finder.find_many([[0.8, 1.1, *goal] for goal in goals]).length.tolist() == [above.length, below.length]
     assert finder.distances([(0.8, 1.1)], goals).tolist() == [[above.length, below.length]]
