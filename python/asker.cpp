@@ -1,5 +1,6 @@
 #include <taut/python/asker.h>
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <exception>
@@ -16,6 +17,12 @@ constexpr std::size_t kBlock = 64;  // queries that a thread takes at once
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<Point> all_of(Point from, std::span<const Point> goals) {
+  std::vector<Point> ends{from};
+  ends.insert(ends.end(), goals.begin(), goals.end());
+  return ends;
+}
 
 /// Runs `work(block)` for all blocks, each once, on several threads; the calling one only waits and asks `is_over`.
 class Crew {
@@ -101,29 +108,29 @@ Asker::Asker(Polyanya polyanya)
       mutex_(std::make_shared<std::mutex>()),
       idle_(std::make_shared<std::vector<PolyanyaSearch>>()) {}
 
-bool Asker::is_moved(Point from, const Goal& to) const {
-  return places_.is_moved(from) || (to.point && places_.is_moved(*to.point));
-}
-
-Asker Asker::with_places(Point from, const Goal& to) const {
-  std::vector<Point> ends{from};
-  if (to.point) ends.push_back(*to.point);
+std::optional<Asker> Asker::knowing(std::span<const Point> ends) const {
+  const bool is_moved = std::ranges::any_of(ends, [&](Point p) { return is_in_reach(p) && places_.is_moved(p); });
+  if (!is_moved) return std::nullopt;
   return Asker(Polyanya(FreeSpace(space().world(), space().footprint(), ends)));
 }
 
+FoundPath Asker::found(Point from, const Goal& to, Path path, std::size_t expanded) const {
+  return {space(), from, to, std::move(path), true, within_of(space()), "polyanya", expanded};
+}
+
 std::optional<FoundPath> Asker::find(Point from, const Goal& to) const {
+  const Point ends[] = {from, to.point.value_or(from)};
+  if (const auto other = knowing(ends)) return other->find_here(from, to);
+  return find_here(from, to);
+}
+
+std::optional<FoundPath> Asker::find_here(Point from, const Goal& to) const {
+  require_ends(space(), from, to);
   return about(space().world().source(), [&]() -> std::optional<FoundPath> {
-    if (is_in_reach(from) && (!to.point || is_in_reach(*to.point)) && is_moved(from, to)) {
-      const Asker knowing = with_places(from, to);
-      if (!knowing.is_moved(from, to)) return knowing.find(from, to);
-    }
-    require_ends(space(), from, to);
     Loan loan(*this);
+    const PolyanyaSearch& search = loan.search();
     if (loan.search().find(from, to) == SearchStatus::found)
-      return FoundPath{space(),    from,
-                       to,         {loan.search().points(), Length(loan.search().points())},
-                       true,       within_of(space()),
-                       "polyanya", loan.search().expanded()};
+      return found(from, to, {search.points(), Length(search.points())}, search.expanded());
     const std::scoped_lock lock(*mutex_);
     if (!no_path_->holds(from, to)) throw Unproven(unproven_text(space()));
     return std::nullopt;
@@ -131,32 +138,27 @@ std::optional<FoundPath> Asker::find(Point from, const Goal& to) const {
 }
 
 std::optional<std::pair<FoundPath, std::size_t>> Asker::find_nearest(Point from, std::span<const Point> goals) const {
-  about(space().world().source(), [&] { require_free(space(), from, "start"); });
-  Loan loan(*this);
+  const auto other = knowing(all_of(from, goals));
+  const Asker& asked = other ? *other : *this;
+  require_ends(asked.space(), from, {});
+  Loan loan(asked);
   PolyanyaSearch& search = loan.search();
   if (search.find_nearest(from, goals) != SearchStatus::found) return std::nullopt;
-  return std::pair{FoundPath{space(),
-                             from,
-                             {search.points().back(), {}},
-                             {search.points(), Length(search.points())},
-                             true,
-                             within_of(space()),
-                             "polyanya",
-                             search.expanded()},
+  const Goal reached{goals[search.goal()], {}};
+  return std::pair{asked.found(from, reached, {search.points(), Length(search.points())}, search.expanded()),
                    search.goal()};
 }
 
 std::vector<std::optional<FoundPath>> Asker::find_each(Point from, std::span<const Point> goals) const {
-  about(space().world().source(), [&] { require_free(space(), from, "start"); });
-  Loan loan(*this);
-  std::vector<std::optional<FoundPath>> found;
-  for (std::optional<Path>& path : loan.search().find_each(from, goals)) {
-    found.emplace_back();
-    if (path)
-      found.back() =
-          FoundPath{space(), from, {path->points.back(), {}}, std::move(*path), true, within_of(space()), "polyanya"};
-  }
-  return found;
+  const auto other = knowing(all_of(from, goals));
+  const Asker& asked = other ? *other : *this;
+  require_ends(asked.space(), from, {});
+  Loan loan(asked);
+  std::vector<std::optional<Path>> paths = loan.search().find_each(from, goals);
+  std::vector<std::optional<FoundPath>> answers(goals.size());
+  for (std::size_t i = 0; i < goals.size(); ++i)
+    if (paths[i]) answers[i] = asked.found(from, {goals[i], {}}, std::move(*paths[i]), 0);
+  return answers;
 }
 
 QueryStatus Asker::status_of_none(Point from, Point to) const {
@@ -166,14 +168,17 @@ QueryStatus Asker::status_of_none(Point from, Point to) const {
 
 void Asker::answer(PolyanyaSearch& search, const Ends& ends, std::size_t i, Answers& answers,
                    std::vector<Point>* path) const {
-  const auto& [from, to] = ends;
-  if (is_moved(from, {to, {}})) {
-    const Asker knowing = with_places(from, {to, {}});
-    if (!knowing.is_moved(from, {to, {}})) {
-      PolyanyaSearch own(knowing.polyanya_);
-      return knowing.answer(own, ends, i, answers, path);
-    }
+  const Point both[] = {ends.first, ends.second};
+  if (const auto other = knowing(both)) {
+    PolyanyaSearch own(other->polyanya_);
+    return other->answer_here(own, ends, i, answers, path);
   }
+  answer_here(search, ends, i, answers, path);
+}
+
+void Asker::answer_here(PolyanyaSearch& search, const Ends& ends, std::size_t i, Answers& answers,
+                        std::vector<Point>* path) const {
+  const auto& [from, to] = ends;
   const auto is_blocked = [&](Point p) { return space().locate(p).kind == Location::Kind::outside; };
   QueryStatus status = QueryStatus::blocked;
   if (!is_blocked(from) && !is_blocked(to))
@@ -187,20 +192,31 @@ void Asker::answer(PolyanyaSearch& search, const Ends& ends, std::size_t i, Answ
 
 std::vector<double> Asker::distances(std::span<const Point> starts, std::span<const Point> goals, unsigned threads,
                                      const std::function<bool()>& is_over) const {
-  const auto is_blocked = [&](Point p) { return space().locate(p).kind == Location::Kind::outside; };
+  std::vector<Point> ends(starts.begin(), starts.end());
+  ends.insert(ends.end(), goals.begin(), goals.end());
+  const auto other = knowing(ends);
+  const Asker& asked = other ? *other : *this;
   std::vector<double> lengths(starts.size() * goals.size(), kNoNumber);
   const auto begin = [&] {
-    return [&, loan = std::make_unique<Loan>(*this)](std::size_t row) {
-      if (is_blocked(starts[row])) return;
-      const auto found = loan->search().find_each(starts[row], goals);
-      for (std::size_t i = 0; i < goals.size(); ++i)
-        lengths[row * goals.size() + i] = found[i]               ? found[i]->length.value()
-                                          : is_blocked(goals[i]) ? kNoNumber
-                                                                 : kInfinity;
+    return [&, loan = std::make_unique<Loan>(asked)](std::size_t row) {
+      asked.measure(loan->search(), starts[row], goals, &lengths[row * goals.size()]);
     };
   };
-  Crew(starts.size(), is_over).run(static_cast<unsigned>(std::min<std::size_t>(threads, starts.size())), begin);
+  const std::size_t rows = goals.empty() ? 0 : starts.size();
+  Crew(rows, is_over).run(static_cast<unsigned>(std::min<std::size_t>(threads, rows)), begin);
   return lengths;
+}
+
+void Asker::measure(PolyanyaSearch& search, Point from, std::span<const Point> goals, double* lengths) const {
+  const auto is_blocked = [&](Point p) { return space().locate(p).kind == Location::Kind::outside; };
+  if (is_blocked(from)) return;
+  const auto paths = search.find_each(from, goals);
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    if (paths[i])
+      lengths[i] = paths[i]->length.value();
+    else if (!is_blocked(goals[i]) && status_of_none(from, goals[i]) == QueryStatus::none)
+      lengths[i] = kInfinity;
+  }
 }
 
 Answers Asker::find_many(std::span<const Ends> queries, bool with_paths, unsigned threads,

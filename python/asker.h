@@ -51,8 +51,8 @@ class Asker {
   std::optional<std::pair<FoundPath, std::size_t>> find_nearest(Point from, std::span<const Point> goals) const;
   std::vector<std::optional<FoundPath>> find_each(Point from, std::span<const Point> goals) const;
 
-  /// The length from each start to each goal, a row a start; infinite where there is none, NaN where an end is not
-  /// free.
+  /// The length from each start to each goal, a row a start; infinite where there is none, proven, NaN where that
+  /// is not, or an end is not free.
   /// Precondition: threads >= 1, points are in reach.
   std::vector<double> distances(std::span<const Point> starts, std::span<const Point> goals, unsigned threads,
                                 const std::function<bool()>& is_over) const;
@@ -65,12 +65,18 @@ class Asker {
  private:
   class Loan;  // a search, given back at its end
 
-  bool is_moved(Point from, const Goal& to) const;
-  Asker with_places(Point from, const Goal& to) const;
+  /// One that knows these ends, where one of them was moved.
+  std::optional<Asker> knowing(std::span<const Point> ends) const;
+  FoundPath found(Point from, const Goal& to, Path path, std::size_t expanded) const;
+  std::optional<FoundPath> find_here(Point from, const Goal& to) const;
   QueryStatus status_of_none(Point from, Point to) const;
   /// Into row i of what is preset; the path's points when they are wanted.
   void answer(PolyanyaSearch& search, const Ends& ends, std::size_t i, Answers& answers,
               std::vector<Point>* path) const;
+  void answer_here(PolyanyaSearch& search, const Ends& ends, std::size_t i, Answers& answers,
+                   std::vector<Point>* path) const;
+  /// Into what is preset with NaN.
+  void measure(PolyanyaSearch& search, Point from, std::span<const Point> goals, double* lengths) const;
 
   Polyanya polyanya_;
   WrittenPlaces places_;

@@ -146,7 +146,8 @@ void bind_polyanya(py::module_& m) {
       .def("distances", &matrix, py::arg("starts"), py::arg("goals") = py::none(), py::kw_only(),
            py::arg("threads") = 0,
            "(n, m): the lengths of the shortest paths from starts (n, 2) to goals (m, 2), the starts themselves unless "
-           "given; inf where there is no path, nan where an end is not free. One search a start, on all cores.")
+           "given; inf where there is no path, nan where that is in doubt or an end is not free. One search a start, "
+           "on all cores.")
       .def(
           "find_nearest",
           [](const Asker& asker, Point start, const py::object& goals) {

@@ -13,5 +13,6 @@ roadmap = taut.roadmap(space, "prm", samples=2000, connection="nearest:10", seed
 path = roadmap.find()
 shortest = taut.shortest_path(space)
 print(f"{len(roadmap)} milestones, {len(roadmap.edges)} edges")
-print(f"length {path.length:.3f}, {path.length / shortest.length:.3f} times the shortest, clearance {path.clearance:.3f}")
+print(f"length {path.length:.3f}, {path.length / shortest.length:.3f} times the shortest")
+print(f"clearance {path.clearance:.3f}")
 assert path.verify()

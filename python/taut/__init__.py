@@ -4,8 +4,8 @@
     path = taut.shortest_path(taut.read_world_file("maze.txt"))
     path.length, path.points, path.verify()
 
-Points are pairs, arrays of points float64 (n, 2), in the unit of the input; x to the right, y up. What is wrong with the
-input is a taut.InputError, a ValueError that names file, line and culprit.
+Points are pairs, arrays of points float64 (n, 2), in the unit of the input; x to the right, y up. What is wrong with
+the input is a taut.InputError, a ValueError that names file, line and culprit.
 """
 
 from ._errors import InputError, TooFine, Unproven

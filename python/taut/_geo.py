@@ -48,8 +48,8 @@ def _space(space):
 
 
 def to_shapely(thing: Any) -> Any:
-    """A shapely geometry: of a path a LineString, of a FreeSpace a MultiPolygon, of a ring (n, 2) a Polygon, of a World a
-    GeometryCollection of its features."""
+    """A shapely geometry: of a path a LineString, of a FreeSpace a MultiPolygon, of a ring (n, 2) a Polygon, of a World
+    a GeometryCollection of its features."""
     from shapely import geometry
 
     if isinstance(thing, np.ndarray):

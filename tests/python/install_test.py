@@ -23,12 +23,15 @@ def test_pip_installs_from_a_checkout_without_a_network(tmp_path):
     for name in "pyproject.toml", "setup.py", "CMakeLists.txt", "README.md":
         shutil.copy(ROOT / name, checkout)
     shutil.copytree(ROOT / "python", checkout / "python")
-    install = [sys.executable, "-m", "pip", "install", "--no-build-isolation", "--no-deps", "--no-index", "--target", target]
+    install = [sys.executable, "-m", "pip", "install", "--no-build-isolation", "--no-deps", "--no-index"]
     environment = {**os.environ, "TAUT_PYTHON_BUILD": str(BUILD), "PIP_BREAK_SYSTEM_PACKAGES": "1"}
     environment.pop("PYTHONPATH", None)
-    done = subprocess.run([*install, checkout], env=environment, capture_output=True, text=True)
+    done = subprocess.run([*install, "--target", target, checkout], env=environment, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr + done.stdout
-    script = "import taut; print(taut.__file__); print(taut.shortest_path(taut.World([[0, 0, 1, 0]]), (0, 1), (1, 1)).length)"
+    script = (
+        "import taut; print(taut.__file__); "
+        "print(taut.shortest_path(taut.World([[0, 0, 1, 0]]), (0, 1), (1, 1)).length)"
+    )
     environment["PYTHONPATH"] = str(target)
     ran = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, cwd=tmp_path)
     assert ran.returncode == 0, ran.stderr

@@ -68,7 +68,8 @@ def test_a_disc_keeps_away_from_walls(room):
 
 def test_a_disc_between_its_polygons_is_unproven():
     # The gap is 2 wide: the disc of radius 1 fits, the polygon around it does not.
-    world = taut.World([[2, 0, 2, 3], [2, 5, 2, 9]], areas=[[(0, 0), (4, 0), (4, 9), (0, 9)]], start=(1, 4), goal=(3, 4))
+    area = [(0, 0), (4, 0), (4, 9), (0, 9)]
+    world = taut.World([[2, 0, 2, 3], [2, 5, 2, 9]], areas=[area], start=(1, 4), goal=(3, 4))
     with pytest.raises(taut.Unproven, match="polygon around the disc"):
         taut.shortest_path(world, footprint=taut.Footprint.disc(1))
 
@@ -108,7 +109,12 @@ def test_a_sloped_wall_keeps_the_end_that_lies_on_it():
     above = finder.find((0.8, 1.1), (0.1, 3.9))
     below = finder.find((0.8, 1.1), (0.1, 0.1))
     assert above.verify() and below.verify()
-    assert finder.find_many([[0.8, 1.1, 0.1, 3.9]]).length[0] == above.length
+    assert len(above) == len(below) == 2  # straight off to both sides
+    goals = [(0.1, 3.9), (0.1, 0.1)]
+    assert finder.find_many([[0.8, 1.1, *goal] for goal in goals]).length.tolist() == [above.length, below.length]
+    assert finder.distances([(0.8, 1.1)], goals).tolist() == [[above.length, below.length]]
+    assert [path.length for path in finder.find_each((0.8, 1.1), goals)] == [above.length, below.length]
+    assert finder.find_nearest((0.8, 1.1), goals)[1] == (0 if above.length < below.length else 1)
 
 
 def test_a_notebook_shows_it(room):

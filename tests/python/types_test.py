@@ -45,7 +45,8 @@ taut.Grid([[0]]).find((0, 0), (0, 0), algorythm="bfs")
 
 
 def mypy(arguments, cwd):
-    cache = {"MYPYPATH": str(PACKAGE.parent), "MYPY_CACHE_DIR": str(PACKAGE.parent / "mypy"), "PYTHONPATH": str(PACKAGE.parent)}
+    folder = PACKAGE.parent
+    cache = {"MYPYPATH": str(folder), "MYPY_CACHE_DIR": str(folder / "mypy"), "PYTHONPATH": str(folder)}
     command = [sys.executable, "-B", "-m", *arguments]
     return subprocess.run(command, env={**os.environ, **cache}, capture_output=True, text=True, cwd=cwd)
 
@@ -84,7 +85,8 @@ def bound_parameters(thing):
     line = thing.__doc__.splitlines()[0]
     if "**" in line or "*args" in line:
         return None
-    without_types = re.sub(r"\[[^\]]*\]|<[^>]*>|\([^()]*\)(?!.*->)", "", line[line.index("(") + 1 : line.rindex(") ->")])
+    inside = line[line.index("(") + 1 : line.rindex(") ->")]
+    without_types = re.sub(r"\[[^\]]*\]|<[^>]*>|\([^()]*\)", "", inside)
     names = [part.split(":")[0].strip() for part in without_types.split(",")]
     return [name for name in names if name not in ("self", "*", "", "arg0") and name.isidentifier()]
 

@@ -114,7 +114,8 @@ def test_notes_take_what_reading_has_to_remark():
 
 def test_snap_joins_what_was_meant_to_touch():
     walls = [[0, 0, 4, 0], [4, 0.001, 4, 4]]
-    assert taut.World(walls, snap=0.01).walls[1].tolist() == [4, 0, 4, 4] or len(taut.World(walls, snap=0.01).walls) == 2
+    first, second = taut.World(walls, snap=0.01).walls
+    assert first[2:].tolist() == second[:2].tolist()
     assert taut.World(walls, snap=0).walls.tolist() == walls
     with pytest.raises(ValueError, match="snap"):
         taut.World(walls, snap="all")
