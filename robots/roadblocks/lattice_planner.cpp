@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMemory =
     300'000'000;  // bytes for estimates that are kept: some 4 MB for a set of closed roadblocks on a map of 50 x 50
 constexpr std::size_t kLeastKnown = 8;
-constexpr std::size_t kMostCells = 4;  // likewise, 30 MB each
+constexpr std::size_t kMostCells = 2;  // likewise, 30 MB each
 constexpr double kNear = 3;            // more than half the car's diagonal, half a square's and a step
 
 /// From coarse to fine: the next one is asked only when there is no way in the former. The first is a short look at the
@@ -72,7 +72,7 @@ struct LatticePlanner::Impl {
     auto at = by_closed.find(closed);
     if (at == by_closed.end()) {
       at = by_closed.emplace(closed, made(closed)).first;
-      if (by_closed.size() > std::max(kLeastKnown, kMemory / at->second.distance.bytes()))
+      if (by_closed.size() > std::max(kLeastKnown, memory / at->second.distance.bytes()))
         by_closed.erase(longest_unused());
     }
     at->second.used = ++uses;
@@ -212,6 +212,7 @@ struct LatticePlanner::Impl {
   WallReading reading;
   std::map<RoadblockSet, Known> by_closed;
   std::size_t uses = 0;
+  std::size_t memory = kMemory;
   std::map<RoadblockSet, detail::PoseCells> cells;
   std::vector<RoadblockSet> cuts;  ///< closed, they leave no way from the start: proven
   std::map<std::tuple<double, double, double, RoadblockSet>, Answer> kept;
@@ -253,6 +254,8 @@ std::optional<double> LatticePlanner::estimate(const Pose& from, RoadblockSet cl
     at = impl_->estimates.emplace(key, impl_->known(closed).distance.steps_from(from)).first;
   return at->second == detail::PoseDistance::kFar ? std::nullopt : std::optional(at->second);
 }
+
+void LatticePlanner::keep_at_most(std::size_t bytes) { impl_->memory = std::min(impl_->memory, bytes); }
 
 const Course& LatticePlanner::course() const { return impl_->course; }
 WallReading LatticePlanner::reading() const { return impl_->reading; }

@@ -65,6 +65,9 @@ class LatticePlanner {
   /// of the estimate knows no way.
   std::optional<double> estimate(const Pose& from, RoadblockSet closed);
 
+  /// Estimates for sets of closed roadblocks that are kept, 8 sets at least; 300 MB if never said.
+  void keep_at_most(std::size_t bytes);
+
   const Course& course() const;
   WallReading reading() const;
   std::size_t expanded() const;  ///< states, in all plans so far
