@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t kMemory =
     300'000'000;  // bytes for estimates that are kept: some 4 MB for a set of closed roadblocks on a map of 50 x 50
 constexpr std::size_t kLeastKnown = 8;
-constexpr std::size_t kMostCells = 4;  // likewise, 30 MB each
+constexpr std::size_t kMostCells = 2;  // likewise, 30 MB each
 constexpr double kNear = 3;            // more than half the car's diagonal, half a square's and a step
 
 /// From coarse to fine: the next one is asked only when there is no way in the former. The first is a short look at the
@@ -72,7 +72,7 @@ struct LatticePlanner::Impl {
     auto at = by_closed.find(closed);
     if (at == by_closed.end()) {
       at = by_closed.emplace(closed, made(closed)).first;
-      if (by_closed.size() > std::max(kLeastKnown, kMemory / at->second.distance.bytes()))
+      if (by_closed.size() > std::max(kLeastKnown, memory / at->second.distance.bytes()))
         by_closed.erase(longest_unused());
     }
     at->second.used = ++uses;
@@ -144,9 +144,38 @@ struct LatticePlanner::Impl {
   Answer& answer(const Pose& from, RoadblockSet closed) {
     const std::tuple key{from.x, from.y, from.heading, closed};
     auto at = kept.find(key);
-    if (at == kept.end()) at = kept.emplace(key, found(from, closed)).first;
+    if (at == kept.end()) at = kept.emplace(key, is_cut_off(closed) ? Answer{} : found(from, closed)).first;
     return at->second;
   }
+
+  bool is_cut_off(RoadblockSet closed) const {
+    return std::ranges::any_of(cuts, [&](RoadblockSet cut) { return (cut & ~closed) == 0; });
+  }
+
+  /// Is it proven that the start has no way, and so nothing that can be reached from there? What the proof needs is
+  /// kept as a cut: it serves all sets of closed roadblocks that hold it.
+  bool proves_cut_off(RoadblockSet closed) {
+    if (is_cut_off(closed)) return true;
+    const RoadblockSet cut = lessened(closed);
+    if (may_reach(start(), cut)) return false;
+    cuts.push_back(cut);
+    return true;
+  }
+
+  /// Without roadblocks that can be open while the disc still has no way from the start; all where it has one.
+  RoadblockSet lessened(RoadblockSet closed) const {
+    const detail::Obstacles open(course, 0, reading);
+    const auto passes = [&](RoadblockSet shut) {
+      return detail::DiscDistance(open.with(shut), course.goal).reaches({course.start.x, course.start.y});
+    };
+    if (passes(closed)) return closed;
+    RoadblockSet cut = closed;
+    for (RoadblockSet rest = closed; rest != 0; rest &= rest - 1)
+      if (const RoadblockSet block = rest & (~rest + 1); !passes(cut & ~block)) cut &= ~block;
+    return cut;
+  }
+
+  Pose start() const { return {course.start.x, course.start.y, 0}; }
 
   Answer search(const Pose& from, RoadblockSet closed) {
     if (!known(closed).disc.reaches({from.x, from.y})) return {std::nullopt, None::no_disc};
@@ -160,8 +189,7 @@ struct LatticePlanner::Impl {
       if (&lattice == &kLattices.back()) {
         // The car came from the start: where that has no way, neither has this, and the fine lattice takes long to say
         // so.
-        const Pose start{course.start.x, course.start.y, 0};
-        if (from != start && !answer(start, closed).plan) return {std::nullopt, answer(start, closed).none};
+        if (from != start() && !answer(start(), closed).plan) return {std::nullopt, answer(start(), closed).none};
       }
       const Known& now = known(closed);
       last = detail::lattice_search(now.obstacles, now.disc, now.distance, lattice, from, expanded);
@@ -184,7 +212,9 @@ struct LatticePlanner::Impl {
   WallReading reading;
   std::map<RoadblockSet, Known> by_closed;
   std::size_t uses = 0;
+  std::size_t memory = kMemory;
   std::map<RoadblockSet, detail::PoseCells> cells;
+  std::vector<RoadblockSet> cuts;  ///< closed, they leave no way from the start: proven
   std::map<std::tuple<double, double, double, RoadblockSet>, Answer> kept;
   std::map<std::tuple<double, double, double, RoadblockSet>, double> estimates;
   std::map<std::tuple<double, double, double>, Place> places;
@@ -205,7 +235,7 @@ const DrivePlan* LatticePlanner::plan(const Pose& from, RoadblockSet closed) {
 bool LatticePlanner::gave_up(const Pose& from, RoadblockSet closed) {
   const Impl::Answer& answer = impl_->answer(from, closed);
   if (answer.plan) return false;
-  return answer.none != Impl::None::proven && impl_->may_reach(from, closed);
+  return answer.none != Impl::None::proven && !impl_->proves_cut_off(closed) && impl_->may_reach(from, closed);
 }
 
 void LatticePlanner::adopt(const DrivePlan& plan, std::size_t steps, RoadblockSet shut) {
@@ -224,6 +254,8 @@ std::optional<double> LatticePlanner::estimate(const Pose& from, RoadblockSet cl
     at = impl_->estimates.emplace(key, impl_->known(closed).distance.steps_from(from)).first;
   return at->second == detail::PoseDistance::kFar ? std::nullopt : std::optional(at->second);
 }
+
+void LatticePlanner::keep_at_most(std::size_t bytes) { impl_->memory = std::min(impl_->memory, bytes); }
 
 const Course& LatticePlanner::course() const { return impl_->course; }
 WallReading LatticePlanner::reading() const { return impl_->reading; }

@@ -38,7 +38,8 @@ bool crosses(const Pose& from, const DrivePlan& plan, const Roadblock& block, Wa
 ///     goal. Else the planner gave up, also where the finest lattice (1/10 and 64 headings) was
 ///     searched without a rest: it leaves out ways that give the car less play than it needs. Otherwise it is left
 ///     after 600 000 expansions. Precondition: the car can have come to `from` from the course's start; where that has
-///     no way, `from` is not searched in the finest lattice.
+///     no way, `from` is not searched in the finest lattice, and once it is proven that some closed roadblocks leave it
+///     none, nothing is searched while these are closed.
 /// Plans are kept: the same question again costs nothing, nor does one whose answer a kept plan from there is: planned
 /// around fewer closed roadblocks, and clear of all. The estimate for a set of closed roadblocks is repaired from one
 /// with fewer closed. Same questions, same answers.
@@ -63,6 +64,9 @@ class LatticePlanner {
   /// About the steps of a plan, without a search (within some percent, mostly less): nothing where the coarse lattice
   /// of the estimate knows no way.
   std::optional<double> estimate(const Pose& from, RoadblockSet closed);
+
+  /// Estimates for sets of closed roadblocks that are kept, 8 sets at least; 300 MB if never said.
+  void keep_at_most(std::size_t bytes);
 
   const Course& course() const;
   WallReading reading() const;

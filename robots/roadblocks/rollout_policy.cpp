@@ -24,8 +24,10 @@ using Choice = RoadblockPolicy::Choice;
 /// Prices of unknown doors: from the optimist's to the pessimist's.
 constexpr std::array<double, 5> kPrices{0, 50, 150, 500, std::numeric_limits<double>::infinity()};
 constexpr double kLost = 5000;          // steps, where the places know no way out
+constexpr double kDoubt = 0.97;         // of a value, which is an estimate
 constexpr std::size_t kMostDraws = 20;  // a world that is asked for
 constexpr std::uint64_t kSeed = 1;
+constexpr std::size_t kPlannersMemory = 100'000'000;  // plans go around few sets of doors
 
 struct Belief {
   DoorSet open = 0, closed = 0;
@@ -35,11 +37,17 @@ struct Belief {
   }
 };
 
+struct World {
+  RoadblockSet blocks = 0;  ///< open
+  DoorSet doors = 0;        ///< open
+};
+
 /// What to make for: the sight of an unknown door, or the goal.
 struct Option {
   int node = 0;
   double value = std::numeric_limits<double>::infinity();
   double price = 0;  ///< by which the drive goes on if the door is open
+  bool is_optimists = false;
 };
 
 }  // namespace
@@ -48,6 +56,7 @@ struct RolloutPolicy::Impl {
   Impl(LatticePlanner& p, Aim a, std::size_t w, std::vector<Door> all_doors)
       : planner(p), course(p.course()), aim(a), wanted(w), graph(course, p.reading(), std::move(all_doors)) {
     for (const Door& door : graph.doors()) at_doors |= door.blocks;
+    planner.keep_at_most(kPlannersMemory);
   }
 
   Choice choose(const Pose& from, RoadblockSet open, RoadblockSet closed) {
@@ -69,16 +78,43 @@ struct RolloutPolicy::Impl {
 
   Choice decided(const Pose& from, RoadblockSet open, RoadblockSet closed) {
     const Belief belief = belief_of(open, closed);
-    const std::vector<double> legs = graph.legs_from(from, belief.open);
-    const Option option = best_option(legs, belief);
-    const DrivePlan* plan = nullptr;
-    if (option.value < DoorGraph::kFar) {
+    const std::vector<double> legs = legs_at(from, open, closed, belief);
+    const DrivePlan* hopeful = planned(from, closed);
+    const DoorSet hoped = hopeful ? first_crossed(from, *hopeful, open) : 0;
+    if (!hopeful || hoped == 0) return {hopeful, hopeful ? static_cast<double>(hopeful->controls.size()) : 0, false, 0};
+    const Option option = best_option(legs, belief, hoped, worlds_for(legs, open, closed));
+    const DrivePlan* plan = option.is_optimists ? hopeful : nullptr;
+    if (!plan && option.value < DoorGraph::kFar) {
       const RoadblockSet passed = blocks_of(passed_by(legs, belief, option));
       for (const RoadblockSet shut : {closed | (at_doors & ~passed), closed | (at_doors & ~(passed | open))})
         if (!plan) plan = planned(from, shut);
     }
     if (!plan) plan = planned(from, closed);
     return {plan, plan ? option.value : 0, false, 0};
+  }
+
+  /// The door that the plan crosses first of those not known to be open.
+  DoorSet first_crossed(const Pose& from, const DrivePlan& plan, RoadblockSet open) const {
+    RoadblockSet crossed = 0;
+    for (std::size_t b = 0; b < course.roadblocks.size(); ++b)
+      if (!((open >> b) & 1) && crosses(from, plan, course.roadblocks[b], planner.reading()))
+        crossed |= RoadblockSet{1} << b;
+    for (const Pose& pose : plan.poses)
+      if (const RoadblockSet seen = seen_from(pose, course) & crossed)
+        for (std::size_t d = 0; d < graph.doors().size(); ++d)
+          if (graph.doors()[d].blocks & seen) return DoorSet{1} << d;
+    return 0;
+  }
+
+  std::vector<double> legs_at(const Pose& from, RoadblockSet open, RoadblockSet closed, const Belief& belief) const {
+    std::vector<double> legs = graph.legs_from(from, belief.open);
+    const RoadblockSet seen = seen_from(from, course);
+    for (std::size_t d = 0; d < graph.doors().size(); ++d) {
+      const RoadblockSet blocks = graph.doors()[d].blocks;
+      if ((blocks & closed) == 0 && (blocks & ~open) != 0 && (blocks & open & seen) != 0)
+        graph.stand_at(static_cast<int>(d), from, legs);
+    }
+    return legs;
   }
 
   const DrivePlan* planned(const Pose& from, RoadblockSet shut) {
@@ -103,20 +139,24 @@ struct RolloutPolicy::Impl {
     return blocks;
   }
 
-  Option best_option(const std::vector<double>& legs, const Belief& belief) {
-    Option best{graph.goal(), graph.first(legs, sure(belief), ~belief.open).second};
+  /// The optimist's, unless another is better by more than what the estimates may be wrong.
+  Option best_option(const std::vector<double>& legs, const Belief& belief, DoorSet hoped,
+                     const std::vector<World>& worlds) {
     const DoorGraph::Ways hope = graph.ways(belief.open, belief.closed, 0);  // a copy: rollouts ask for many
     const std::vector<double> here = graph.from_here(legs, belief.open).first;
-    const std::vector<DoorSet> worlds = worlds_for(legs, belief);
+    Option best{graph.goal(), graph.first(legs, sure(belief), ~belief.open).second};
+    Option optimist;
     for (int sight = 0; sight < graph.sides(); ++sight) {
       const double leg = here[static_cast<std::size_t>(sight)];
       if (belief.is_known(graph.door_of(sight)) || leg + hope.steps[static_cast<std::size_t>(sight)] >= best.value)
         continue;
       Option option = valued(sight, belief, worlds);
       option.value += leg;
+      option.is_optimists = graph.door_of(sight) == hoped;
+      if (option.is_optimists && option.value < optimist.value) optimist = option;
       if (option.value < best.value) best = option;
     }
-    return best;
+    return optimist.value * kDoubt < best.value ? optimist : best;
   }
 
   RoadblockSet relevant() {
@@ -134,7 +174,7 @@ struct RolloutPolicy::Impl {
   const DoorGraph::Ways& sure(const Belief& belief) { return graph.ways(belief.open, belief.closed, kPrices.back()); }
 
   /// Of the drives on from a sight.
-  Option valued(int sight, const Belief& belief, const std::vector<DoorSet>& worlds) {
+  Option valued(int sight, const Belief& belief, const std::vector<World>& worlds) {
     const DoorSet door = graph.door_of(sight);
     Option option{sight, 0, 0};
     for (const DoorSet state : {door, DoorSet{0}}) {
@@ -150,18 +190,19 @@ struct RolloutPolicy::Impl {
   }
 
   /// The sum (maximum) of the drives in those worlds where the door's state is this.
-  double together(int sight, const Belief& then, double price, const std::vector<DoorSet>& worlds, DoorSet door,
+  double together(int sight, const Belief& then, double price, const std::vector<World>& worlds, DoorSet door,
                   DoorSet state) {
     double all = 0;
-    for (const DoorSet world : worlds) {
-      if ((world & door) != state) continue;
-      const double steps = rollout(sight, then, price, world);
+    for (const World& world : worlds) {
+      if ((world.doors & door) != state) continue;
+      const double trap = state == 0 ? graph.trap(sight, world.blocks) : 0;
+      const double steps = trap + rollout(sight, then, price, world);
       all = aim == Aim::expected ? all + steps : std::max(all, steps);
     }
     return all;
   }
 
-  double rollout(int node, Belief belief, double price, DoorSet world) {
+  double rollout(int node, Belief belief, double price, const World& world) {
     double steps = 0;
     for (;;) {
       const auto at = static_cast<std::size_t>(node);
@@ -171,27 +212,29 @@ struct RolloutPolicy::Impl {
       steps += ways->to_stop[at];
       node = ways->stop[at];
       if (node == graph.goal()) return steps;
-      belief = belief.after(graph.door_of(node), world);
+      if (!(world.doors & graph.door_of(node))) steps += graph.trap(node, world.blocks);
+      belief = belief.after(graph.door_of(node), world.doors);
     }
   }
 
   /// Random worlds that agree with what is known and have a way from here; the same draws for all decisions.
-  std::vector<DoorSet> worlds_for(const std::vector<double>& legs, const Belief& belief) {
-    std::vector<DoorSet> worlds;
+  std::vector<World> worlds_for(const std::vector<double>& legs, RoadblockSet open, RoadblockSet closed) {
+    std::vector<World> worlds;
     for (std::size_t k = 0; k < kMostDraws * wanted && worlds.size() < wanted; ++k) {
-      const DoorSet world = (drawn(k) | belief.open) & ~belief.closed;
-      if (graph.first(legs, graph.ways(world, graph.all() & ~world, 0), ~world).second < DoorGraph::kFar)
-        worlds.push_back(world);
+      const RoadblockSet blocks = (drawn(k) | open) & ~closed;
+      const DoorSet doors = belief_of(blocks, 0).open;
+      if (graph.first(legs, graph.ways(doors, graph.all() & ~doors, 0), ~doors).second < DoorGraph::kFar)
+        worlds.push_back({blocks, doors});
     }
     return worlds;
   }
 
-  DoorSet drawn(std::size_t k) {
+  RoadblockSet drawn(std::size_t k) {
     while (draws.size() <= k) {
-      DoorSet world = 0;
-      for (std::size_t d = 0; d < graph.doors().size(); ++d)
-        if (random.unit() < graph.doors()[d].open_probability) world |= DoorSet{1} << d;
-      draws.push_back(world);
+      RoadblockSet open = 0;
+      for (std::size_t b = 0; b < course.roadblocks.size(); ++b)
+        if (random.unit() < course.roadblocks[b].open_probability) open |= RoadblockSet{1} << b;
+      draws.push_back(open);
     }
     return draws[k];
   }
@@ -220,7 +263,7 @@ struct RolloutPolicy::Impl {
   RoadblockSet at_doors = 0;
   RoadblockSet shut_by_choice = 0;  ///< of the last plan
   Draws random{kSeed};
-  std::vector<DoorSet> draws;
+  std::vector<RoadblockSet> draws;
   std::map<std::tuple<double, double, double, RoadblockSet, RoadblockSet>, Choice> kept;
 };
 

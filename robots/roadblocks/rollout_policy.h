@@ -17,9 +17,11 @@ namespace taut::roadblocks {
 ///     same for all: optimistic rollouts (Eyerich, Keller, Helmert, "High-quality policies for the Canadian traveler's
 ///     problem", 2010), where the drive after the first sight is the best of a family that takes unknown doors for open
 ///     at a price, from none (the optimist) to infinite (the pessimist), chosen by what is seen first. So no choice
-///     looks worse than the optimist's or the pessimist's.
-///  3. One plan of the planner's a decision, around all doors that the choice does not pass; it is kept as long as that
-///     stays so. Where no plan is found that way, and where the places know no way, the optimist's.
+///     looks worse than the optimist's or the pessimist's; the optimist's is left only for one 3 % better. A door of
+///     several roadblocks that is closed also costs the way to the one that is, and out again.
+///  3. One plan of the planner's a decision: the optimist's where it is what was chosen, else one around all doors that
+///     the choice does not pass; its rest is kept as long as that stays so. Where no plan is found that way, and where
+///     the places know no way, the optimist's.
 ///  4. Every sight of a roadblock makes a new decision. Those met before, in other drives too, are looked up.
 ///  5. Worlds are drawn from a fixed seed by the roadblocks' probabilities: same questions, same answers. Choice::value
 ///     is an estimate, and Choice::exact false.

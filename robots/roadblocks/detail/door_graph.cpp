@@ -42,6 +42,7 @@ DoorGraph::DoorGraph(const Course& course, WallReading reading, std::vector<Door
   }
   tables_.push_back(table(Obstacles(course, all_blocks, reading), course.goal));
   choose_poses();
+  order_blocks(course);
   const auto nodes = static_cast<std::size_t>(goal());
   legs_.assign(nodes, std::vector<double>(nodes + 1, kFar));
   for (std::size_t k = 0; k < door_of_.size(); ++k)
@@ -113,6 +114,46 @@ std::vector<double> DoorGraph::legs_from(const Pose& pose, DoorSet open) const {
   }
   legs[2 * m] = steps(pose, m);
   return legs;
+}
+
+void DoorGraph::stand_at(int door, const Pose& pose, std::vector<double>& legs) const {
+  const std::size_t begin = first_side_[static_cast<std::size_t>(door)],
+                    end = first_side_[static_cast<std::size_t>(door) + 1];
+  std::size_t here = begin;
+  const auto away = [&](std::size_t side) { return std::hypot(sights_[side].x - pose.x, sights_[side].y - pose.y); };
+  for (std::size_t side = begin; side < end; ++side)
+    if (away(side) < away(here)) here = side;
+  const double back = steps(pose, here);
+  if (back >= kFar) return;
+  for (std::size_t v = 0; v < legs.size(); ++v) legs[v] = std::min(legs[v], back + legs_[here][v]);
+  for (std::size_t side = begin; side < end; ++side) {
+    legs[side] = side == here ? 0 : kFar;
+    legs[door_of_.size() + side] = kFar;
+  }
+}
+
+void DoorGraph::order_blocks(const Course& course) {
+  for (std::size_t k = 0; k < door_of_.size(); ++k) {
+    const Door& door = doors_[door_of_[k]];
+    const Point look = door.sides[k - first_side_[door_of_[k]]].look;
+    std::vector<std::pair<double, RoadblockSet>> blocks;
+    for (RoadblockSet rest = door.blocks; rest != 0; rest &= rest - 1) {
+      double away = kFar;
+      for (const Cell c : course.roadblocks[static_cast<std::size_t>(std::countr_zero(rest))].cells)
+        away = std::min(away, std::hypot(c.x - look.x, c.y - look.y));
+      blocks.emplace_back(away, rest & (~rest + 1));
+    }
+    std::ranges::sort(blocks);
+    const double first = blocks.front().first;
+    for (auto& [away, block] : blocks) away = (away - first) * (1 / kForward + 1 / kBackward);
+    blocks_.push_back(std::move(blocks));
+  }
+}
+
+double DoorGraph::trap(int side, RoadblockSet open) const {
+  for (const auto& [steps, block] : blocks_[static_cast<std::size_t>(side)])
+    if (!(block & open)) return steps;
+  return 0;
 }
 
 double DoorGraph::price(DoorSet door, DoorSet open, double penalty) const {

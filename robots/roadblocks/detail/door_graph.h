@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include <taut/robots/roadblocks/detail/pose_distance.h>
@@ -46,6 +47,13 @@ class DoorGraph {
   /// door.
   std::vector<double> legs_from(const Pose& pose, DoorSet open) const;
 
+  /// Corrects legs from a pose at a door that is known in part: the car stands at its nearest side, and may back out.
+  void stand_at(int door, const Pose& pose, std::vector<double>& legs) const;
+
+  /// What it costs to find out at a side's sight that the door is closed by the first of these blocks that is: the car
+  /// goes on until it sees that one, and backs out.
+  double trap(int side, RoadblockSet open) const;
+
   /// What a belief makes of a place: the best way to the goal through doors that are open, or unknown and taken for
   /// open at the price of `penalty` times the odds that they are closed.
   struct Ways {
@@ -65,6 +73,7 @@ class DoorGraph {
 
  private:
   void choose_poses();
+  void order_blocks(const Course& course);
   /// Of a side's arrivals, with any heading: where the cost is least, and less than kFar.
   template <typename Cost>
   std::optional<Pose> best_arrival(std::size_t side, Cost cost) const;
@@ -79,7 +88,8 @@ class DoorGraph {
   std::vector<std::size_t> first_side_;  ///< by door, and one more
   std::vector<PoseDistance> tables_;     ///< by side, and the goal's
   std::vector<Pose> sights_, beyonds_;
-  std::vector<std::vector<double>> legs_;  ///< between nodes
+  std::vector<std::vector<std::pair<double, RoadblockSet>>> blocks_;  ///< by side: the door's, by their traps
+  std::vector<std::vector<double>> legs_;                             ///< between nodes
   std::map<std::tuple<DoorSet, DoorSet, double>, Ways> kept_;
 };
 

@@ -87,5 +87,29 @@ TEST(LatticePlanner, GivesTheRestOfAnAdoptedPlanWithoutASearch) {
   EXPECT_EQ(rest->poses.back(), plan->poses.back());
 }
 
+/// Two rooms and a lane with A; B stands free in the first room.
+Course two_rooms() {
+  Course course{40,     20,     std::vector<std::uint8_t>(40 * 20, 1), {{'A', 0.5, {{20, 10}}}, {'B', 0.5, {{12, 15}}}},
+                {6, 8}, {34, 8}};
+  for (int y = 2; y < 20; ++y)
+    for (int x = 2; x < 40; ++x)
+      if (x < 15 || x > 27 || y == 10 || y == 11) course.walls[course.index({x, y})] = 0;
+  return course;
+}
+
+TEST(LatticePlanner, SearchesNoMoreWhereTheStartIsProvenToBeCutOff) {
+  const Course course = two_rooms();
+  LatticePlanner planner(course, WallReading::points);
+  const Pose start{6, 8, 0}, elsewhere{8, 10, 0};
+  EXPECT_EQ(planner.plan(start, 0b01), nullptr);
+  EXPECT_FALSE(planner.gave_up(start, 0b01));
+  const std::size_t plans = planner.plans();
+  EXPECT_EQ(planner.plan(elsewhere, 0b11), nullptr);
+  EXPECT_FALSE(planner.gave_up(elsewhere, 0b11));
+  EXPECT_EQ(planner.plans(), plans);
+  EXPECT_NE(planner.plan(elsewhere, 0b10), nullptr);
+  EXPECT_NE(planner.plan(elsewhere, 0), nullptr);
+}
+
 }  // namespace
 }  // namespace taut::roadblocks
