@@ -91,11 +91,11 @@ class Blocks {
       std::string cells = matrix ? matrix_row(line).digits : std::string(line);
       if (matrix && cells.empty()) continue;
       width_ = std::max(width_, cells.size());
-      if (width_ > kLongestSide) Place{source_, number}.fail("more than 20000 cells in a row");
+      if (width_ > kLongestSide) SourceLine{source_, number}.fail("more than 20000 cells in a row");
       cells_.push_back(std::move(cells));
       numbers_.push_back(number);
     }
-    if (cells_.size() > kLongestSide) Place{source_, numbers_.back()}.fail("more than 20000 rows");
+    if (cells_.size() > kLongestSide) SourceLine{source_, numbers_.back()}.fail("more than 20000 rows");
   }
 
   WorldParts read() {
@@ -122,7 +122,8 @@ class Blocks {
  private:
   void take(std::optional<Point>& end, char c, std::size_t row, std::size_t column) const {
     if (end)
-      Place{source_, numbers_[row]}.fail(std::string("a second '") + c + "' in column " + std::to_string(column + 1));
+      SourceLine{source_, numbers_[row]}.fail(std::string("a second '") + c + "' in column " +
+                                              std::to_string(column + 1));
     end = Point{static_cast<double>(column) + 0.5, static_cast<double>(cells_.size() - row) - 0.5};
   }
 
@@ -146,7 +147,8 @@ WorldParts read_blocks(std::string_view bytes, const std::string& source) {
     for (const auto& [line, number] : rows.lines) {
       const auto odd = std::ranges::find_if_not(line, is_block_character);
       if (odd != line.end())
-        Place{source, number}.fail(quoted(std::string_view(&*odd, 1)) + " is no cell; cells are # or blank, S and G");
+        SourceLine{source, number}.fail(quoted(std::string_view(&*odd, 1)) +
+                                        " is no cell; cells are # or blank, S and G");
     }
   return Blocks(rows, matrix, source).read();
 }

@@ -17,14 +17,14 @@ bool next_content(Lines& lines) {
 
 int read_size(Lines& lines, const std::string& source) {
   if (!next_content(lines)) throw InputError(source, 0, "file is empty");
-  const Place place{source, lines.number()};
+  const SourceLine place{source, lines.number()};
   return whole(trimmed(lines.line()), 2, kLargestSize, "maze size", place);
 }
 
 // The file's bits are up, right, down, left, 1 = open: Side's order.
 void read_column(int x, Lines& lines, CellWalls& cells, const std::string& source) {
   const int n = cells.height();
-  const Place place{source, lines.number()};
+  const SourceLine place{source, lines.number()};
   Fields fields(lines.line(), place);
   std::string_view field;
   int y = 0;
@@ -49,7 +49,7 @@ GridMaze read_cell_values(std::string_view bytes, const std::string& source) {
                        "file ends after " + std::to_string(x) + " of " + std::to_string(n) + " columns");
     read_column(x, lines, cells, source);
   }
-  if (next_content(lines)) Place{source, lines.number()}.fail("more than " + std::to_string(n) + " columns");
+  if (next_content(lines)) SourceLine{source, lines.number()}.fail("more than " + std::to_string(n) + " columns");
   GridMaze maze = agreed(cells, true, source);
   maze.goal = centre_room(n, n);
   return maze;

@@ -33,7 +33,7 @@ class GeoJson {
 
  private:
   [[noreturn]] void fail(const JsonTree& at, const std::string& message) const {
-    Place{source_, at.line}.fail(message);
+    SourceLine{source_, at.line}.fail(message);
   }
 
   void read_root(const JsonTree& root) {

@@ -13,8 +13,8 @@ namespace taut {
 
 namespace {
 
-using detail::Place;
 using detail::quoted;
+using detail::SourceLine;
 
 constexpr std::size_t kMostCells = 400'000'000;
 
@@ -32,7 +32,8 @@ std::vector<std::string_view> fields_of(std::string_view line) {
 
 bool is_blank(std::string_view line) { return fields_of(line).empty(); }
 
-void require_free(const GridTask& task, const std::optional<GridPlace>& end, const char* what, const Place& place) {
+void require_free(const GridTask& task, const std::optional<GridPlace>& end, const char* what,
+                  const SourceLine& place) {
   if (!end) return;
   const OccupancyGrid& grid = task.grid;
   const std::string where = fmt::format("{} (row {}, column {})", what, end->row, end->column);
@@ -70,7 +71,7 @@ class CsvReader {
   bool begins(std::string_view word) const { return task_.grid.height == 0 && fields_of(lines_.line())[0] == word; }
 
   int end(const char* word, std::optional<GridPlace>& where) const {
-    const Place place{source_, lines_.number()};
+    const SourceLine place{source_, lines_.number()};
     const auto fields = fields_of(lines_.line());
     if (fields.size() != 3)
       place.fail(fmt::format("'{}' wants a row and a column, not {} values", word, fields.size() - 1));
@@ -84,7 +85,7 @@ class CsvReader {
 
   void row() {
     OccupancyGrid& grid = task_.grid;
-    const Place place{source_, lines_.number()};
+    const SourceLine place{source_, lines_.number()};
     const auto fields = fields_of(lines_.line());
     if (grid.height == 0) grid.width = static_cast<std::uint32_t>(fields.size());
     if (fields.size() != grid.width)
@@ -103,7 +104,7 @@ class CsvReader {
   GridTask task_;
 };
 
-void draw_cell(GridTask& task, char c, std::uint32_t column, const Place& place) {
+void draw_cell(GridTask& task, char c, std::uint32_t column, const SourceLine& place) {
   const GridPlace here{task.grid.height, column};
   const auto mark = [&](std::optional<GridPlace>& end) {
     if (end) place.fail(fmt::format("a second '{}' in column {}", c, column));
@@ -138,7 +139,7 @@ GridTask read_grid_drawing(std::string_view text, const std::string& source) {
   GridTask task;
   for (detail::Lines lines(text); lines.next();) {
     if (lines.line().empty()) continue;
-    const Place place{source, lines.number()};
+    const SourceLine place{source, lines.number()};
     if (task.grid.height == 0) task.grid.width = static_cast<std::uint32_t>(lines.line().size());
     std::uint32_t column = 0;
     for (const char c : lines.line()) draw_cell(task, c, column++, place);

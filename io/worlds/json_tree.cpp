@@ -90,7 +90,7 @@ class Builder : public nlohmann::json_sax<nlohmann::json> {
 
   bool open(JsonTree::Kind kind) {
     if (open_.size() == kDeepest)
-      Place{source_, line_}.fail("JSON is nested more than " + std::to_string(kDeepest) + " deep");
+      SourceLine{source_, line_}.fail("JSON is nested more than " + std::to_string(kDeepest) + " deep");
     open_.push_back(&add(kind));
     return true;
   }

@@ -74,7 +74,7 @@ class Drawing {
   }
 
  private:
-  Place place(const NumberedLine& line) const { return {source_, line.number}; }
+  SourceLine place(const NumberedLine& line) const { return {source_, line.number}; }
 
   // Rows alternate between posts and cells; the first and the last are posts. What comes before and after is comment.
   void find_rows(std::string_view bytes) {

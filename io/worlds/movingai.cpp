@@ -15,7 +15,7 @@ namespace taut {
 namespace {
 
 using detail::Lines;
-using detail::Place;
+using detail::SourceLine;
 
 constexpr int kLargestSide = 65536;
 
@@ -48,7 +48,7 @@ class MapReader {
   }
 
  private:
-  Place here() const { return {source_, lines_.number()}; }
+  SourceLine here() const { return {source_, lines_.number()}; }
 
   void read_header() {
     int type_line = 0;
@@ -109,7 +109,7 @@ class MapReader {
 
 class ScenarioLine {
  public:
-  ScenarioLine(std::string_view line, const Place& place) : fields_(line, place), place_(place) {}
+  ScenarioLine(std::string_view line, const SourceLine& place) : fields_(line, place), place_(place) {}
 
   std::string_view field(const char* what) {
     std::string_view field;
@@ -127,7 +127,7 @@ class ScenarioLine {
 
  private:
   detail::Fields fields_;
-  const Place& place_;
+  const SourceLine& place_;
 };
 
 int digits_after_point(std::string_view number) {
@@ -160,7 +160,7 @@ bool Scenario::says_none() const { return optimal == 0 && (start_column != goal_
 
 bool looks_like_scenario(std::string_view line) {
   static const std::string nowhere;
-  const Place place{nowhere, 0};
+  const SourceLine place{nowhere, 0};
   detail::Fields fields(line, place);
   std::string_view field;
   int n = 0;
@@ -173,7 +173,7 @@ bool looks_like_scenario(std::string_view line) {
 }
 
 Scenario movingai_scenario(std::string_view line, const std::string& source, int number, ScenarioPlaces places) {
-  const Place place{source, number};
+  const SourceLine place{source, number};
   ScenarioLine in(line, place);
   Scenario s{};
   s.line = static_cast<std::size_t>(place.line);
@@ -203,7 +203,7 @@ Scenario movingai_scenario(std::string_view line, const std::string& source, int
 
 void require_movingai_version(std::string_view line, const std::string& source, int number) {
   const auto [word, value] = split(line);
-  const Place place{source, number};
+  const SourceLine place{source, number};
   if (word != "version") place.fail("a scenario begins with `version 1`, not " + detail::quoted(line));
   if (value != "1" && value != "1.0") place.fail("version " + detail::quoted(value) + " is not known, only 1");
 }

@@ -19,7 +19,7 @@ struct Row {
   int line = 0;
 };
 
-Row read_row(std::string_view line, const Place& place) {
+Row read_row(std::string_view line, const SourceLine& place) {
   static constexpr std::array names{"X", "Y", "N", "E", "S", "W"};
   std::array<int, 6> values{};
   Fields fields(line, place);
@@ -49,8 +49,8 @@ void check_once_each(std::vector<Row> rows, int width, int height, const std::st
   std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) { return a.cell < b.cell; });
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (i > 0 && rows[i].cell == rows[i - 1].cell)
-      Place{source, rows[i].line}.fail("cell " + text(rows[i].cell) + " was already given in line " +
-                                       std::to_string(rows[i - 1].line));
+      SourceLine{source, rows[i].line}.fail("cell " + text(rows[i].cell) + " was already given in line " +
+                                            std::to_string(rows[i - 1].line));
     const auto h = static_cast<std::size_t>(height);
     const Cell expected{static_cast<int>(i / h), static_cast<int>(i % h)};
     if (rows[i].cell != expected) throw InputError(source, 0, "cell " + text(expected) + " is missing");

@@ -51,7 +51,7 @@ class Reader {
   }
 
   [[noreturn]] void fail(const JsonTree& at, const std::string& message) const {
-    Place{source_, at.line}.fail(message);
+    SourceLine{source_, at.line}.fail(message);
   }
 
   const JsonTree& list_of(const JsonTree& json) const {

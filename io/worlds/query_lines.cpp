@@ -9,7 +9,7 @@
 namespace taut {
 
 std::optional<QueryLine> query_line(std::string_view line, const std::string& source, int number) {
-  const detail::Place place{source, number};
+  const detail::SourceLine place{source, number};
   if (number == 1) line = detail::stripped(line);
   line = detail::trimmed(line.substr(0, line.find('#')));
   if (line.empty()) return std::nullopt;

@@ -18,7 +18,7 @@ namespace taut {
 
 namespace {
 
-using detail::Place;
+using detail::SourceLine;
 
 /// The text of a line before a comment.
 std::string_view said(const detail::Lines& lines) {
@@ -67,7 +67,7 @@ class LineReader {
     return table_;
   }
 
-  void add(std::string_view line, const Place& place) {
+  void add(std::string_view line, const SourceLine& place) {
     std::vector<double> values;
     detail::Fields fields(line, place);
     for (std::string_view field; fields.next(field);) values.push_back(detail::coordinate(field, place));
@@ -118,7 +118,7 @@ class WktReader {
 
   std::vector<ClaimedPath> read(std::string_view bytes) {
     for (detail::Lines lines(bytes); lines.next();) {
-      const Place place{source_, lines.number()};
+      const SourceLine place{source_, lines.number()};
       if (std::exchange(closed_, closed_ && detail::trimmed(lines.line()).empty())) paths_.emplace_back();
       take_comment(lines.line(), paths_.back());
       for (std::string_view rest = said(lines); !rest.empty();) {
@@ -134,7 +134,7 @@ class WktReader {
   }
 
  private:
-  void take(char mark, const Place& place) {
+  void take(char mark, const SourceLine& place) {
     if (mark == '(') ++depth_;
     if (mark != ')') return;
     if (depth_-- == 0) place.fail("a ) without its (");
@@ -143,7 +143,7 @@ class WktReader {
   }
 
   /// A word outside of parentheses, or CIRCULARSTRING; else a point, Z and M left out.
-  void take(std::string_view text, const Place& place) {
+  void take(std::string_view text, const SourceLine& place) {
     if (text.empty()) return;
     if (begins_with(text, "CIRCULARSTRING")) in_arc_ = true;
     if (std::isalpha(static_cast<unsigned char>(text.front())) != 0) return;
@@ -157,7 +157,7 @@ class WktReader {
     if (in_arc_ || points.empty() || points.back() != p) points.push_back(p);
   }
 
-  void end_arc(const Place& place) {
+  void end_arc(const SourceLine& place) {
     if (arc_.size() < 3 || arc_.size() % 2 == 0)
       place.fail("a CIRCULARSTRING is 3, 5, 7, ... points, not " + std::to_string(arc_.size()));
     ClaimedPath& path = paths_.back();

@@ -17,7 +17,7 @@ namespace taut {
 namespace {
 
 using detail::JsonTree;
-using detail::Place;
+using detail::SourceLine;
 using Kind = JsonTree::Kind;
 
 // ---- text -----------------------------------------------------------------------------------------------------------
@@ -55,14 +55,14 @@ std::optional<Columns> columns_of(std::string_view heading) {
   return std::nullopt;
 }
 
-Point row_of(std::string_view line, const Columns& columns, const Place& place) {
+Point row_of(std::string_view line, const Columns& columns, const SourceLine& place) {
   const std::vector<std::string_view> cells = cells_of(line);
   if (cells.size() != columns.count)
     place.fail("has " + std::to_string(cells.size()) + " columns, the heading " + std::to_string(columns.count));
   return {detail::coordinate(cells[columns.x], place), detail::coordinate(cells[columns.y], place)};
 }
 
-Point point_of(std::string_view line, const Place& place) {
+Point point_of(std::string_view line, const SourceLine& place) {
   std::vector<double> values;
   detail::Fields fields(line, place);
   for (std::string_view field; fields.next(field);) values.push_back(detail::coordinate(field, place));
@@ -78,7 +78,7 @@ std::vector<ReadPoint> read_lines(std::string_view bytes, const std::string& sou
     const std::string_view line = detail::trimmed(lines.line().substr(0, lines.line().find('#')));
     if (line.empty()) continue;
     if (!std::exchange(begun, true) && (columns = columns_of(line))) continue;
-    const Place place{source, lines.number()};
+    const SourceLine place{source, lines.number()};
     points.push_back({columns ? row_of(line, *columns, place) : point_of(line, place), lines.number()});
   }
   return points;
@@ -100,7 +100,7 @@ class JsonPoints {
 
  private:
   [[noreturn]] void fail(const JsonTree& at, const std::string& message) const {
-    Place{source_, at.line}.fail(message);
+    SourceLine{source_, at.line}.fail(message);
   }
 
   void add_geojson(const JsonTree& json) {

@@ -214,7 +214,7 @@ Format detect_format(std::string_view bytes, const std::string& source) {
       continue;
     }
     if (const std::optional<Format> format = format_of_line(line)) return *format;
-    detail::Place{source, lines.number()}.fail("no known format begins with " + detail::quoted(line));
+    detail::SourceLine{source, lines.number()}.fail("no known format begins with " + detail::quoted(line));
   }
   throw InputError(source, 0, comment ? "file holds nothing but comments" : "file is empty");
 }

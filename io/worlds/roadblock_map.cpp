@@ -212,7 +212,7 @@ class Reader {
   }
 
   detail::Lines lines_;
-  detail::Place place_;
+  detail::SourceLine place_;
   std::optional<detail::Fields> words_;
   RoadblockMap map_;
   std::array<std::optional<Declared>, 26> declared_;

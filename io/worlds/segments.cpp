@@ -37,7 +37,7 @@ class Segments {
   }
 
  private:
-  void read_line(std::string_view line, const Place& place) {
+  void read_line(std::string_view line, const SourceLine& place) {
     Fields fields(line, place);
     std::string_view field;
     if (!fields.next(field)) return;
@@ -48,7 +48,7 @@ class Segments {
     }
   }
 
-  void read_wall(std::string_view field, Fields& fields, const Place& place) {
+  void read_wall(std::string_view field, Fields& fields, const SourceLine& place) {
     std::array<double, 5> v{};
     std::size_t n = 0;
     do {
@@ -62,7 +62,7 @@ class Segments {
     parts_.walls.push_back({{v[0], v[1]}, {v[2], v[3]}, v[4], place.line});
   }
 
-  void read_directive(std::string_view word, Fields& fields, const Place& place) {
+  void read_directive(std::string_view word, Fields& fields, const SourceLine& place) {
     if (word != "start" && word != "goal" && word != "boundary")
       place.fail(quoted(word) + " is neither a number nor start, goal or boundary");
     const auto [first, fresh] = seen_.emplace(word, place.line);
@@ -74,12 +74,12 @@ class Segments {
     if (word == "boundary") read_boundary(v, place);
   }
 
-  void read_start(const Numbers& v, const Place& place) {
+  void read_start(const Numbers& v, const SourceLine& place) {
     if (v.size() != 2) place.fail("start needs two numbers: start X Y");
     parts_.start = Point{v[0], v[1]};
   }
 
-  void read_goal(const Numbers& v, const Place& place) {
+  void read_goal(const Numbers& v, const SourceLine& place) {
     if (v.size() == 2) {
       parts_.goal.point = Point{v[0], v[1]};
       return;
@@ -90,7 +90,7 @@ class Segments {
       parts_.goal.room.push_back(box({v[i], v[i + 1]}, {v[i + 2], v[i + 3]}, "goal", place));
   }
 
-  void read_boundary(const Numbers& v, const Place& place) {
+  void read_boundary(const Numbers& v, const SourceLine& place) {
     Ring ring;
     if (v.size() == 4) {
       const Box b = box({v[0], v[1]}, {v[2], v[3]}, "boundary", place);
@@ -104,7 +104,7 @@ class Segments {
     parts_.boundary = Boundary::limit;
   }
 
-  static Box box(Point min, Point max, const char* what, const Place& place) {
+  static Box box(Point min, Point max, const char* what, const SourceLine& place) {
     if (min.x >= max.x || min.y >= max.y)
       place.fail(std::string(what) + " box from " + text(min) + " to " + text(max) +
                  " has no area: the lower left corner comes first");

@@ -14,7 +14,7 @@ namespace {
 // `10-5.5.5` are three numbers.
 class Numbers {
  public:
-  Numbers(std::string_view text, const Place& place) : rest_(text), place_(place) {}
+  Numbers(std::string_view text, const SourceLine& place) : rest_(text), place_(place) {}
 
   bool at_end() {
     while (!rest_.empty() && (std::isspace(static_cast<unsigned char>(rest_[0])) != 0 || rest_[0] == ','))
@@ -51,7 +51,7 @@ class Numbers {
 
  private:
   std::string_view rest_;
-  const Place& place_;
+  const SourceLine& place_;
 };
 
 double rounded(long double value) {
@@ -74,7 +74,7 @@ SvgTransform turned(double degrees) {
   return {std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle), 0, 0};
 }
 
-SvgTransform named(std::string_view name, const std::vector<double>& v, const Place& place) {
+SvgTransform named(std::string_view name, const std::vector<double>& v, const SourceLine& place) {
   const std::size_t n = v.size();
   const auto tangent = [](double degrees) { return std::tan(degrees * 0.017453292519943295); };
   if (name == "matrix" && n == 6) return {v[0], v[1], v[2], v[3], v[4], v[5]};
@@ -90,7 +90,7 @@ SvgTransform named(std::string_view name, const std::vector<double>& v, const Pl
 
 class Path {
  public:
-  Path(std::string_view text, const Place& place) : numbers_(text, place), place_(place) {}
+  Path(std::string_view text, const SourceLine& place) : numbers_(text, place), place_(place) {}
 
   std::vector<SvgSubpath> read() {
     char command = '\0';
@@ -151,7 +151,7 @@ class Path {
   }
 
   Numbers numbers_;
-  const Place& place_;
+  const SourceLine& place_;
   std::vector<SvgSubpath> subpaths_;
   Point at_, start_;
 };
@@ -169,7 +169,7 @@ Point SvgTransform::operator()(Point p) const {
   return {rounded(a * x + c * y + e), rounded(b * x + d * y + f)};
 }
 
-SvgTransform svg_transform(std::string_view text, const Place& place) {
+SvgTransform svg_transform(std::string_view text, const SourceLine& place) {
   SvgTransform result;
   for (text = trimmed(text); !text.empty();) {
     const std::size_t open = text.find('('), close = text.find(')');
@@ -186,19 +186,21 @@ SvgTransform svg_transform(std::string_view text, const Place& place) {
   return result;
 }
 
-Ring svg_points(std::string_view text, const Place& place) {
+Ring svg_points(std::string_view text, const SourceLine& place) {
   Ring points;
   for (Numbers numbers(text, place); !numbers.at_end();) points.push_back(numbers.point());
   return points;
 }
 
-double svg_length(std::string_view text, const Place& place) {
+double svg_length(std::string_view text, const SourceLine& place) {
   Numbers numbers(text, place);
   const double value = numbers.next();
   if (!numbers.at_end() && numbers.rest() != "px") place.fail(quoted(text) + " is not in the drawing's own units");
   return value;
 }
 
-std::vector<SvgSubpath> svg_subpaths(std::string_view text, const Place& place) { return Path(text, place).read(); }
+std::vector<SvgSubpath> svg_subpaths(std::string_view text, const SourceLine& place) {
+  return Path(text, place).read();
+}
 
 }  // namespace taut::detail

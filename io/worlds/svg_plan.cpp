@@ -50,9 +50,10 @@ class Plan {
   WorldParts read(ReadNotes& notes) {
     pugi::xml_document document;
     const auto result = document.load_buffer(bytes_.data(), bytes_.size());
-    if (!result) Place{source_, line_at(result.offset)}.fail(std::string("not valid XML: ") + result.description());
+    if (!result)
+      SourceLine{source_, line_at(result.offset)}.fail(std::string("not valid XML: ") + result.description());
     const pugi::xml_node root = document.document_element();
-    if (local_name(root) != "svg") Place{source_, line_of(root)}.fail("is XML, but no SVG drawing");
+    if (local_name(root) != "svg") SourceLine{source_, line_of(root)}.fail("is XML, but no SVG drawing");
     read_children(root, {}, false, 0);
     for (const auto& [name, count] : left_out_)
       notes.remarks.push_back(std::to_string(count) + " <" + name + "> left out");
@@ -74,14 +75,14 @@ class Plan {
   int line_of(const pugi::xml_node& node) const { return line_at(node.offset_debug()); }
 
   void read_children(const pugi::xml_node& parent, const SvgTransform& outer, bool unfilled, int depth) {
-    if (depth > kDeepest) Place{source_, line_of(parent)}.fail("groups are nested more than 64 deep");
+    if (depth > kDeepest) SourceLine{source_, line_of(parent)}.fail("groups are nested more than 64 deep");
     for (const pugi::xml_node& node : parent.children())
       if (node.type() == pugi::node_element) read_element(node, outer, unfilled, depth);
   }
 
   void read_element(const pugi::xml_node& node, const SvgTransform& outer, bool unfilled, int depth) {
     const std::string_view name = local_name(node);
-    const Place place{source_, line_of(node)};
+    const SourceLine place{source_, line_of(node)};
     // What is not drawn, and what others keep in the file.
     if (is_one_of(name, {"defs", "title", "desc", "metadata", "script", "symbol", "clipPath", "mask", "pattern",
                          "marker", "linearGradient", "radialGradient", "filter", "namedview"}) ||
@@ -101,7 +102,7 @@ class Plan {
   }
 
   void read_shape(const pugi::xml_node& node, std::string_view name, const SvgTransform& transform, bool unfilled,
-                  const Place& place) {
+                  const SourceLine& place) {
     const auto number = [&](const char* key) {
       const pugi::xml_attribute value = node.attribute(key);
       return value ? svg_length(value.value(), place) : 0;
@@ -126,7 +127,7 @@ class Plan {
 
   // Closed pieces of one path are holes in each other.
   void read_path(const std::vector<SvgSubpath>& pieces, const SvgTransform& transform, bool unfilled,
-                 const Place& place) {
+                 const SourceLine& place) {
     std::vector<Area> closed;
     for (const SvgSubpath& piece : pieces) {
       if (piece.closed && !unfilled)
@@ -143,7 +144,7 @@ class Plan {
     return points;
   }
 
-  void add(const SvgSubpath& piece, const SvgTransform& transform, bool as_walls, const Place& place) {
+  void add(const SvgSubpath& piece, const SvgTransform& transform, bool as_walls, const SourceLine& place) {
     Ring points = placed(piece.points, transform);
     if (points.size() < 2) return;
     if (!as_walls) return shapes_.add_polygon({std::move(points), {}}, place.line);

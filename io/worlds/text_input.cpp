@@ -22,7 +22,7 @@ bool starts_number(char c) { return (c >= '0' && c <= '9') || c == '.'; }
 
 }  // namespace
 
-void Place::fail(const std::string& message) const { throw InputError(source, line, message); }
+void SourceLine::fail(const std::string& message) const { throw InputError(source, line, message); }
 
 std::string quoted(std::string_view text) {
   std::string out = "'";
@@ -66,7 +66,7 @@ bool Lines::next() {
   return true;
 }
 
-Fields::Fields(std::string_view line, const Place& place) : rest_(trimmed(line)), place_(place) {}
+Fields::Fields(std::string_view line, const SourceLine& place) : rest_(trimmed(line)), place_(place) {}
 
 bool Fields::next(std::string_view& field) {
   if (rest_.empty()) {
@@ -115,7 +115,7 @@ double short_decimal(std::string_view field) {
 
 }  // namespace
 
-double coordinate(std::string_view field, const Place& place) {
+double coordinate(std::string_view field, const SourceLine& place) {
   if (const double quick = short_decimal(field); !std::isnan(quick)) return quick + 0.0;
   std::string_view digits = field;
   if (digits.size() > 1 && digits[0] == '+' && starts_number(digits[1])) digits.remove_prefix(1);
@@ -129,7 +129,7 @@ double coordinate(std::string_view field, const Place& place) {
   return value + 0.0;
 }
 
-int whole(std::string_view field, int lo, int hi, const char* what, const Place& place) {
+int whole(std::string_view field, int lo, int hi, const char* what, const SourceLine& place) {
   long long value = 0;
   const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
   const bool parsed = error != std::errc::invalid_argument && end == field.data() + field.size();

@@ -34,7 +34,7 @@ class Wkt {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& message) const { Place{source_, line_}.fail(message); }
+  [[noreturn]] void fail(const std::string& message) const { SourceLine{source_, line_}.fail(message); }
 
   void advance() {
     if (rest_.front() == '\n') ++line_;
@@ -135,8 +135,8 @@ class Wkt {
     if (what == "GEOMETRYCOLLECTION") return list([&] { geometry(depth + 1); });
     const bool curved = what == "CIRCULARSTRING" || what == "COMPOUNDCURVE" || what == "CURVEPOLYGON" ||
                         what == "MULTICURVE" || what == "MULTISURFACE";
-    Place{source_, line}.fail("geometry " + shown + " is not supported" +
-                              (curved ? ": write its curves as legs (ST_CurveToLine)" : ""));
+    SourceLine{source_, line}.fail("geometry " + shown + " is not supported" +
+                                   (curved ? ": write its curves as legs (ST_CurveToLine)" : ""));
   }
 
   // ( item, item, ... )

@@ -56,7 +56,7 @@ class Shapes {
   WorldParts take(Alone ends, ReadNotes& notes);
 
  private:
-  Place at(int line) const { return {source_, line}; }
+  SourceLine at(int line) const { return {source_, line}; }
   Beside beside_walls() const;
 
   std::string source_;

@@ -21,13 +21,13 @@ struct SvgTransform {
 };
 
 /// `translate(1 2) rotate(30)`, any of SVG 1.1. Throws InputError at `place`.
-SvgTransform svg_transform(std::string_view text, const Place& place);
+SvgTransform svg_transform(std::string_view text, const SourceLine& place);
 
 /// `0,0 4,0 4,3`. Throws InputError at `place`.
-Ring svg_points(std::string_view text, const Place& place);
+Ring svg_points(std::string_view text, const SourceLine& place);
 
 /// A number, alone or in `px`. Throws InputError at `place`.
-double svg_length(std::string_view text, const Place& place);
+double svg_length(std::string_view text, const SourceLine& place);
 
 /// A subpath: its points, and whether `Z` closes it.
 struct SvgSubpath {
@@ -36,6 +36,6 @@ struct SvgSubpath {
 };
 
 /// Paths of straight pieces: M L H V Z, upper and lower case. A curve is an InputError at `place` that names it.
-std::vector<SvgSubpath> svg_subpaths(std::string_view text, const Place& place);
+std::vector<SvgSubpath> svg_subpaths(std::string_view text, const SourceLine& place);
 
 }  // namespace taut::detail

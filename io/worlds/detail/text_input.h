@@ -8,7 +8,7 @@
 namespace taut::detail {
 
 /// Where something was read, for messages.
-struct Place {
+struct SourceLine {
   const std::string& source;
   int line = 0;
 
@@ -49,21 +49,21 @@ class Lines {
 /// Walks over the fields of a line, separated by blanks, by a comma, or by both.
 class Fields {
  public:
-  Fields(std::string_view line, const Place& place);
+  Fields(std::string_view line, const SourceLine& place);
 
   /// False at the end. Fails on empty fields between commas.
   bool next(std::string_view& field);
 
  private:
   std::string_view rest_;
-  const Place& place_;
+  const SourceLine& place_;
   bool after_comma_ = false;
 };
 
 /// A coordinate: decimal, finite, of magnitude <= World::kLargest; -0 is read as 0.
-double coordinate(std::string_view field, const Place& place);
+double coordinate(std::string_view field, const SourceLine& place);
 
 /// A whole number in lo .. hi; `what` names it in the message.
-int whole(std::string_view field, int lo, int hi, const char* what, const Place& place);
+int whole(std::string_view field, int lo, int hi, const char* what, const SourceLine& place);
 
 }  // namespace taut::detail
