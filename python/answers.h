@@ -36,6 +36,9 @@ Goal goal_of_query(const World& world, const Goal& given);
 /// Throws Refusal when an end is no place for the robot.
 void require_ends(const FreeSpace& space, Point from, const Goal& to);
 
+/// Length::decimals; ValueError for places that are none.
+std::string decimals_of(const Length& length, int places);
+
 /// That there is no path, proven; nothing when that is not. Without Python's lock.
 std::optional<Apart> apart(const FreeSpace& space, Point from, const Goal& to);
 /// What Unproven says.

@@ -160,8 +160,8 @@ void bind_chases(py::module_& m) {
                            p.map->cost_text(p.run.result.cost), p.run.result.time);
       });
   m.def(
-      "chase", &chase, py::arg("map"), py::arg("planner") = "exact", py::kw_only(), py::arg("clock") = "zero",
-      py::arg("horizon") = py::none(),
+      "chase", &chase, py::arg("map").none(false), py::arg("planner") = "exact", py::kw_only(),
+      py::arg("clock") = "zero", py::arg("horizon") = py::none(),
       "A ChaseRun by 'exact', 'entry', 'weighted', 'first', or by what may be called: planner((x, y), second) gives "
       "the next cell, itself to wait, None to give up. horizon: seconds of the trajectory that are seen ahead. A step "
       "takes one second.");

@@ -34,6 +34,8 @@ void translate(std::exception_ptr thrown) {
     raise(Refusal(error, ""));
   } catch (const TooFine& error) {
     raise("TooFine", py::make_tuple(error.what()));
+  } catch (const py::cast_error&) {
+    PyErr_SetString(PyExc_TypeError, "an argument is of a type that cannot be");
   } catch (const Unproven& error) {
     raise("Unproven", py::make_tuple(error.what()));
   }

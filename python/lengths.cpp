@@ -1,7 +1,7 @@
 #include <pybind11/operators.h>
 
 #include <taut/io/results/words.h>
-#include <taut/python/bind.h>
+#include <taut/python/answers.h>
 
 namespace taut::python {
 
@@ -16,12 +16,17 @@ Length length_of(const py::object& given) {
 
 }  // namespace
 
+std::string decimals_of(const Length& length, int places) {
+  if (places < 0 || places > 100'000) throw py::value_error("places: 0 to 100000");
+  return length.decimals(places);
+}
+
 void bind_lengths(py::module_& m) {
   py::class_<Length>(m, "Length",
                      "The length of a chain of points: a sum of square roots, kept as such. Compared exactly; "
                      "float() is the nearest double.")
       .def(py::init(&length_of), py::arg("points") = py::tuple(), "Of the chain through the points (n, 2).")
-      .def("decimals", &Length::decimals, py::arg("places"), "The nearest number with that many decimals, as text.")
+      .def("decimals", &decimals_of, py::arg("places"), "The nearest number with that many decimals, as text.")
       .def_property_readonly("terms", &Length::terms, "How many square roots it is a sum of.")
       .def("__float__", &Length::value)
       .def("__add__",

@@ -129,8 +129,8 @@ void bind_paths(py::module_& m) {
           "The least distance to an obstacle; 0 when it touches one.")
       .def("verify", &verdict_of, Unlocked(), "A check that shares nothing with the planners: a Verdict.")
       .def(
-          "decimals", [](const FoundPath& f, int places) { return f.path.length.decimals(places); }, py::arg("places"),
-          "The length with that many decimals, as text.")
+          "decimals", [](const FoundPath& f, int places) { return decimals_of(f.path.length, places); },
+          py::arg("places"), "The length with that many decimals, as text.")
       .def("__len__", [](const FoundPath& f) { return f.path.points.size(); })
       .def("_repr_svg_", &picture, Unlocked())
       .def("__repr__", [](const FoundPath& f) {

@@ -20,7 +20,10 @@ def world_from_geo(geometry: Any, *, polygons: str = "obstacles", **options: Any
     if hasattr(geometry, "__geo_interface__"):
         mapping = geometry.__geo_interface__
     else:
-        mapping = {"type": "GeometryCollection", "geometries": [g.__geo_interface__ for g in geometry]}
+        geometries = [getattr(part, "__geo_interface__", None) for part in geometry]
+        if None in geometries:
+            raise TypeError("geometries have a __geo_interface__")
+        mapping = {"type": "GeometryCollection", "geometries": geometries}
     return read_world(json.dumps(mapping, default=_number), format="geojson", polygons=polygons, **options)
 
 

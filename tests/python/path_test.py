@@ -11,6 +11,11 @@ def test_the_shortest_path_turns_around_the_walls_end(room):
     assert path.points.tolist() == [[1, 1], [2, 3], [3, 1]]
     assert path.length == 2 * math.sqrt(5)
     assert path.decimals(20) == "4.47213595499957939282"
+    for places in (-1, 10**6):
+        with pytest.raises(ValueError):
+            path.decimals(places)
+        with pytest.raises(ValueError):
+            path.exact_length.decimals(places)
     assert path.optimal and path.within == 0 and path.corners == 1 and path.clearance == 0 and len(path) == 3
     assert path.verify() and path.verify().reason == ""
     assert (path.start, path.goal) == ((1, 1), (3, 1))

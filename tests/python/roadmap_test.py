@@ -96,6 +96,8 @@ def test_walls_that_separate_prove_it_in_any_roadmap(sealed):
         ({"kind": "prm", "connection": "radius:-1"}, ValueError),
         ({"kind": "prm", "clearance": -1}, ValueError),
         ({"kind": "prm", "speed": 1}, TypeError),
+        ({"kind": "prm", "samples": "many"}, TypeError),
+        ({"kind": "prm", "seed": -1}, TypeError),
         ({"kind": "prm", "start": (-9, -9)}, taut.InputError),
     ],
 )

@@ -120,6 +120,8 @@ def test_a_pursuer_written_in_python():
     assert taut.chase(chart, lambda cell, second: cell).caught is False
     far = taut.chase(chart, lambda cell, second: (9, 9))
     assert far.end == "illegal" and far.reason
+    with pytest.raises(TypeError):
+        taut.chase(None)
     with pytest.raises(TypeError, match="next cell"):
         taut.chase(chart, lambda cell, second: "north")
 
