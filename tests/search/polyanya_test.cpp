@@ -168,8 +168,11 @@ TEST(Polyanya, IsAsLongAsInTheVisibilityGraphInAllFilesOfOurs) {
   for (const auto& entry : std::filesystem::directory_iterator(test::data_dir())) {
     const std::string kind = entry.path().extension().string();
     const bool world = entry.is_regular_file() && kind != ".md" && kind != ".csv" && kind != ".scen" &&
-                       kind != ".chase" && kind != ".json";
-    if (world) expect_agreement(entry.path(), 40);
+                       kind != ".chase" && kind != ".json" && kind != ".pgm";
+    ReadOptions options;
+    options.crossings = Crossings::even_odd;  // one is broken
+    const std::string file = entry.path().string();
+    if (world) expect_agreement(read_world_file(file, options), 40, file);
   }
 }
 
