@@ -33,7 +33,7 @@ FreeSpace space_of(const test::SmallWorld& world, Point p, Point q) {
   return FreeSpace(World(world.parts()), Footprint::point(), places);
 }
 
-RC_GTEST_PROP(Certificate, IsApprovedForEveryAnswer, ()) {
+RC_GTEST_PROP(PathCertificate, IsApprovedForEveryAnswer, ()) {
   int side = 0;
   const test::SmallWorld world = any_small_world(side);
   RC_LOG() << test::show(world) << '\n';
@@ -92,7 +92,7 @@ test::SmallWorld changed(test::SmallWorld world, int side) {
   return world;
 }
 
-TEST(Certificate, ThatWasTamperedWithIsNeverApprovedWrongly) {
+TEST(PathCertificate, ThatWasTamperedWithIsNeverApprovedWrongly) {
   int cases = 0, refused = 0;
   const bool sound = rc::check("tampered certificates", [&] {
     int side = 0;
