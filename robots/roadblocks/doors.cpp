@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include <taut/robots/roadblocks/detail/disc_distance.h>
 
@@ -209,17 +210,38 @@ class DoorFinder {
     return touches;
   }
 
+  /// The middle of the piece's cells that touch the zone, and of the roadblocks: so a lane leads out.
+  std::pair<Point, Point> axis(const std::vector<std::size_t>& cells, RoadblockSet blocks) const {
+    std::vector<Point> front, door;
+    for (const std::size_t cell : cells)
+      if (touches_zone(cell, blocks)) front.push_back(middle_of(cell));
+    for (RoadblockSet rest = blocks; rest != 0; rest &= rest - 1)
+      for (const Cell c : course_.roadblocks[static_cast<std::size_t>(std::countr_zero(rest))].cells)
+        door.push_back({static_cast<double>(c.x), static_cast<double>(c.y)});
+    return {mean(front), mean(door)};
+  }
+
+  static Point mean(const std::vector<Point>& points) {
+    Point sum{0, 0};
+    for (const Point p : points) sum = {sum.x + p.x, sum.y + p.y};
+    const auto count = static_cast<double>(points.size());
+    return {sum.x / count, sum.y / count};
+  }
+
   DoorSide side_of(const std::vector<std::size_t>& cells, RoadblockSet blocks) const {
     const auto away = [&](std::size_t cell) { return distance_to(blocks, middle_of(cell)); };
     const std::size_t farthest = *std::ranges::max_element(cells, {}, away);
     DoorSide side{middle_of(farthest), {}};
-    double most_room = 0;
+    const auto [out, door] = axis(cells, blocks);
+    double farthest_out = -std::numeric_limits<double>::infinity();
     for (const std::size_t cell : cells) {
-      const double distance = away(cell), room = open_.room(middle_of(cell));
-      if (distance >= kArrivalFrom && distance <= kArrivalTo) side.arrival.push_back(middle_of(cell));
-      if (distance < kLookFrom || distance > kLookTo || room <= most_room) continue;
-      most_room = room;
-      side.look = middle_of(cell);
+      const Point p = middle_of(cell);
+      const double distance = away(cell);
+      if (distance >= kArrivalFrom && distance <= kArrivalTo) side.arrival.push_back(p);
+      const double along = (p.x - door.x) * (out.x - door.x) + (p.y - door.y) * (out.y - door.y);
+      if (distance < kLookFrom || distance > kLookTo || along <= farthest_out) continue;
+      farthest_out = along;
+      side.look = p;
     }
     if (side.arrival.empty()) side.arrival.push_back(middle_of(farthest));
     return side;
