@@ -56,8 +56,8 @@ std::string grid_estimate_names();
 /// Manhattan for four neighbours, else octile: the largest that is consistent on every map.
 GridHeuristic natural_heuristic(GridMoves moves);
 
-/// Consistent on every map: all but formulas, and Manhattan where moves are diagonal, and maxima with them. What is consistent is
-/// admissible.
+/// Consistent on every map: all but formulas, and Manhattan where moves are diagonal, and maxima with them. What is
+/// consistent is admissible.
 bool consistent_everywhere(const GridHeuristic& heuristic, GridMoves moves);
 
 /// An estimate above the true cost.
@@ -88,7 +88,8 @@ struct HeuristicVerdict {
 };
 
 /// Compares the estimate with the true cost in every cell that can reach the goal, and across every move between them.
-/// All integers: nothing is tolerated. Throws InputError when the goal is outside or blocked, or a formula's value refused. O(cells log cells).
+/// All integers: nothing is tolerated. Throws InputError when the goal is outside or blocked, or a formula's value
+/// refused. O(cells log cells).
 HeuristicVerdict heuristic_verdict(const OccupancyGrid& grid, GridMoves moves, GridPlace goal,
                                    const GridHeuristic& heuristic);
 

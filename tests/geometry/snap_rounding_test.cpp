@@ -84,6 +84,23 @@ Pieces snap_rounded(const std::vector<Wall>& walls, const Lattice& lattice) {
   return pieces;
 }
 
+/// Each piece divided at the ends of others that lie on it: CGAL leaves one whole now and then, as addresses have it.
+Pieces divided(const Pieces& pieces) {
+  std::set<Place> ends;
+  for (const auto& [a, b] : pieces) ends.insert({a, b});
+  Pieces parts;
+  for (const auto& [a, b] : pieces) {
+    const auto [x, y] = a;
+    const long dx = b.first - x, dy = b.second - y;
+    Place from = a;
+    for (const Place& p : ends) {  // in the order along the piece
+      if (p <= a || p > b || (p.first - x) * dy != (p.second - y) * dx) continue;
+      parts.emplace(std::exchange(from, p), p);
+    }
+  }
+  return parts;
+}
+
 TEST(SnapRounding, FindsThePiecesThatJoiningFinds) {
   for (int seed = 0; seed < turns(6); ++seed) {
     SCOPED_TRACE(seed);
@@ -94,7 +111,7 @@ TEST(SnapRounding, FindsThePiecesThatJoiningFinds) {
     const WorldParts turned = Turn(degrees)(parts);
     const Lattice lattice(degrees);
     const Pieces joined = pieces_of(snapped_world(turned).world, lattice);
-    EXPECT_EQ(joined, snap_rounded(turned.walls, lattice));
+    EXPECT_EQ(divided(joined), divided(snap_rounded(turned.walls, lattice)));
     EXPECT_GT(joined.size(), 40U);
   }
 }

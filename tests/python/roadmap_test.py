@@ -15,7 +15,7 @@ def hypot(points, edges):
     return np.hypot(*(b - a).T)
 
 
-KINDS = ["visibility", "full", "cells", "cells8", "prm", "prm-lattice", "prm-fixed", "voronoi"]
+KINDS = ["visibility", "full", "visibility-brute", "cells", "cells8", "prm", "prm-lattice", "prm-fixed", "voronoi"]
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -65,7 +65,8 @@ class RoundTrip : public ProgramTest {
 TEST_F(RoundTrip, HoldsForAllPlannersOnTheMazesOfData) {
   for (const char* maze : {"maze_5x7.txt", "corridors_30x20.txt", "mouse_16.maz", "mouse_32.maze", "mouse_12.cells"}) {
     const std::string world = data_file(maze);
-    for (const char* kind : {"polyanya", "visibility", "full", "visibility-brute", "cells", "cells8", "prm-fixed", "prm", "voronoi"})
+    for (const char* kind :
+         {"polyanya", "visibility", "full", "visibility-brute", "cells", "cells8", "prm-fixed", "prm", "voronoi"})
       expect_accepted(world, std::string("solve --roadmap ") + kind);
     expect_accepted(world, "solve --widest");
     expect_accepted(world, "bug");
