@@ -54,7 +54,7 @@ namespace written {
 
 namespace {
 
-__extension__ typedef __int128 Wide;
+__extension__ typedef __int128 Wide;  // NOLINT(modernize-use-using): pedantic compilers take no other
 
 using taut::meaning;
 

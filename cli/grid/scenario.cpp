@@ -111,10 +111,10 @@ constexpr std::uint64_t kMostCells = 400'000'000;
 /// The map, and what its scenarios scale it to.
 class ScaledMaps {
  public:
-  ScaledMaps(OccupancyGrid grid, std::string name) : name_(std::move(name)) {
+  ScaledMaps(const OccupancyGrid& grid, std::string name) : name_(std::move(name)) {
     width_ = grid.width;
     height_ = grid.height;
-    maps_.try_emplace({width_, height_}, std::move(grid));
+    maps_.try_emplace({width_, height_}, grid);
   }
 
   struct Map {
@@ -165,9 +165,9 @@ std::vector<Scenario> read_scenarios(const std::string& file, const std::string&
 int run(const ScenarioOptions& options, Run& run) {
   run.sources({options.map, options.scenarios});
   const std::string map = source_name(options.map), file = source_name(options.scenarios);
-  OccupancyGrid grid = run.stage("read", [&] { return read_map(options.map, map); });
+  const OccupancyGrid grid = run.stage("read", [&] { return read_map(options.map, map); });
   const std::vector<Scenario> scenarios = run.stage("read", [&] { return read_scenarios(options.scenarios, file); });
-  ScaledMaps maps(std::move(grid), map);
+  ScaledMaps maps(grid, map);
   const GridQuery query{options.algorithm, natural_heuristic(GridMoves::octile)};
   Tally tally(options.algorithm);
   for (const Scenario& s : scenarios) {

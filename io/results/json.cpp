@@ -64,7 +64,7 @@ class JsonWriter {
   }
 
   static std::string wrapped(const Json::Array& items, const std::string& indent) {
-    const std::string all = flat_value(items);
+    std::string all = flat_value(items);
     if (all.size() <= kWidest) return all;
     std::string out = "[";
     std::size_t width = kWidest;

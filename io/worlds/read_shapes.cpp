@@ -94,7 +94,7 @@ World in_metres(WorldParts parts, const ReadOptions& options, ReadNotes& seen, R
                      "says that its coordinates are " + *seen.crs + ", not longitude and latitude as --project needs");
   require_lon_lat(parts);
   const std::vector<Point> ends = ends_of(options);
-  Snapped snapped = snapped_world(parts, snap_as_written(options), ends);
+  Snapped snapped = snapped_world(std::move(parts), snap_as_written(options), ends);
   if (const std::string remark = text(snapped.report); !remark.empty()) seen.remarks.push_back(remark + " degrees");
   const auto geographic = std::make_shared<const GeographicWorld>(snapped.world.parts());
   ReadOptions plane = options;

@@ -20,13 +20,13 @@ class Writer {
   explicit Writer(const World& world) : integers_(world) {}
 
   void line(std::string_view word, const Ring& points) {
-    out_ += word;
+    out += word;
     for (const Point p : points) {
       const auto place = integers_.place(p).value();
       append(place[0]);
       append(place[1]);
     }
-    out_ += '\n';
+    out += '\n';
   }
 
   // Those of one line that touch are one.
@@ -45,9 +45,9 @@ class Writer {
     for (std::size_t i = 0, next = 0; i < runs.size(); i = next) {
       Run run = runs[i];
       for (next = i + 1; next < runs.size() && runs[next].continues(run); ++next) run.b = std::max(run.b, runs[next].b);
-      out_ += "wall";
+      out += "wall";
       for (const std::int64_t n : {run.a[0], run.a[1], run.b[0], run.b[1]}) append(n);
-      out_ += '\n';
+      out += '\n';
     }
   }
 
@@ -60,20 +60,20 @@ class Writer {
 
   // As written, for nothing but to be read: they lie on finer lattices, too.
   void end(std::string_view word, const Ring& points) {
-    out_ += word;
+    out += word;
     for (const Point p : points) {
-      taut::append(out_ += ' ', p.x);
-      taut::append(out_ += ' ', p.y);
+      taut::append(out += ' ', p.x);
+      taut::append(out += ' ', p.y);
     }
-    out_ += '\n';
+    out += '\n';
   }
 
   void unit() {
     const NumberLattice& lattice = integers_.lattice();
-    out_ += lattice.exponent == 0 ? "unit 1\n" : "unit 1/" + power(lattice.base, lattice.exponent) + "\n";
+    out += lattice.exponent == 0 ? "unit 1\n" : "unit 1/" + power(lattice.base, lattice.exponent) + "\n";
   }
 
-  std::string out_ = "taut integers 1\n";
+  std::string out = "taut integers 1\n";
 
  private:
   using Place = LatticeIntegers::Place;
@@ -90,8 +90,8 @@ class Writer {
   };
 
   void append(std::int64_t n) {
-    out_ += ' ';
-    out_ += std::to_string(n);
+    out += ' ';
+    out += std::to_string(n);
   }
 
   static std::string power(int base, int exponent) {
@@ -121,7 +121,7 @@ std::string write_integers(const World& world) {
 std::string write_plain_integers(const World& world) {
   Writer writer(world);
   writer.unit();
-  writer.out_ += world.boundary() == Boundary::walled  ? "boundary walled\n"
+  writer.out += world.boundary() == Boundary::walled  ? "boundary walled\n"
                  : world.boundary() == Boundary::limit ? "boundary limit\n"
                                                        : "boundary open\n";
   writer.rings("area", world.areas());
@@ -132,7 +132,7 @@ std::string write_plain_integers(const World& world) {
   Ring room;
   for (const Box& box : world.goal().room) room.insert(room.end(), {box.min, box.max});
   if (!room.empty()) writer.end("goal", room);
-  return std::move(writer.out_);
+  return std::move(writer.out);
 }
 
 }  // namespace taut
