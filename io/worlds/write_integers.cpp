@@ -122,8 +122,8 @@ std::string write_plain_integers(const World& world) {
   Writer writer(world);
   writer.unit();
   writer.out += world.boundary() == Boundary::walled  ? "boundary walled\n"
-                 : world.boundary() == Boundary::limit ? "boundary limit\n"
-                                                       : "boundary open\n";
+                : world.boundary() == Boundary::limit ? "boundary limit\n"
+                                                      : "boundary open\n";
   writer.rings("area", world.areas());
   writer.rings("solid", world.solids());
   writer.walls(world.walls());
