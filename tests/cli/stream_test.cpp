@@ -88,7 +88,9 @@ TEST_F(Stream, KeepsOwnerAndMode) {
   const std::string file = folder.file("a.json", "old");
   ASSERT_EQ(chmod(file.c_str(), 0640), 0);
   const bool is_root = geteuid() == 0;
-  if (is_root) ASSERT_EQ(chown(file.c_str(), 65534, 65534), 0);
+  if (is_root) {
+    ASSERT_EQ(chown(file.c_str(), 65534, 65534), 0);
+  }
   EXPECT_EQ(run_taut("grid solve - --json " + file, kBend).code, 0);
   struct stat now {};
   ASSERT_EQ(stat(file.c_str(), &now), 0);

@@ -37,7 +37,9 @@ TEST_F(MethodProgram, FindsAValidPathByEveryName) {
       EXPECT_GE(found["length"], shortest);
       const bool exact = (found["algorithm"] == "astar" || found["algorithm"] == "dijkstra");
       EXPECT_EQ(found["optimal"], exact && found["roadmap"] != "prm");
-      if (found["optimal"]) EXPECT_EQ(found["length"], shortest);
+      if (found["optimal"]) {
+        EXPECT_EQ(found["length"], shortest);
+      }
     }
 }
 
