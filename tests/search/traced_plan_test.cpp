@@ -76,7 +76,8 @@ void expect_same_rooms(const FreeSpace& right, const FreeSpace& space, const Tur
     const auto wanted = length(right, middle(0), middle(room)),
                found = length(space, turn(middle(0)), turn(middle(room)));
     ASSERT_EQ(found.has_value(), wanted.has_value()) << "room " << room;
-    if (wanted) EXPECT_NEAR(*found, *wanted, 100 * crack) << "room " << room;
+    if (!wanted) continue;
+    EXPECT_NEAR(*found, *wanted, 100 * crack) << "room " << room;
   }
 }
 
