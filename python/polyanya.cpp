@@ -82,28 +82,22 @@ Asker made(const FreeSpace& space, std::size_t landmarks) {
   return Asker(landmarks == 0 ? polyanya : polyanya.with_landmarks(landmarks));
 }
 
+/// An array of the numbers that `owner` keeps.
+template <typename Number>
+py::object view_of(const std::vector<Number>& numbers, const py::object& owner) {
+  return view(numbers.data(), {static_cast<py::ssize_t>(numbers.size())}, owner);
+}
+
 void bind_answers(py::module_& m) {
   py::class_<Answers>(m, "Answers", "Answers to many queries, in their order.")
       .def_property_readonly(
-          "status",
-          [](const py::object& self) {
-            const auto& status = self.cast<const Answers&>().status;
-            return view(status.data(), {static_cast<py::ssize_t>(status.size())}, self);
-          },
+          "status", [](const py::object& self) { return view_of(self.cast<const Answers&>().status, self); },
           "(n,) uint8: 0 found, 1 none (proven), 2 an end is not free, 3 unproven.")
       .def_property_readonly(
-          "length",
-          [](const py::object& self) {
-            const auto& length = self.cast<const Answers&>().length;
-            return view(length.data(), {static_cast<py::ssize_t>(length.size())}, self);
-          },
+          "length", [](const py::object& self) { return view_of(self.cast<const Answers&>().length, self); },
           "(n,): to the nearest double; inf where there is no path, nan where that or the ends are in doubt.")
       .def_property_readonly(
-          "offsets",
-          [](const py::object& self) {
-            const auto& offsets = self.cast<const Answers&>().offsets;
-            return view(offsets.data(), {static_cast<py::ssize_t>(offsets.size())}, self);
-          },
+          "offsets", [](const py::object& self) { return view_of(self.cast<const Answers&>().offsets, self); },
           "(n + 1,): of path i the points offsets[i] to offsets[i + 1]; empty without paths.")
       .def_property_readonly(
           "points", [](const py::object& self) { return points_view(self.cast<const Answers&>().points, self); },
