@@ -172,7 +172,8 @@ namespace {
 void refuse_unwritable(const std::string& path) {
   const auto refuse = [&](const std::string& why) { throw InputError(path, 0, "cannot write: " + why); };
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);  // through links, /dev/stdout among them
+  const fs::file_status status = fs::status(path, error);             // through links, /dev/stdout among them
+  if (status.type() == fs::file_type::none) refuse(error.message());  // links in a circle
   if (fs::is_directory(status) || !fs::path(path).has_filename()) refuse("it is a folder");
   if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0) refuse(reason());
   if (fs::exists(status) && !fs::is_regular_file(status)) return;
