@@ -21,10 +21,12 @@
 
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
+#include <taut/cli/config_file.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
 #include <taut/cli/run.h>
 #include <taut/cli/stop.h>
+#include <taut/cli/version.h>
 #include <taut/geometry/errors.h>
 
 namespace taut::cli {
@@ -81,7 +83,9 @@ void refuse_stray_options(const CLI::App& at) {
 
 int parse(CLI::App& app, int argc, char** argv) {
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> words = with_config_file(app, {argv + 1, argv + argc});
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    app.parse(std::move(words));
     refuse_stray_options(chosen(app));
     return -1;
   } catch (const CLI::CallForVersion& version) {
@@ -125,7 +129,7 @@ std::vector<Command> all_commands(CommandLine& app) {
 
 // `taut grid solve --version`, too. Not in every --help: it is in the program's.
 void add_version_flag(CLI::App& app) {
-  app.set_version_flag("--version,-V", "taut " TAUT_VERSION, "Print the version and exit")
+  app.set_version_flag("--version,-V", version_text(), "Print the version and exit, what it is made of below it")
       ->group(app.get_parent() == nullptr ? "Options" : "");
   for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) add_version_flag(*sub);
 }
