@@ -50,7 +50,7 @@ void (*const kReaders[])(const std::string&) = {
     read_queries,
     read_scenarios,
     [](const std::string& text) { read_movingai_map(text, "map"); },
-    [](const std::string& text) { read_chase_map(text, "chase"); },
+    [](const std::string& text) { pursuit::read_chase_map(text, "chase"); },
     read_roadblocks,
     [](const std::string& text) { read_certificate(text, "certificate"); },
     [](const std::string& text) { read_speed_model(text, "model"); },
