@@ -153,7 +153,7 @@ RoadmapKind polyanya() {
           false,
           [](const FreeSpace& space, const BuildRequest& request) {
             const auto search = std::make_shared<PolyanyaSearch>(
-                Polyanya(space, request.from ? navmesh_between(space, *request.from, request.to) : navmesh(space)));
+                request.from ? Polyanya::between(space, *request.from, request.to) : Polyanya(space, navmesh(space)));
             return PlannedRoadmap{std::make_shared<const Roadmap>(), [search](Point from, const Goal& to, GraphMethod) {
                                     search->find(from, to);
                                     return search->result();

@@ -51,7 +51,7 @@ class Solver {
     shown_ = Shown(input.notes);
     read_ends(input);
     const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
-    result_.displacement = space.report().displacement;
+    result_.displacement = space.displacement();
     if (path_bound(space) > 0) result_.within = path_bound(space);
     require_free(space, *result_.start, "start", shown_);
     if (result_.goal.point) require_free(space, *result_.goal.point, "goal", shown_);
@@ -205,7 +205,7 @@ class Solver {
 
   void verify_answer(const FreeSpace& space) {
     const Verdict verdict =
-        run_.stage("verify", [&] { return verify(result_.path, space, *result_.start, result_.goal); });
+        run_.stage("verify", [&] { return verify_along(result_.path, space, *result_.start, result_.goal); });
     if (!verdict.valid) throw std::logic_error("the path found does not pass its own check: " + verdict.reason);
     result_.verified = true;
     result_.clearance = verdict.clearance;
