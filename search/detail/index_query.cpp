@@ -1,0 +1,227 @@
+#include <taut/search/detail/index_query.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <taut/geometry/length.h>
+#include <taut/geometry/written.h>
+#include <taut/search/query_ends.h>
+
+namespace taut::detail {
+
+IndexQuery::IndexQuery(const IndexParts& parts) : parts_(parts), best_(parts.bends.size()) {
+  if (parts.integers) per_place_ = parts.image.header().per_length / parts.integers->places().per_unit();
+}
+
+void IndexQuery::find(Point from, Point to, std::vector<Point>& path) {
+  path.clear();
+  ways_.clear();
+  scanned_ = 0;
+  settle(from_, from, "start");
+  settle(to_, to, "goal");
+  if (is_seen(from_, to_)) {
+    path.push_back(from);
+    if (from != to) path.push_back(to);
+    return;
+  }
+  look_around(from_);
+  look_around(to_);
+  spread_from();
+  meet_to();
+  if (least_ < kFar) collect();
+  forget();
+  for (std::size_t i = 0; i < ways_.size(); ++i) {
+    unpack(ways_[i], i == 0 ? bends_ : other_bends_);
+    if (i > 0 && bends_ == other_bends_) continue;
+    give(i == 0 ? bends_ : other_bends_, i == 0 ? path : other_);
+    if (i == 0 || !is_shorter(other_, path)) continue;
+    path.swap(other_);
+    bends_.swap(other_bends_);
+  }
+}
+
+void IndexQuery::settle(End& end, Point point, const char* role) const {
+  end.point = point;
+  end.count = 0;
+  end.is_integer = parts_.integers && parts_.integers->find(point, end.place);
+  if (!end.is_integer) require_free(parts_.graph.space(), point, role);
+}
+
+bool IndexQuery::is_seen(const End& from, const End& to) const {
+  if (from.is_integer && to.is_integer) {
+    const IntegerWorld::Sight sight = parts_.integers->sees(from.place, to.place);
+    if (sight != IntegerWorld::Sight::unknown) return sight == IntegerWorld::Sight::yes;
+  }
+  return parts_.graph.space().sees(from.point, to.point);
+}
+
+void IndexQuery::look_around(End& end) const {
+  if (end.is_integer) {
+    for (std::uint32_t i = 0; i < end.place.count; ++i) look_in(end, end.place.triangles[i]);
+    return;
+  }
+  const double per_length = parts_.image.header().per_length;
+  for (const std::uint32_t v : parts_.graph.visible_from(end.point)) {
+    if (end.runs.size() == end.count) end.runs.emplace_back();
+    const auto length = static_cast<std::uint32_t>(leg_of(end.point, parts_.point(v)).high * per_length + 0.5);
+    end.runs[end.count++] = {parts_.bends[v].begin, parts_.bends[v].end, length, v};
+  }
+}
+
+void IndexQuery::look_in(End& end, std::uint32_t triangle) const {
+  const std::uint32_t* const begin = &parts_.image.sights_begin()[4 * std::size_t{triangle}];
+  const std::uint32_t* const words = parts_.image.sights().data();
+  end.runs.resize(std::max<std::size_t>(end.runs.size(), end.count + (begin[4] - begin[0]) / 2));
+  Run* const runs = end.runs.data();
+  std::size_t count = end.count;
+  const IntegerPlaces::Place at = end.place.at;
+  const auto add = [&](const std::uint32_t* sight, bool is_seen) {
+    runs[count].bend = sight[0];
+    runs[count].end = sight[1];
+    count += is_seen;
+  };
+  const auto turn = [&](const std::uint32_t* sight, std::uint32_t ray) {
+    const IntegerPlaces::Place bend = parts_.bends[sight[0] / 2].at;
+    return IntegerPlaces::cross(IntegerPlaces::difference(parts_.rays[ray], bend), IntegerPlaces::difference(at, bend));
+  };
+  std::uint32_t k = begin[0];
+  for (; k < begin[1]; k += 2) add(words + k, true);
+  for (; k < begin[2]; k += 3) add(words + k, turn(words + k, words[k + 2]) >= 0);
+  for (; k < begin[3]; k += 3) add(words + k, turn(words + k, words[k + 2]) <= 0);
+  for (; k < begin[4]; k += 4)
+    add(words + k, (turn(words + k, words[k + 2]) >= 0) & (turn(words + k, words[k + 3]) <= 0));
+  for (std::size_t i = end.count; i < count; ++i) {
+    Run& run = runs[i];
+    const IndexParts::Bend& bend = parts_.bends[run.bend / 2];
+    const bool is_right = run.bend % 2 == kRightTurn;
+    run.length = static_cast<std::uint32_t>(IntegerPlaces::distance(bend.at, at) * per_place_ + 0.5);
+    run.begin = is_right ? bend.begin : bend.end - run.end;
+    run.end = is_right ? bend.begin + run.end : bend.end;
+    run.bend /= 2;
+  }
+  end.count = count;
+}
+
+void IndexQuery::spread_from() {
+  const IndexImage::Label* const labels = parts_.image.labels().data();
+  has_ties_ = false;
+  for (std::size_t i = 0; i < from_.count; ++i) {
+    const Run run = from_.runs[i];
+    scanned_ += run.end - run.begin;
+    for (std::uint32_t k = run.begin; k < run.end; ++k) {
+      const std::uint32_t length = run.length + labels[k].length;
+      Best& best = best_[labels[k].hub];
+      if (length >= best.length + kDoubtUnits) continue;
+      if (length + kDoubtUnits > best.length) {
+        const IndexParts::Bend& bend = parts_.bends[run.bend];
+        has_ties_ |= best.label < bend.begin || best.label >= bend.end;
+      }
+      if (length < best.length) best = {length, k};
+    }
+  }
+}
+
+void IndexQuery::meet_to() {
+  const IndexImage::Label* const labels = parts_.image.labels().data();
+  least_ = kFar;
+  for (std::size_t i = 0; i < to_.count; ++i) {
+    const Run run = to_.runs[i];
+    if (run.length >= least_) continue;
+    scanned_ += run.end - run.begin;
+    for (std::uint32_t k = run.begin; k < run.end; ++k)
+      least_ = std::min(least_, run.length + labels[k].length + best_[labels[k].hub].length);
+  }
+}
+
+/// All ways that may be the shortest.
+void IndexQuery::collect() {
+  const IndexImage::Label* const labels = parts_.image.labels().data();
+  const std::uint32_t limit = least_ + kDoubtUnits;
+  for (std::size_t i = 0; i < to_.count; ++i) {
+    const Run run = to_.runs[i];
+    if (run.length > limit) continue;
+    for (std::uint32_t k = run.begin; k < run.end; ++k) {
+      const Best& best = best_[labels[k].hub];
+      const std::uint32_t behind = run.length + labels[k].length;
+      if (behind + best.length <= limit) ways_.push_back({best.label, k, limit - behind});
+    }
+  }
+  if (has_ties_) collect_ties();
+}
+
+/// Of each hub on those ways only one bend that the start sees is known yet.
+void IndexQuery::collect_ties() {
+  const IndexImage::Label* const labels = parts_.image.labels().data();
+  for (std::size_t w = 0, count = ways_.size(); w < count; ++w) {
+    const Way way = ways_[w];
+    for (std::size_t i = 0; i < from_.count; ++i) {
+      const Run run = from_.runs[i];
+      for (std::uint32_t k = run.begin; k < run.end; ++k)
+        if (labels[k].hub == labels[way.to].hub && k != way.from && run.length + labels[k].length <= way.before)
+          ways_.push_back({k, way.to, way.before});
+    }
+  }
+}
+
+void IndexQuery::forget() {
+  const IndexImage::Label* const labels = parts_.image.labels().data();
+  for (std::size_t i = 0; i < from_.count; ++i)
+    for (std::uint32_t k = from_.runs[i].begin; k < from_.runs[i].end; ++k) best_[labels[k].hub].length = kFar;
+}
+
+/// Both ends' ways to the hub; there next() stays where it is.
+void IndexQuery::unpack(const Way& way, std::vector<std::uint32_t>& bends) const {
+  const std::uint32_t* const next = parts_.image.next().data();
+  const auto climb = [&](std::uint32_t label) {
+    for (std::size_t steps = 0; steps <= parts_.bends.size(); ++steps) {
+      bends.push_back(parts_.bend_of(label));
+      if (next[label] == label) return;
+      label = next[label];
+    }
+  };
+  bends.clear();
+  climb(way.from);
+  const auto at_hub = static_cast<std::ptrdiff_t>(bends.size());
+  climb(way.to);
+  std::reverse(bends.begin() + at_hub, bends.end());
+  bends.erase(bends.begin() + at_hub);
+}
+
+/// Without points in a straight line.
+void IndexQuery::give(const std::vector<std::uint32_t>& bends, std::vector<Point>& path) const {
+  path.assign(1, from_.point);
+  if (from_.is_integer && to_.is_integer) {
+    IntegerPlaces::Place before{}, last = from_.place.at;
+    const auto add = [&](IntegerPlaces::Place at, Point p) {
+      if (at == last) return;
+      if (path.size() > 1 && IntegerPlaces::side(before, last, at) == 0)
+        path.pop_back();
+      else
+        before = last;
+      path.push_back(p);
+      last = at;
+    };
+    for (const std::uint32_t v : bends) add(parts_.bends[v].at, parts_.point(v));
+    return add(to_.place.at, to_.point);
+  }
+  const auto add = [&](Point p) {
+    if (p == path.back()) return;
+    if (path.size() > 1 && written::on_segment(path.back(), path[path.size() - 2], p)) path.pop_back();
+    path.push_back(p);
+  };
+  for (const std::uint32_t v : bends) add(parts_.point(v));
+  add(to_.point);
+}
+
+bool IndexQuery::is_shorter(const std::vector<Point>& a, const std::vector<Point>& b) {
+  const auto legs_of = [](const std::vector<Point>& points, std::vector<Segment>& legs) {
+    legs.clear();
+    for (std::size_t i = 1; i < points.size(); ++i) legs.push_back({points[i - 1], points[i]});
+  };
+  if (a == b) return false;
+  legs_of(a, legs_a_);
+  legs_of(b, legs_b_);
+  return compare_lengths(legs_a_, legs_b_) < 0;
+}
+
+}  // namespace taut::detail
