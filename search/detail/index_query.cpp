@@ -125,11 +125,14 @@ void IndexQuery::meet_to() {
   const IndexImage::Label* const labels = parts_.image.labels().data();
   least_ = kFar;
   for (std::size_t i = 0; i < to_.count; ++i) {
-    const Run run = to_.runs[i];
-    if (run.length >= least_) continue;
+    Run& run = to_.runs[i];
+    run.least = kFar;
+    if (run.length >= least_ + kDoubtUnits) continue;
     scanned_ += run.end - run.begin;
     for (std::uint32_t k = run.begin; k < run.end; ++k)
-      least_ = std::min(least_, run.length + labels[k].length + best_[labels[k].hub].length);
+      run.least = std::min(run.least, labels[k].length + best_[labels[k].hub].length);
+    run.least = std::min(kFar, run.least + run.length);
+    least_ = std::min(least_, run.least);
   }
 }
 
@@ -139,7 +142,7 @@ void IndexQuery::collect() {
   const std::uint32_t limit = least_ + kDoubtUnits;
   for (std::size_t i = 0; i < to_.count; ++i) {
     const Run run = to_.runs[i];
-    if (run.length > limit) continue;
+    if (run.least > limit) continue;
     for (std::uint32_t k = run.begin; k < run.end; ++k) {
       const Best& best = best_[labels[k].hub];
       const std::uint32_t behind = run.length + labels[k].length;

@@ -27,6 +27,7 @@ class IndexQuery {
     std::uint32_t begin, end;  // labels
     std::uint32_t length;      // from the end to the bend
     std::uint32_t bend;
+    std::uint32_t least = 0;  // of the ways from the start that end with it
   };
   struct End {
     Point point;
