@@ -1,13 +1,12 @@
 #include <taut/search/index.h>
 
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include <taut/geometry/errors.h>
+#include <taut/search/detail/index_builder.h>
 #include <taut/search/detail/index_parts.h>
-#include <taut/search/detail/taut_legs.h>
 
 namespace taut {
 
@@ -35,59 +34,16 @@ IndexParts::IndexParts(VisibilityGraph ends, std::span<const std::byte> image_by
   }
 }
 
-namespace {
-
-/// The far ends of each bend's sector.
-std::vector<std::uint32_t> bend_places(const VisibilityGraph& graph) {
-  const Triangulation& tri = graph.space().triangulation();
-  std::vector<std::uint32_t> places;
-  for (std::uint32_t v = 0; v < graph.roadmap().vertex_count(); ++v) {
-    const Triangulation::Sector& sector = tri.sectors[graph.sector(v)];
-    places.insert(places.end(), {sector.vertex, sector.right, sector.left});
-  }
-  return places;
-}
-
-/// No two points of the world are farther from each other.
-double extent_of(const Triangulation& tri) {
-  if (tri.points.empty()) return 0;
-  Box box{tri.points[0], tri.points[0]};
-  for (const Point p : tri.points) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
-  }
-  return std::hypot(box.max.x - box.min.x, box.max.y - box.min.y);
-}
-
-constexpr std::size_t kSamples = 16;
-constexpr std::size_t kLabelBytes = 12, kSightBytes = 16;
-
-std::vector<std::byte> built(const VisibilityGraph& graph, std::size_t memory) {
-  const Triangulation& tri = graph.space().triangulation();
-  const std::optional<IntegerPlaces> places = IntegerPlaces::of(tri.points);
-  const HubGraph hubs = hub_graph(graph, TautLegs(graph), places ? &*places : nullptr);
-  std::optional<SightLists> sights;
-  if (places) sights = sight_lists(graph, hubs, *places, memory / 2 / kSightBytes);
-  const std::vector<std::uint32_t> bends = bend_places(graph);
-  const SightLists* const lists = sights ? &*sights : nullptr;
-  HubTree tree(hubs, lists, bends);
-  const std::optional<HubLabels> labels =
-      hub_labels(hubs, tree, lists, hub_order(hubs, tree, kSamples), memory / kLabelBytes);
-  if (!labels) throw InputError(graph.space().world().source(), 0, "has too many bends for an index of this size");
-  return index_image(hubs, *labels, lists, space_print(tri), tri.triangles.size(), extent_of(tri));
-}
-
-}  // namespace
-
 }  // namespace detail
 
 Index::Index(FreeSpace space, std::size_t memory) {
   const VisibilityGraph graph(std::move(space));
-  const auto image = std::make_shared<const std::vector<std::byte>>(detail::built(graph, memory));
-  if (image->size() > memory)
+  auto image = detail::index_bytes(graph, memory);
+  if (!image)
     throw InputError(graph.space().world().source(), 0,
-                     fmt::format("needs {} bytes for its index, and may have {}", image->size(), memory));
-  *this = Index(graph.space(), *image, image);
+                     fmt::format("needs more than the {} bytes that its index may have", memory));
+  const auto kept = std::make_shared<const std::vector<std::byte>>(std::move(*image));
+  *this = Index(graph.space(), *kept, kept);
 }
 
 Index::Index(FreeSpace space, std::span<const std::byte> bytes, std::shared_ptr<const void> keeper) {

@@ -23,10 +23,11 @@ struct IndexParts;
 /// numbers in a row. Elsewhere, and from vertices, what an end sees is found by triangular expansion first.
 class Index {
  public:
-  static constexpr std::size_t kMemory = std::size_t{256} << 20;
+  static constexpr std::size_t kMemory = std::size_t{64} << 20;
 
-  /// Builds it in about as many bytes as `memory` says at most: bytes().size() is below. Throws InputError where it
-  /// does not fit. Takes the reduced visibility graph and a pruned search from each bend.
+  /// Takes `memory` bytes at most: bytes().size() is below. Where the labels of all bends do not fit, only a core of
+  /// them has labels, the others are contracted below it, and queries climb to the core first. Throws InputError where
+  /// that does not fit either. Building takes the reduced visibility graph and a pruned search from each bend.
   explicit Index(FreeSpace space, std::size_t memory = kMemory);
 
   /// From the bytes() of an index of the same world, mapped from a file say; `keeper` holds them as long as the index

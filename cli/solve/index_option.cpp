@@ -13,7 +13,7 @@ void add_index_options(CommandLine& app, IndexOptions& options) {
       .group("Index");
   app.add_option_function(
          "--index-memory", [&options](const std::string& text) { options.memory = memory_of(text); },
-         "How large it may become (default: 256M)")
+         "How large it may become (default: 64M); the smaller, the longer queries take")
       .type_name("SIZE")
       .group("Index");
   app.add_option("--save-index", options.save, "Build it and keep it for --load-index")

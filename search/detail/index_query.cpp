@@ -9,7 +9,7 @@
 
 namespace taut::detail {
 
-IndexQuery::IndexQuery(const IndexParts& parts) : parts_(parts), best_(parts.bends.size()) {
+IndexQuery::IndexQuery(const IndexParts& parts) : parts_(parts), from_(parts), to_(parts), best_(parts.bends.size()) {
   if (parts.integers) per_place_ = parts.image.header().per_length / parts.integers->places().per_unit();
 }
 
@@ -26,8 +26,13 @@ void IndexQuery::find(Point from, Point to, std::vector<Point>& path) {
   }
   look_around(from_);
   look_around(to_);
+  if (parts_.image.has_core()) {
+    climb(from_);
+    climb(to_);
+  }
   spread_from();
   meet_to();
+  if (parts_.image.has_core()) meet_below();
   if (least_ < kFar) collect();
   forget();
   for (std::size_t i = 0; i < ways_.size(); ++i) {
@@ -55,6 +60,20 @@ bool IndexQuery::is_seen(const End& from, const End& to) const {
   return parts_.graph.space().sees(from.point, to.point);
 }
 
+namespace {
+
+std::uint32_t turns_at(const IndexParts& parts, std::uint32_t bend, Point from) {
+  const Triangulation& tri = parts.graph.space().triangulation();
+  const Triangulation::Sector& sector = tri.sectors[parts.graph.sector(bend)];
+  const auto side = [&](std::uint32_t vertex) {
+    return written::orientation(from, parts.point(bend), tri.points[vertex]);
+  };
+  const int right = side(sector.right), left = side(sector.left);
+  return (right <= 0 && left <= 0 ? kMayTurnRight : 0u) | (right >= 0 && left >= 0 ? kMayTurnLeft : 0u);
+}
+
+}  // namespace
+
 void IndexQuery::look_around(End& end) const {
   if (end.is_integer) {
     for (std::uint32_t i = 0; i < end.place.count; ++i) look_in(end, end.place.triangles[i]);
@@ -64,7 +83,7 @@ void IndexQuery::look_around(End& end) const {
   for (const std::uint32_t v : parts_.graph.visible_from(end.point)) {
     if (end.runs.size() == end.count) end.runs.emplace_back();
     const auto length = static_cast<std::uint32_t>(leg_of(end.point, parts_.point(v)).high * per_length + 0.5);
-    end.runs[end.count++] = {parts_.bends[v].begin, parts_.bends[v].end, length, v};
+    end.runs[end.count++] = {parts_.bends[v].begin, parts_.bends[v].end, length, v, turns_at(parts_, v, end.point), 0};
   }
 }
 
@@ -97,9 +116,32 @@ void IndexQuery::look_in(End& end, std::uint32_t triangle) const {
     run.length = static_cast<std::uint32_t>(IntegerPlaces::distance(bend.at, at) * per_place_ + 0.5);
     run.begin = is_right ? bend.begin : bend.end - run.end;
     run.end = is_right ? bend.begin + run.end : bend.end;
+    run.turns = is_right ? kMayTurnRight : kMayTurnLeft;
     run.bend /= 2;
   }
   end.count = count;
+}
+
+/// To the bends of the core, and what may follow there.
+void IndexQuery::climb(End& end) const {
+  end.climb.begin(end.point, end.is_integer ? &end.place.at : nullptr);
+  for (std::size_t i = 0; i < end.count; ++i) {
+    const Run& run = end.runs[i];
+    const double length = end.is_integer ? IntegerPlaces::distance(parts_.bends[run.bend].at, end.place.at) /
+                                               parts_.integers->places().per_unit()
+                                         : leg_of(end.point, parts_.point(run.bend)).high;
+    end.climb.add(run.bend, run.turns, length);
+  }
+  end.climb.run();
+  end.count = 0;
+  const double per_length = parts_.image.header().per_length;
+  for (const std::uint32_t bend : end.climb.reached()) {
+    if (parts_.bends[bend].begin == parts_.bends[bend].end) continue;
+    if (end.runs.size() == end.count) end.runs.emplace_back();
+    const IndexClimb::Range range = end.climb.labels_behind(bend);
+    const auto length = static_cast<std::uint32_t>(end.climb.length(bend) * per_length + 0.5);
+    end.runs[end.count++] = {range.begin, range.end, length, bend, 0, 0};
+  }
 }
 
 void IndexQuery::spread_from() {
@@ -136,6 +178,18 @@ void IndexQuery::meet_to() {
   }
 }
 
+/// Ways that do not come to the core.
+void IndexQuery::meet_below() {
+  meetings_.clear();
+  for (const std::uint32_t bend : to_.climb.reached()) {
+    if (!from_.climb.is_reached(bend) || parts_.bends[bend].begin != parts_.bends[bend].end) continue;
+    const double length = (from_.climb.length(bend) + to_.climb.length(bend)) * parts_.image.header().per_length;
+    if (length + 0.5 > least_ + kDoubtUnits) continue;
+    meetings_.push_back({bend, static_cast<std::uint32_t>(length + 0.5)});
+    least_ = std::min(least_, meetings_.back().length);
+  }
+}
+
 /// All ways that may be the shortest.
 void IndexQuery::collect() {
   const IndexImage::Label* const labels = parts_.image.labels().data();
@@ -150,6 +204,9 @@ void IndexQuery::collect() {
     }
   }
   if (has_ties_) collect_ties();
+  if (!parts_.image.has_core()) return;
+  for (const Meeting& meeting : meetings_)
+    if (meeting.length <= limit) ways_.push_back({0, 0, 0, meeting.bend});
 }
 
 /// Of each hub on those ways only one bend that the start sees is known yet.
@@ -172,22 +229,41 @@ void IndexQuery::forget() {
     for (std::uint32_t k = from_.runs[i].begin; k < from_.runs[i].end; ++k) best_[labels[k].hub].length = kFar;
 }
 
-/// Both ends' ways to the hub; there next() stays where it is.
-void IndexQuery::unpack(const Way& way, std::vector<std::uint32_t>& bends) const {
+/// Both ends' ways to where they meet.
+void IndexQuery::unpack(const Way& way, std::vector<std::uint32_t>& bends) {
+  if (way.meeting != kNone) {
+    from_.climb.chain(way.meeting, bends);
+    to_.climb.chain(way.meeting, part_);
+  } else {
+    unpack(from_, way.from, bends);
+    unpack(to_, way.to, part_);
+  }
+  bends.insert(bends.end(), part_.rbegin() + 1, part_.rend());
+}
+
+/// From the end to the label's hub; there next() stays where it is.
+void IndexQuery::unpack(End& end, std::uint32_t label, std::vector<std::uint32_t>& bends) const {
   const std::uint32_t* const next = parts_.image.next().data();
-  const auto climb = [&](std::uint32_t label) {
-    for (std::size_t steps = 0; steps <= parts_.bends.size(); ++steps) {
-      bends.push_back(parts_.bend_of(label));
-      if (next[label] == label) return;
-      label = next[label];
-    }
-  };
-  bends.clear();
-  climb(way.from);
-  const auto at_hub = static_cast<std::ptrdiff_t>(bends.size());
-  climb(way.to);
-  std::reverse(bends.begin() + at_hub, bends.end());
-  bends.erase(bends.begin() + at_hub);
+  const bool has_core = parts_.image.has_core();
+  std::uint32_t bend = parts_.bend_of(label);
+  if (has_core)
+    end.climb.chain(bend, bends);
+  else
+    bends.assign(1, bend);
+  for (std::size_t steps = 0; next[label] != label && steps <= parts_.bends.size(); ++steps) {
+    if (has_core) unpack_edge(parts_.image, core_edge(bend, label), false, bends);
+    label = next[label];
+    bend = parts_.bend_of(label);
+    if (!has_core) bends.push_back(bend);
+  }
+}
+
+/// By which the label goes on.
+const IndexImage::Edge& IndexQuery::core_edge(std::uint32_t bend, std::uint32_t label) const {
+  const auto cores = parts_.image.cores(bend);
+  return *(std::upper_bound(cores.begin(), cores.end(), label,
+                            [](std::uint32_t k, const IndexImage::Core& edge) { return k < edge.label; }) -
+           1);
 }
 
 /// Without points in a straight line.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <taut/search/detail/index_climb.h>
 #include <taut/search/detail/index_parts.h>
 
 namespace taut::detail {
@@ -27,14 +28,18 @@ class IndexQuery {
     std::uint32_t begin, end;  // labels
     std::uint32_t length;      // from the end to the bend
     std::uint32_t bend;
+    std::uint32_t turns = 0;  // TurnBits of a string from the end
     std::uint32_t least = 0;  // of the ways from the start that end with it
   };
   struct End {
+    explicit End(const IndexParts& parts) : climb(parts) {}
+
     Point point;
     PlaceAt place;
     bool is_integer = false;
     std::vector<Run> runs;
     std::size_t count = 0;
+    IndexClimb climb;  // where a core alone has labels
   };
   struct Best {
     std::uint32_t length = kFar;
@@ -42,8 +47,9 @@ class IndexQuery {
   };
   /// From a bend that the start sees over a hub to one that the goal sees.
   struct Way {
-    std::uint32_t from, to;  // labels
-    std::uint32_t before;    // its part from the start to the hub may be so long
+    std::uint32_t from, to;         // labels
+    std::uint32_t before;           // its part from the start to the hub may be so long
+    std::uint32_t meeting = kNone;  // below the core: a bend instead of labels
   };
 
   static constexpr std::uint32_t kFar = std::uint32_t{1} << 31;
@@ -53,12 +59,16 @@ class IndexQuery {
   bool is_seen(const End& from, const End& to) const;
   void look_around(End& end) const;
   void look_in(End& end, std::uint32_t triangle) const;
+  void climb(End& end) const;
   void spread_from();
   void meet_to();
+  void meet_below();
   void collect();
   void collect_ties();
   void forget();
-  void unpack(const Way& way, std::vector<std::uint32_t>& bends) const;
+  void unpack(const Way& way, std::vector<std::uint32_t>& bends);
+  void unpack(End& end, std::uint32_t label, std::vector<std::uint32_t>& bends) const;
+  const IndexImage::Edge& core_edge(std::uint32_t bend, std::uint32_t label) const;
   void give(const std::vector<std::uint32_t>& bends, std::vector<Point>& path) const;
   bool is_shorter(const std::vector<Point>& a, const std::vector<Point>& b);
 
@@ -69,7 +79,11 @@ class IndexQuery {
   std::uint32_t least_ = kFar;
   bool has_ties_ = false;  // two bends from which a hub is equally far
   std::vector<Way> ways_;
-  std::vector<std::uint32_t> bends_, other_bends_;
+  struct Meeting {
+    std::uint32_t bend, length;
+  };
+  std::vector<Meeting> meetings_;
+  std::vector<std::uint32_t> bends_, other_bends_, part_;
   std::vector<Point> other_;
   std::vector<Segment> legs_a_, legs_b_;
   std::size_t scanned_ = 0;

@@ -3,10 +3,12 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include <taut/geometry/errors.h>
+#include <taut/search/detail/index_builder.h>
 #include <taut/search/index.h>
 #include <taut/search/polyanya.h>
 #include <taut/search/verify.h>
@@ -56,8 +58,17 @@ std::string fault(IndexSearch& index, PolyanyaSearch& cones, const FreeSpace& sp
   return verify(path, space, from, {to, {}}).valid ? "" : "goes through a wall";
 }
 
+/// Of all bends, or of a core of some.
+Index any_index(const FreeSpace& space) {
+  if (any(0, 1) == 0) return Index(space);
+  const VisibilityGraph graph(space);
+  const auto bytes = std::make_shared<const std::vector<std::byte>>(
+      detail::index_bytes(graph, std::size_t{1} << 24, static_cast<std::size_t>(any(1, 12))).value());
+  return {space, *bytes, bytes};
+}
+
 void agree_in(const FreeSpace& space, double side, const std::string& shown, int count) {
-  IndexSearch index{Index(space)};
+  IndexSearch index{any_index(space)};
   PolyanyaSearch cones{Polyanya(space)};
   const std::vector<Point> places = any_places(space, side, count);
   for (const Point from : places)

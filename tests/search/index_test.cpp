@@ -10,6 +10,7 @@
 
 #include <taut/geometry/errors.h>
 #include <taut/geometry/maze_generator.h>
+#include <taut/search/detail/index_builder.h>
 #include <taut/search/index.h>
 #include <taut/search/polyanya.h>
 #include <taut/search/verify.h>
@@ -118,6 +119,26 @@ TEST(Index, StaysBelowTheMemoryItMayHave) {
   EXPECT_THROW(Index(space, 1000), InputError);
 }
 
+TEST(Index, HasTheShortestPathsInLittleMemory) {
+  for (const double thickness : {0.0, 0.25}) {
+    const FreeSpace space(opened_maze(30, 0.3).with_wall_thickness(thickness));
+    const std::size_t needed = Index(space).bytes().size();
+    const Index small(space, needed * 2 / 3);
+    EXPECT_LE(small.bytes().size(), needed * 2 / 3);
+    expect_agreement(space, small, 30, 300, stay);
+  }
+}
+
+TEST(Index, HasThemInLittleMemoryOffEveryLattice) {
+  const Turn turn(31.4);
+  WorldParts parts = opened_maze(12, 0.3).with_wall_thickness(0.125).parts();
+  parts.goal = {};
+  const FreeSpace space{World(turn(std::move(parts)))};
+  const auto bytes =
+      std::make_shared<const std::vector<std::byte>>(detail::index_bytes(VisibilityGraph(space), 1 << 24, 40).value());
+  expect_agreement(space, Index(space, *bytes, bytes), 12, 200, [&](Point p) { return turn(p); });
+}
+
 TEST(Index, IsTheSameFromItsBytes) {
   const FreeSpace space(opened_maze(15, 0.3));
   const Index made(space);
@@ -137,8 +158,7 @@ std::string reason(const FreeSpace& space, const std::vector<std::byte>& bytes) 
 
 TEST(Index, RefusesBytesThatAreDamagedOrOfAnotherWorld) {
   const FreeSpace space(opened_maze(8, 0.3));
-  const Index made(space);
-  const std::vector<std::byte> good(made.bytes().begin(), made.bytes().end());
+  const std::vector<std::byte> good = detail::index_bytes(VisibilityGraph(space), 1 << 24, 30).value();
   EXPECT_EQ(reason(space, good), "");
   EXPECT_THAT(reason(FreeSpace(opened_maze(8, 0.2)), good), HasSubstr("another triangulation"));
   EXPECT_THAT(reason(space, {}), HasSubstr("cut off"));
