@@ -20,10 +20,9 @@ IndexParts::IndexParts(VisibilityGraph ends, std::span<const std::byte> image_by
       image(bytes, space_print(graph.space().triangulation()), graph.roadmap().vertex_count(),
             graph.space().triangulation().points.size() + 2 * graph.roadmap().vertex_count()) {
   const Triangulation& tri = graph.space().triangulation();
-  if (!image.sights_begin().empty()) {
-    const auto places = IntegerPlaces::of(tri.points);
-    integers.emplace(graph.space(), places.value());
-    rays = ray_places(graph, *places);
+  if (const auto places = IntegerPlaces::of(tri.points)) {
+    integers.emplace(graph.space(), *places);
+    if (has_sights()) rays = ray_places(graph, *places);
   }
   bends.resize(graph.roadmap().vertex_count());
   for (std::uint32_t v = 0; v < bends.size(); ++v) {

@@ -53,9 +53,10 @@ class Builder {
     if (core_size) return with_core(*core_size);
     if (hubs_.size() <= bends_in(rest_, 1.6))
       if (auto all = with_all_labels()) return all;
-    const std::size_t ups = kUpBytes * 3 * hubs_.size();
-    std::size_t core = bends_in(rest_ > 2 * ups ? rest_ - ups : rest_ / 2, 4.5);
-    for (core = std::min<std::size_t>(core, hubs_.size() / 2); core >= 2; core /= 2)
+    sights_.reset();
+    const std::size_t ups = kUpBytes * 4 * hubs_.size();
+    std::size_t core = bends_in(memory_ > 2 * ups ? memory_ - ups : memory_ / 2, 3.0);
+    for (core = std::min<std::size_t>(core, hubs_.size() / 2); core >= 2; core = core * 3 / 4)
       if (auto part = with_core(core)) return part;
     return {};
   }
@@ -83,8 +84,8 @@ class Builder {
 
   std::optional<std::vector<std::byte>> packed(const HubGraph& graph, const HubLabels& labels,
                                                const LabelledCore* core) const {
-    auto image =
-        index_image(graph, labels, lists(), core, space_print(tri()), tri().triangles.size(), extent_of(tri()));
+    auto image = index_image(graph, labels, core ? nullptr : lists(), core, space_print(tri()), tri().triangles.size(),
+                             extent_of(tri()));
     if (image.size() > memory_) return {};
     return image;
   }

@@ -28,6 +28,7 @@ struct IndexParts {
     while (bends[bend].end <= label) ++bend;
     return bend;
   }
+  bool has_sights() const { return !image.sights_begin().empty(); }
   Point point(std::uint32_t bend) const { return graph.roadmap().point(bend); }
 
   static constexpr std::uint32_t kBlock = 64;

@@ -10,6 +10,7 @@
 namespace taut::detail {
 
 IndexQuery::IndexQuery(const IndexParts& parts) : parts_(parts), from_(parts), to_(parts), best_(parts.bends.size()) {
+  if (parts.integers && !parts.has_sights()) sights_.emplace(parts.graph, *parts.integers);
   if (parts.integers) per_place_ = parts.image.header().per_length / parts.integers->places().per_unit();
 }
 
@@ -74,17 +75,19 @@ std::uint32_t turns_at(const IndexParts& parts, std::uint32_t bend, Point from) 
 
 }  // namespace
 
-void IndexQuery::look_around(End& end) const {
-  if (end.is_integer) {
+void IndexQuery::look_around(End& end) {
+  if (end.is_integer && parts_.has_sights()) {
     for (std::uint32_t i = 0; i < end.place.count; ++i) look_in(end, end.place.triangles[i]);
     return;
   }
   const double per_length = parts_.image.header().per_length;
-  for (const std::uint32_t v : parts_.graph.visible_from(end.point)) {
+  const auto add = [&](std::uint32_t v, std::uint32_t turns) {
     if (end.runs.size() == end.count) end.runs.emplace_back();
     const auto length = static_cast<std::uint32_t>(leg_of(end.point, parts_.point(v)).high * per_length + 0.5);
-    end.runs[end.count++] = {parts_.bends[v].begin, parts_.bends[v].end, length, v, turns_at(parts_, v, end.point), 0};
-  }
+    end.runs[end.count++] = {parts_.bends[v].begin, parts_.bends[v].end, length, v, turns, 0};
+  };
+  if (end.is_integer) return sights_->from(end.place, add);
+  for (const std::uint32_t v : parts_.graph.visible_from(end.point)) add(v, turns_at(parts_, v, end.point));
 }
 
 void IndexQuery::look_in(End& end, std::uint32_t triangle) const {

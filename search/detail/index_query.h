@@ -7,6 +7,7 @@
 
 #include <taut/search/detail/index_climb.h>
 #include <taut/search/detail/index_parts.h>
+#include <taut/search/detail/integer_sights.h>
 
 namespace taut::detail {
 
@@ -57,7 +58,7 @@ class IndexQuery {
 
   void settle(End& end, Point point, const char* role) const;
   bool is_seen(const End& from, const End& to) const;
-  void look_around(End& end) const;
+  void look_around(End& end);
   void look_in(End& end, std::uint32_t triangle) const;
   void climb(End& end) const;
   void spread_from();
@@ -75,7 +76,8 @@ class IndexQuery {
   const IndexParts& parts_;
   double per_place_ = 0;  // units of length for one of places
   End from_, to_;
-  std::vector<Best> best_;  // by hub
+  std::optional<IntegerSights> sights_;  // where there are integers, but no lists
+  std::vector<Best> best_;               // by hub
   std::uint32_t least_ = kFar;
   bool has_ties_ = false;  // two bends from which a hub is equally far
   std::vector<Way> ways_;
