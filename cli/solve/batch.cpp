@@ -7,6 +7,7 @@
 #include <new>
 #include <optional>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <taut/cli/command.h>
@@ -16,11 +17,13 @@
 #include <taut/cli/run.h>
 #include <taut/cli/solve/batch_answers.h>
 #include <taut/cli/solve/ends_on_walls.h>
+#include <taut/cli/solve/index_option.h>
 #include <taut/cli/solve/query_source.h>
 #include <taut/cli/world/geographic.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/worlds/query_lines.h>
+#include <taut/search/index.h>
 #include <taut/search/no_path.h>
 #include <taut/search/polyanya.h>
 #include <taut/search/stopwatch.h>
@@ -41,6 +44,7 @@ struct BatchOptions {
   WorldOptions world;
   QueryOptions query;
   CommonOptions common;
+  IndexOptions index;
   std::string queries;
   bool json_lines = false;
   bool path = false;
@@ -56,6 +60,7 @@ void add_options(CommandLine& app, BatchOptions& options) {
       .required();
   add_robot_option(app, options.query.robot);
   add_snap_ends_option(app, options.query.snap_ends);
+  add_index_options(app, options.index);
   app.add_flag("--json-lines", options.json_lines, "Print one JSON object a line instead").group("Output");
   app.add_flag("--path", options.path,
                "The points of each path as well: ` x y x y ...` after the length, `path` in JSON")
@@ -66,7 +71,30 @@ void add_options(CommandLine& app, BatchOptions& options) {
   });
   app.example("taut batch maze.txt queries.txt");
   app.example("taut batch maze.txt queries.txt --json-lines --path");
+  app.example("taut batch maze.txt queries.txt --save-index maze.index");
 }
+
+/// One query after the other, by cones and bends or by an index.
+class Finder {
+ public:
+  explicit Finder(const Polyanya& polyanya) : search_(PolyanyaSearch(polyanya)) {}
+  explicit Finder(const Index& index) : search_(IndexSearch(index)) {}
+
+  SearchStatus find(Point from, Point to) {
+    return std::visit([&](auto& search) { return search.find(from, to); }, search_);
+  }
+  const std::vector<Point>& points() const {
+    return std::visit([](const auto& search) -> const std::vector<Point>& { return search.points(); }, search_);
+  }
+  /// 0 of an index.
+  std::size_t expanded() const {
+    const auto* const cones = std::get_if<PolyanyaSearch>(&search_);
+    return cones ? cones->expanded() : 0;
+  }
+
+ private:
+  std::variant<PolyanyaSearch, IndexSearch> search_;
+};
 
 class Batch {
  public:
@@ -74,6 +102,7 @@ class Batch {
       : options_(options),
         run_(run),
         answers_({run.is_talkative(), options.json_lines, options.path, run.wants_json()}) {
+    run.promise(options.index.save);
     run.when_stopped(answers_.last_words());
   }
 
@@ -83,22 +112,24 @@ class Batch {
     const Input input = read_input(options_.world, run_);
     shown_ = Shown(input.notes);
     const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
-    Polyanya polyanya = run_.stage("mesh", [&] { return Polyanya(space); });
+    const std::optional<Index> index = index_of(options_.index, space, run_);
+    if (!index) polyanya_ = run_.stage("mesh", [&] { return Polyanya(space); });
     const NoPath no_path(space);
     answers_.prepared_in(run_.seconds());
-    run_.stage("search", [&] { answer_all(source, input, space, polyanya, no_path); });
+    Finder search = index ? Finder(*index) : Finder(*polyanya_);
+    run_.stage("search", [&] { answer_all(source, input, space, search, no_path); });
     note(answers_.totals());
     Answer answer;
     answer.outcome = answers_.outcome();
     answer.reason = answers_.reason();
     if (run_.wants_json()) answer.result = answers_.json();
+    if (index) add_index(options_.index, *index, answer);
     return run_.end(std::move(answer));
   }
 
  private:
-  void answer_all(QuerySource& source, const Input& input, const FreeSpace& space, Polyanya& polyanya,
+  void answer_all(QuerySource& source, const Input& input, const FreeSpace& space, Finder& search,
                   const NoPath& no_path) {
-    PolyanyaSearch search(polyanya);
     const EndsOnWalls walls(input, options_.world.read.snap, space);
     QueryReader reader(source.name());
     std::string line;
@@ -108,7 +139,7 @@ class Batch {
       const bool on_walls = walls.concern(plane(query->from)) || walls.concern(plane(query->to));
       answers_.add(*query, on_walls ? ask_on_walls(walls, *query) : ask(space, search, no_path, *query), source.name());
       answers_.flush(source.may_wait());
-      prepare(polyanya, search);
+      if (polyanya_) prepare(*polyanya_, search);
     }
     answers_.flush(true);
   }
@@ -146,12 +177,12 @@ class Batch {
   /// A space of their own has the ends where they are.
   QueryAnswer ask_on_walls(const EndsOnWalls& walls, const QueryLine& query) {
     const FreeSpace space = walls.space_with(std::vector{query.from, query.to});
-    PolyanyaSearch search{Polyanya(space)};
+    Finder search{Polyanya(space)};
     return ask(space, search, NoPath(space), query);
   }
 
   /// Where there is no memory for it, go on as before.
-  void prepare(Polyanya& polyanya, PolyanyaSearch& search) {
+  void prepare(Polyanya& polyanya, Finder& search) {
     const std::size_t bends = polyanya.mesh().bends.size();
     const bool graph = !polyanya.has_graph() && nodes_ > kConesABend * bends;
     const bool landmarks = polyanya.has_graph() && !polyanya.has_landmarks() && nodes_ > kNodesABend * bends;
@@ -159,7 +190,7 @@ class Batch {
     const Stopwatch watch;
     try {
       Polyanya made = graph ? polyanya.with_graph() : polyanya.with_landmarks(bends > kManyBends ? 16 : 8);
-      search = PolyanyaSearch(made);
+      search = Finder(made);
       polyanya = std::move(made);
     } catch (const std::bad_alloc&) {
       is_full_ = true;
@@ -185,7 +216,7 @@ class Batch {
   }
 
   /// A start or goal in a wall is an answer here, no reason to stop.
-  QueryAnswer ask(const FreeSpace& space, PolyanyaSearch& search, const NoPath& no_path, QueryLine query) {
+  QueryAnswer ask(const FreeSpace& space, Finder& search, const NoPath& no_path, QueryLine query) {
     query.from = plane(query.from);
     query.to = plane(query.to);
     QueryAnswer answer = ask_in_plane(space, search, no_path, query);
@@ -193,7 +224,7 @@ class Batch {
     return answer;
   }
 
-  QueryAnswer ask_in_plane(const FreeSpace& space, PolyanyaSearch& search, const NoPath& no_path, QueryLine query) {
+  QueryAnswer ask_in_plane(const FreeSpace& space, Finder& search, const NoPath& no_path, QueryLine query) {
     QueryAnswer answer;
     if (!settle(space, "start", query.from, answer) || !settle(space, "goal", query.to, answer)) return answer;
     const Stopwatch watch;
@@ -216,7 +247,8 @@ class Batch {
   Run& run_;
   BatchAnswers answers_;
   Shown shown_{ReadNotes{}};
-  bool is_full_ = false;  // there was no memory
+  std::optional<Polyanya> polyanya_;  // without an index
+  bool is_full_ = false;              // there was no memory
   std::size_t nodes_ = 0;
   double lengths_ = 0, straight_ = 0;
 };
