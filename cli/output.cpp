@@ -13,6 +13,7 @@
 #include <set>
 #include <utility>
 
+#include <taut/cli/growing_file.h>
 #include <taut/geometry/errors.h>
 
 namespace taut::cli {
@@ -214,6 +215,7 @@ void print(std::string_view text) { write_all(STDOUT_FILENO, text, "<stdout>"); 
 void abandon_files() noexcept {
   // Not locked: the writer may be in the middle, and the process ends right after this.
   if (const char* name = unfinished().name; *name) ::unlink(name);
+  abandon_growing_file();
 }
 
 }  // namespace taut::cli

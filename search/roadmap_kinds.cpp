@@ -41,7 +41,11 @@ RoadmapKind visibility(const char* name, const char* title, const char* what, Vi
           [kind](const FreeSpace& space, const BuildRequest&) {
             return planned(std::make_shared<const VisibilityGraph>(space, kind), search_visibility, visibility_query);
           },
-          RoadmapKind::Keeping::rebuilt};
+          RoadmapKind::Keeping::rebuilt,
+          false,
+          true,
+          false,
+          kind};
 }
 
 /// The textbook's way to the full one: the reference that the fast one agrees with, edge for edge.
