@@ -22,6 +22,17 @@ std::string named(const Constraint& c) {
   return (c.is_wall() ? "the wall " : "the outline ") + text(c.a) + " to " + text(c.b);
 }
 
+/// Where the leg crosses the constraint, as a part of the leg. Precondition: it does.
+double crossing(const Segment& leg, const Constraint& c) {
+  const double dx = leg.b.x - leg.a.x, dy = leg.b.y - leg.a.y, ex = c.b.x - c.a.x, ey = c.b.y - c.a.y;
+  const double part = ((c.a.x - leg.a.x) * ey - (c.a.y - leg.a.y) * ex) / (dx * ey - dy * ex);
+  return std::isfinite(part) ? std::clamp(part, 0.0, 1.0) : 0.0;
+}
+
+Point point_on(const Segment& leg, double part) {
+  return {leg.a.x + part * (leg.b.x - leg.a.x), leg.a.y + part * (leg.b.y - leg.a.y)};
+}
+
 bool readable(Point p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::abs(p.x) <= World::kLargest &&
          std::abs(p.y) <= World::kLargest;
@@ -80,6 +91,7 @@ class Verification {
   bool starts_free(Sectors& sectors);
   bool follow();
   bool follow_leg(std::size_t leg, Sectors& sectors);
+  void find_crossing(std::size_t leg);
   bool enters_room(const Sectors& sectors);
   bool length_stands();
   std::string obstruction(const LegPassage& passage) const;
@@ -151,12 +163,29 @@ bool Verification::follow() {
 }
 
 bool Verification::follow_leg(std::size_t leg, Sectors& sectors) {
-  if (const auto crossed = contacts_.crossed[leg]; crossed != kNone)
-    return refuse(leg, opening(leg) + "crosses " + named(constraints_[crossed]));
+  if (contacts_.crossed[leg] != kNone) {
+    find_crossing(leg);
+    return refuse(leg, opening(leg) + "crosses " + named(constraints_[verdict_.blocker]));
+  }
   LegPassage passage = pass(legs_[leg], sectors, constraints_, contacts_.touching[leg]);
-  if (passage.blocked) return refuse(leg, opening(leg) + obstruction(passage));
+  if (passage.blocked) {
+    verdict_.at = passage.at;
+    if (!passage.pieces.empty()) verdict_.blocker = passage.pieces.front();
+    return refuse(leg, opening(leg) + obstruction(passage));
+  }
   sectors = std::move(passage.sectors);
   return true;
+}
+
+void Verification::find_crossing(std::size_t leg) {
+  double first = HUGE_VAL;
+  for (std::uint32_t i = contacts_.crossed[leg]; i < constraints_.size(); ++i) {
+    if (contact(legs_[leg], constraints_[i]) != Contact::cross) continue;
+    const double part = crossing(legs_[leg], constraints_[i]);
+    if (part < first) verdict_.blocker = i;
+    first = std::min(first, part);
+  }
+  verdict_.at = point_on(legs_[leg], first);
 }
 
 bool Verification::enters_room(const Sectors& sectors) {

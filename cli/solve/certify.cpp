@@ -43,12 +43,13 @@ Certified certified(const FreeSpace& space, const PlanResult& result, bool is_ju
     return result.status == SearchStatus::found ? shortest_certificate(graph, result.path)
                                                 : none_certificate(graph, *result.start, *result.goal.point);
   });
-  if (!certificate) return {"", "no certificate: crossings of walls were rounded where paths bend"};
-  Certified answer{certificate_text(*certificate, text), ""};
+  if (!certificate) return {"", "no certificate: crossings of walls were rounded where paths bend", 0};
+  Certified answer{certificate_text(*certificate, text), "", 0};
   if (!is_judged) return answer;
   const proof::Judgement said = run.stage("judge", [&] { return proof::judge(text, answer.text); });
   answer.words = said.words;
-  if (!said.proven) answer = {"", "the certificate proves nothing: " + said.words};
+  answer.bound = said.bound;
+  if (!said.proven) answer = {"", "the certificate proves nothing: " + said.words, 0};
   return answer;
 }
 

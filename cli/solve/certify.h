@@ -19,6 +19,7 @@ void require_certifiable(const SolveOptions& options);
 struct Certified {
   std::string text;   ///< the file; empty where there is none
   std::string words;  ///< what it proves, or why there is none
+  double bound = 0;   ///< of a shortest path, judged: no path is shorter
 };
 
 /// Of what was found in a space of a point, or that nothing was. Throws InputError where the world's numbers or its
