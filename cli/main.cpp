@@ -110,6 +110,7 @@ std::vector<Command> all_commands(CommandLine& app) {
   commands.push_back(solve_command(app));
   commands.push_back(check_command(app));
   commands.push_back(verify_command(app));
+  commands.push_back(audit_command(app));
   commands.push_back(roadmap_command(app));
   commands.push_back(compare_command(app));
   commands.push_back(passage_command(app));

@@ -13,31 +13,34 @@
 #include <taut/geometry/contact.h>
 #include <taut/geometry/text.h>
 #include <taut/geometry/written.h>
-#include <taut/search/detail/leg_contacts.h>
+#include <taut/search/detail/met_pieces.h>
 
 namespace taut {
 
 namespace {
 
-using detail::LegContacts;
+using detail::AllPieces;
+using detail::Pieces;
+using detail::PiecesAlong;
 
 std::string named(const Constraint& c) {
   return (c.is_wall() ? "the wall " : "the outline ") + text(c.a) + " to " + text(c.b);
 }
 
+/// Where the leg crosses the constraint, as a part of the leg. Precondition: it does.
+double crossing(const Segment& leg, const Constraint& c) {
+  const double dx = leg.b.x - leg.a.x, dy = leg.b.y - leg.a.y, ex = c.b.x - c.a.x, ey = c.b.y - c.a.y;
+  const double part = ((c.a.x - leg.a.x) * ey - (c.a.y - leg.a.y) * ex) / (dx * ey - dy * ex);
+  return std::isfinite(part) ? std::clamp(part, 0.0, 1.0) : 0.0;
+}
+
+Point point_on(const Segment& leg, double part) {
+  return {leg.a.x + part * (leg.b.x - leg.a.x), leg.a.y + part * (leg.b.y - leg.a.y)};
+}
+
 bool readable(Point p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::abs(p.x) <= World::kLargest &&
          std::abs(p.y) <= World::kLargest;
-}
-
-bool inside(Point p, const Polygon& polygon) {
-  if (written::side_of_ring(p, polygon.outer) < 0) return false;
-  return std::none_of(polygon.holes.begin(), polygon.holes.end(),
-                      [p](const Ring& hole) { return written::side_of_ring(p, hole) > 0; });
-}
-
-bool inside_any(Point p, const std::vector<Polygon>& polygons) {
-  return std::any_of(polygons.begin(), polygons.end(), [p](const Polygon& polygon) { return inside(p, polygon); });
 }
 
 bool lies_inside(const Box& box, Point p) {
@@ -46,95 +49,6 @@ bool lies_inside(const Box& box, Point p) {
 
 Point middle_of(const Box& box) {
   return {box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
-}
-
-/// What stops a path, leg by leg.
-class Pieces {
- public:
-  /// What a leg meets: of a vector of pieces, those that it touches, ascending, and the lowest that it crosses.
-  struct Met {
-    std::span<const Constraint> pieces;
-    std::span<const std::uint32_t> touching;
-    std::uint32_t crossed = kNone;
-  };
-
-  virtual ~Pieces() = default;
-  /// Until it is asked for another leg.
-  virtual Met met(std::size_t leg) = 0;
-  /// One that some leg meets: the lowest, where their numbers say more than for one leg. kNone: there is none.
-  virtual std::uint32_t any_met() = 0;
-  /// Can a path begin there?
-  virtual bool holds(Point p) const = 0;
-  /// Of legs that meet nothing.
-  virtual detail::NearestPiece nearest() const = 0;
-};
-
-/// All constraints, by a tree over the legs.
-class AllPieces : public Pieces {
- public:
-  AllPieces(const FreeSpace& space, const std::vector<Segment>& legs)
-      : space_(space), tree_(legs, space.constraints()), contacts_(tree_.contacts()) {}
-
-  Met met(std::size_t leg) override { return {space_.constraints(), contacts_.touching[leg], contacts_.crossed[leg]}; }
-  std::uint32_t any_met() override {
-    std::uint32_t lowest = *std::min_element(contacts_.crossed.begin(), contacts_.crossed.end());
-    for (const auto& touching : contacts_.touching)
-      if (!touching.empty()) lowest = std::min(lowest, touching.front());
-    return lowest;
-  }
-  bool holds(Point p) const override { return inside_any(p, space_.polygons()); }
-  detail::NearestPiece nearest() const override { return tree_.nearest(); }
-
- private:
-  const FreeSpace& space_;
-  detail::LegTree tree_;
-  LegContacts contacts_;
-};
-
-/// Those of the cells that a leg passes, nothing else of the space is looked at.
-class PiecesAlong : public Pieces {
- public:
-  PiecesAlong(const CellPlan& plan, const std::vector<Segment>& legs) : plan_(plan), legs_(legs) {}
-
-  Met met(std::size_t leg) override {
-    pieces_.clear();
-    touching_.clear();
-    std::uint32_t crossed = kNone;
-    plan_.append_along(legs_[leg], pieces_);
-    for (std::uint32_t i = 0; i < pieces_.size(); ++i) {
-      const Contact kind = contact(legs_[leg], pieces_[i]);
-      if (kind == Contact::touch) touching_.push_back(i);
-      if (kind == Contact::cross) crossed = std::min(crossed, i);
-    }
-    return {pieces_, touching_, crossed};
-  }
-  std::uint32_t any_met() override {
-    for (std::size_t leg = 0; leg < legs_.size(); ++leg)
-      if (const Met met = this->met(leg); met.crossed != kNone || !met.touching.empty())
-        return std::min(met.crossed, met.touching.empty() ? kNone : met.touching.front());
-    return kNone;
-  }
-  bool holds(Point p) const override { return plan_.around(p).free != 0; }
-  detail::NearestPiece nearest() const override;
-
- private:
-  const CellPlan& plan_;
-  const std::vector<Segment>& legs_;
-  std::vector<Constraint> pieces_;
-  std::vector<std::uint32_t> touching_;
-};
-
-/// In boxes around the legs that grow until one holds the nearest for sure.
-detail::NearestPiece PiecesAlong::nearest() const {
-  const Box all{{plan_.x(0), plan_.y(0)}, {plan_.x(plan_.columns()), plan_.y(plan_.rows())}};
-  const double whole = (all.max.x - all.min.x) + (all.max.y - all.min.y);
-  for (double reach = whole / 256;; reach *= 4) {
-    std::vector<Constraint> near;
-    for (const Segment& leg : legs_) plan_.append_within(widened(box_around(leg.a, leg.b), reach), near);
-    if (near.empty() && reach <= whole) continue;
-    const detail::NearestPiece nearest = detail::LegTree(legs_, near).nearest();
-    if (nearest.distance <= reach || reach > whole) return {nearest.distance, kNone};
-  }
 }
 
 /// One check in progress.
@@ -175,6 +89,8 @@ class Verification {
   bool starts_free(Sectors& sectors);
   bool follow();
   bool follow_leg(std::size_t leg, const Pieces::Met& met, Sectors& sectors);
+  std::uint32_t first_crossed(std::size_t leg, const Pieces::Met& met);
+  void blame(const Pieces::Met& met, std::uint32_t piece) { verdict_.blocker = met.are_all ? piece : kNone; }
   bool enters_room(const Sectors& sectors, const Pieces::Met& met);
   bool length_stands();
   static std::string obstruction(const LegPassage& passage, const Pieces::Met& met);
@@ -243,11 +159,32 @@ bool Verification::follow() {
 }
 
 bool Verification::follow_leg(std::size_t leg, const Pieces::Met& met, Sectors& sectors) {
-  if (met.crossed != kNone) return refuse(leg, opening(leg) + "crosses " + named(met.pieces[met.crossed]));
+  if (met.crossed != kNone) {
+    const std::uint32_t crossed = first_crossed(leg, met);
+    blame(met, crossed);
+    return refuse(leg, opening(leg) + "crosses " + named(met.pieces[crossed]));
+  }
   LegPassage passage = pass(legs_[leg], sectors, met.pieces, met.touching);
-  if (passage.blocked) return refuse(leg, opening(leg) + obstruction(passage, met));
+  if (passage.blocked) {
+    verdict_.at = passage.at;
+    if (!passage.pieces.empty()) blame(met, passage.pieces.front());
+    return refuse(leg, opening(leg) + obstruction(passage, met));
+  }
   sectors = std::move(passage.sectors);
   return true;
+}
+
+std::uint32_t Verification::first_crossed(std::size_t leg, const Pieces::Met& met) {
+  std::uint32_t piece = met.crossed;
+  double first = HUGE_VAL;
+  for (std::uint32_t i = met.crossed; i < met.pieces.size(); ++i) {
+    if (contact(legs_[leg], met.pieces[i]) != Contact::cross) continue;
+    const double part = crossing(legs_[leg], met.pieces[i]);
+    if (part < first) piece = i;
+    first = std::min(first, part);
+  }
+  verdict_.at = point_on(legs_[leg], first);
+  return piece;
 }
 
 bool Verification::enters_room(const Sectors& sectors, const Pieces::Met& met) {

@@ -1,5 +1,7 @@
 // The check of a path that shares nothing with the planners.
 #pragma once
+
+#include <optional>
 #include <string>
 
 #include <taut/geometry/free_space.h>
@@ -11,8 +13,10 @@ namespace taut {
 struct Verdict {
   bool valid = false;
   /// Empty when valid, else one line: `leg 3, (1, 2) to (4, 2), crosses the wall (3, 0) to (3, 5)`.
-  std::string reason;
-  std::size_t leg = 0;  ///< the first offending leg, from 0
+  std::string reason{};
+  std::size_t leg = 0;            ///< the first offending leg, from 0
+  std::optional<Point> at{};      ///< where on it, to the nearest doubles, where a constraint is in the way
+  std::uint32_t blocker = kNone;  ///< that constraint, the first that the leg comes to
   /// Least distance of the path to an obstacle, to the nearest double: 0 when it touches, infinite when there is no
   /// obstacle.
   double clearance = 0;
