@@ -72,7 +72,7 @@ def one(taut, choice, good, known, folder):
         done = subprocess.run([taut, *words], stdin=stdin, capture_output=True, cwd=folder, preexec_fn=limits, timeout=600)
     seconds = children_seconds() - begin
     outputs = [name for name in OUTPUTS if name != "-" and name not in before]
-    return words, done, judge.broken_promises(done, seconds, LIMIT / 2, outputs, before, folder)
+    return words, done, judge.broken_promises(done, words, seconds, LIMIT / 2, outputs, before, folder)
 
 
 def children_seconds():

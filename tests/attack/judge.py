@@ -6,8 +6,8 @@ PROMISED = {0, 1, 2, 3, 4}
 OLD = b"kept as it was\n"
 
 
-def broken_promises(done, seconds, limit, outputs, before, folder):
-    """The findings of one run, as words. `outputs` are the names that it might write, `before` the folder's names before."""
+def broken_promises(done, words, seconds, limit, outputs, before, folder):
+    """The findings of one run of `words`. `outputs` are the names that it might write, `before` the folder's names before."""
     findings = []
     code = done.returncode
     if code not in PROMISED:
@@ -17,7 +17,7 @@ def broken_promises(done, seconds, limit, outputs, before, folder):
     findings += of_errors(code, done.stderr)
     for name in outputs:
         findings += of_output(folder / name, code)
-    left = {path.name for path in folder.iterdir()} - before - set(outputs)
+    left = {path.name for path in folder.iterdir()} - before - set(outputs) - set(words)
     if left:
         findings.append(f"leaves {sorted(left)}")
     return findings
