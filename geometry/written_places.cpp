@@ -49,7 +49,7 @@ struct WrittenPlaces::Impl {
   explicit Impl(const FreeSpace& s)
       : space(s),
         sides(s.displacement() > 0 && s.footprint().kind() == Footprint::Kind::point ? bending_sides(s.world())
-                                                                                            : std::vector<Segment>{}),
+                                                                                     : std::vector<Segment>{}),
         index(boxes_around(sides)) {}
 
   FreeSpace space;

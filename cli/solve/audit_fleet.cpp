@@ -77,7 +77,8 @@ class FleetAudit {
   const std::string& id(std::size_t robot) const { return robots_[robot].id; }
 
   std::string text_of(const Collision& c) const {
-    const std::string since = std::isfinite(c.from) ? fmt::format("from {}", number_text(c.from)) : "from the beginning";
+    const std::string since =
+        std::isfinite(c.from) ? fmt::format("from {}", number_text(c.from)) : "from the beginning";
     const std::string until = std::isfinite(c.to) ? fmt::format(" to {}", number_text(c.to)) : " on";
     return fmt::format("robots {} and {} collide {}{}, at {} and {}", id(c.first), id(c.second), since, until,
                        point_text(c.first_at), point_text(c.second_at));

@@ -66,7 +66,7 @@ struct SvgPicture {
   std::vector<SvgDisc> discs{};             ///< the robot, below the path
   std::vector<SvgLabelKey> label_keys{};
   std::vector<Segment> contours{};  ///< thin lines below the walls (contours.h)
-  std::vector<EndMove> moves{};  ///< of start and goal: dashed, from where they were given
+  std::vector<EndMove> moves{};     ///< of start and goal: dashed, from where they were given
 };
 
 /// The picture as one SVG 1.1 document, north up.

@@ -34,7 +34,8 @@ struct Motion {
   double error(double time) const {
     const double size = std::max({std::abs(a.x), std::abs(a.y), std::abs(b.x), std::abs(b.y)});
     if (waits()) return 2 * kEps * size;
-    const double way = std::abs(b.x - a.x) + std::abs(b.y - a.y), late = std::abs(std::clamp(time, from, to)) + std::abs(from) + std::abs(to);
+    const double way = std::abs(b.x - a.x) + std::abs(b.y - a.y),
+                 late = std::abs(std::clamp(time, from, to)) + std::abs(from) + std::abs(to);
     return 8 * kEps * (size + way * (1 + late / (to - from)));
   }
   ExactPoint exactly_at(double time) const {

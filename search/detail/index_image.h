@@ -61,7 +61,7 @@ class IndexImage {
     std::uint32_t version = 0;
     std::uint32_t bends = 0, labels = 0, triangles = 0, sight_words = 0, has_sights = 0;
     std::uint32_t ups = 0, cores = 0, has_core = 0, unused = 0;  ///< all 0 where all bends have labels
-    std::uint64_t space = 0;           ///< space_print
+    std::uint64_t space = 0;                                     ///< space_print
     double per_length = 0;
     std::uint64_t check = 0;  ///< of all else
   };
