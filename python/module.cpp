@@ -1,5 +1,6 @@
 // taut._taut: the library, as the package in python/taut shows it.
 #include <taut/python/bind.h>
+#include <taut/python/proofs.h>
 
 PYBIND11_MODULE(_taut, m) {
   m.doc() = "Exact motion planning in the plane. Use the package `taut`, not this.";
@@ -21,4 +22,5 @@ PYBIND11_MODULE(_taut, m) {
   taut::python::bind_chases(m);
   taut::python::bind_bugs(m);
   taut::python::bind_cars(m);
+  taut::python::bind_proofs(m);
 }

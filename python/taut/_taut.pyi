@@ -71,6 +71,42 @@ class ArcPath:
     @property
     def __geo_interface__(self) -> dict[str, Any]: ...
 
+class Audit:
+    """What there is to say of anybody's path."""
+
+    @property
+    def valid(self) -> bool: ...
+    @property
+    def reason(self) -> str:
+        """Empty when valid."""
+    @property
+    def leg(self) -> int | None:
+        """The first that meets a wall, from 0; None where none does."""
+    @property
+    def at(self) -> Point | None:
+        """Where the robot's reference point is then."""
+    @property
+    def on(self) -> Point | None:
+        """The wall's point."""
+    @property
+    def wall(self) -> str | None:
+        """The wall in words, with its line in the file."""
+    @property
+    def clearance(self) -> float:
+        """The least distance between robot and walls; inf without walls, 0 when not valid."""
+    @property
+    def length(self) -> float: ...
+    @property
+    def exact_length(self) -> Length: ...
+    @property
+    def shortest(self) -> float | None:
+        """The length of the shortest path between its ends; None without one."""
+    @property
+    def gap(self) -> float | None:
+        """How much longer it is than that."""
+    def __bool__(self) -> bool: ...
+    def __repr__(self) -> str: ...
+
 class Car:
     """A rectangular car; its reference point is the middle of the rear axle."""
 
@@ -150,6 +186,22 @@ class ClearPath:
     def __repr__(self) -> str: ...
     @property
     def __geo_interface__(self) -> dict[str, Any]: ...
+
+class Collision:
+    """Two robots that are nearer than the sum of their radii."""
+
+    @property
+    def robots(self) -> tuple[int, int]:
+        """By number."""
+    @property
+    def legs(self) -> tuple[int, int]: ...
+    @property
+    def times(self) -> tuple[float, float]:
+        """From, to."""
+    @property
+    def at(self) -> tuple[Point, Point]:
+        """Their centres when it begins."""
+    def __repr__(self) -> str: ...
 
 class Drive:
     """A drive of a car: exact legs, straight ones and arcs."""
@@ -338,6 +390,26 @@ class Journey:
     def __repr__(self) -> str: ...
     @property
     def __geo_interface__(self) -> dict[str, Any]: ...
+
+class Judgement:
+    """What the judge of certificates says."""
+
+    @property
+    def proven(self) -> bool: ...
+    @property
+    def kind(self) -> str:
+        """'shortest', 'none', 'widest'."""
+    @property
+    def words(self) -> str:
+        """What is proven, or what refutes it."""
+    @property
+    def length(self) -> float:
+        """Of the path given; of the widest how far its path keeps from walls."""
+    @property
+    def bound(self) -> float:
+        """No path is shorter; no disc of a greater radius gets through."""
+    def __bool__(self) -> bool: ...
+    def __repr__(self) -> str: ...
 
 class Length:
     """The length of a chain of points: a sum of square roots, kept as such. Compared exactly; float() is the
@@ -624,6 +696,10 @@ class World:
     @property
     def __geo_interface__(self) -> dict[str, Any]: ...
 
+def audit(world: World, points: ArrayLike, robot: Footprint = ..., *, gap: bool = ...) -> Audit:
+    """Can the robot follow the points (n, 2), where does it first meet a wall, how near does it come, how much longer
+    than the shortest is it? An Audit; a disc is taken for the disc itself."""
+
 def bug(
     space: FreeSpace,
     algorithm: str = ...,
@@ -635,6 +711,12 @@ def bug(
 ) -> Journey:
     """The Journey of a bug that knows where its goal is, and of walls what it touches ('bug1', 'bug2') or sees as far
     as range ('tangent'). Raises InputError when an end is not free."""
+
+def certificate(
+    space: FreeSpace, start: PointLike | None = ..., goal: GoalLike | None = ..., *, widest: bool = ...
+) -> str:
+    """A proof, as text, that no path is shorter, or that there is none; with widest that no larger disc gets through.
+    Of a point or a square. Raises InputError when an end is not free, Unproven."""
 
 def chase(
     map: ChaseMap,
@@ -658,6 +740,12 @@ def clear_path(
 
 def clearance_tradeoff(world: World, start: PointLike | None = ..., goal: GoalLike | None = ...) -> list[ClearPath]:
     """Every best ClearPath, from the shortest to the widest: what room costs in length."""
+
+def collisions(
+    robots: Sequence[ArrayLike], radius: float | Sequence[float], *, stay: bool = ...
+) -> list[Collision]:
+    """All collisions of discs, by time. robots: for each rows time, x, y (n, 3), straight and even in between; radius:
+    of all, or one each. Without stay they are nowhere before their first and after their last time. Exact."""
 
 def compare(
     space: FreeSpace,
@@ -702,6 +790,10 @@ def drive(
     """A Drive from start to goal; headings in degrees counter-clockwise from x, any when None. At most weight times as
     long as the shortest on its lattice. None when there is none, proven. Raises InputError when the car cannot
     stand there, Unproven."""
+
+def judge(space: FreeSpace, certificate: str) -> Judgement:
+    """Does the certificate, as text, prove what it says of the space? A Judgement, by signs of integers alone. Raises
+    InputError when it cannot be read."""
 
 def mouse_explorers() -> list[str]:
     """The names of the robots that come with taut."""
