@@ -8,7 +8,9 @@
 
 #include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/plain_world.h>
+#include <taut/geometry/segment_distance.h>
 #include <taut/search/detail/leg_contacts.h>
+#include <taut/search/detail/place_grid.h>
 
 namespace taut {
 
@@ -18,8 +20,6 @@ __extension__ using Wide = __int128;
 using Int = std::int64_t;
 using Place = DiscCertificate::Place;
 
-constexpr int kMostFiner = 32;             // times a half
-constexpr double kLargest = 0x1p50;        // of coordinates
 constexpr double kRounding = 1 - 0x1p-45;  // of distances in doubles
 
 Wide squared(Place p, Place q) {
@@ -34,95 +34,87 @@ Int root_up(Wide square) {
   return root;
 }
 
-/// A finer grid over the lattice of a world and both ends.
-class Grid {
- public:
-  Grid(const World& world, std::span<const Point> places) : integers_(world, places) {
-    const Box box = world.box();
-    double largest = 1;
-    for (const double v : {box.min.x, box.min.y, box.max.x, box.max.y}) largest = std::max(largest, std::abs(v));
-    const double multiples = largest * units().get_d();
-    while (finer_ < kMostFiner && multiples * std::ldexp(1, finer_ + 1) < kLargest) ++finer_;
-  }
-
-  Int scale() const { return integers_.scale() << finer_; }
-  /// So many make 1.
-  mpz_class units() const {
-    mpz_class power;
-    mpz_ui_pow_ui(power.get_mpz_t(), static_cast<unsigned long>(integers_.lattice().base),
-                  static_cast<unsigned long>(integers_.lattice().exponent));
-    return power * mpz_class(static_cast<long>(scale()));
-  }
-
-  std::optional<Place> exactly(Point p) const {
-    const auto place = integers_.place(p);
-    if (!place) return std::nullopt;
-    return Place{(*place)[0] << finer_, (*place)[1] << finer_};
-  }
-  Int down(const mpq_class& v) const {
-    const mpq_class n = v * units();
-    return mpz_class(n.get_num() / n.get_den()).get_si();  // of what is not negative
-  }
-  Place nearest(Point p) const { return {rounded(p.x), rounded(p.y)}; }
-  Point point(Place p) const {
-    const double n = units().get_d();
-    return {static_cast<double>(p[0]) / n, static_cast<double>(p[1]) / n};
-  }
-  /// On the piece, whose ends are on the coarse lattice: the nearest of 2^finer parts to its foot.
-  std::optional<Place> on(const Segment& piece, Point foot) const {
-    const auto a = exactly(piece.a), b = exactly(piece.b);
-    if (!a || !b) return std::nullopt;
-    const Int x = ((*b)[0] - (*a)[0]) >> finer_, y = ((*b)[1] - (*a)[1]) >> finer_;
-    if (x == 0 || y == 0) {  // every multiple is on it
-      const Place p = nearest(foot);
-      return x == 0 ? Place{(*a)[0], p[1]} : Place{p[0], (*a)[1]};
-    }
-    const double ux = piece.b.x - piece.a.x, uy = piece.b.y - piece.a.y;
-    const double part = ((foot.x - piece.a.x) * ux + (foot.y - piece.a.y) * uy) / (ux * ux + uy * uy);
-    const auto steps = static_cast<Int>(std::llround(std::ldexp(std::clamp(part, 0.0, 1.0), finer_)));
-    return Place{(*a)[0] + x * steps, (*a)[1] + y * steps};
-  }
-
- private:
-  Int rounded(double v) const {
-    const mpq_class n = meaning(v) * units() * 2 + 1;  // floor((2 v + 1) / 2)
-    mpz_class down;
-    mpz_fdiv_q(down.get_mpz_t(), n.get_num_mpz_t(), mpz_class(n.get_den() * 2).get_mpz_t());
-    return down.get_si();
-  }
-
-  LatticeIntegers integers_;
-  int finer_ = 0;
-};
+using detail::PlaceGrid;
 
 Segment segment(const FreeSpace& space, std::uint32_t constraint) {
   const Constraint& c = space.constraints()[constraint];
   return {c.a, c.b};
 }
 
-/// The chain as places where one piece ends and the next begins.
+/// The walls and sides that the judge knows, which no crossing splits.
+class Edges {
+ public:
+  Edges(const FreeSpace& space, const World& plain, const PlaceGrid& grid) : space_(space), grid_(grid) {
+    for (const Wall& wall : plain.walls()) edges_.push_back({wall.a, wall.b});
+    for (const std::vector<Area>* areas : {&plain.areas(), &plain.solids()})
+      for (const Area& area : *areas) {
+        add(area.polygon.outer);
+        for (const Ring& hole : area.polygon.holes) add(hole);
+      }
+  }
+
+  /// The place nearest to p on the edge that the constraint is a piece of.
+  std::optional<Place> on(std::uint32_t constraint, Point p) const {
+    const Segment piece = segment(space_, constraint);
+    if ((p == piece.a || p == piece.b) && grid_.exactly(p)) return grid_.exactly(p);
+    return grid_.on(grid_.exactly(piece.a) && grid_.exactly(piece.b) ? piece : whole(piece), p);
+  }
+
+ private:
+  void add(const Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) edges_.push_back({ring[i], ring[(i + 1) % ring.size()]});
+  }
+
+  Segment whole(const Segment& piece) const {
+    const auto away = [&](const Segment& edge) {
+      return std::max(segment_distance_interval({piece.a, piece.a}, edge).hi,
+                      segment_distance_interval({piece.b, piece.b}, edge).hi);
+    };
+    return *std::min_element(edges_.begin(), edges_.end(),
+                             [&](const Segment& s, const Segment& t) { return away(s) < away(t); });
+  }
+
+  const FreeSpace& space_;
+  const PlaceGrid& grid_;
+  std::vector<Segment> edges_;
+};
+
+/// The chain as places where one piece ends and the next begins; where that is no place of the grid, as a crossing, the
+/// nearest on either: next to nothing apart.
 class Chain {
  public:
-  Chain(const Gates& gates, const Grid& grid, const std::vector<BarrierPiece>& pieces)
-      : gates_(gates), grid_(grid), pieces_(pieces) {
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      const BarrierPiece &before = pieces_[(i + pieces_.size() - 1) % pieces_.size()], &piece = pieces_[i],
-                         &after = pieces_[(i + 1) % pieces_.size()];
+  Chain(const Gates& gates, const Edges& edges, const std::vector<BarrierPiece>& pieces)
+      : gates_(gates), edges_(edges) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      const BarrierPiece &before = pieces[(i + pieces.size() - 1) % pieces.size()], &piece = pieces[i],
+                         &after = pieces[(i + 1) % pieces.size()];
       if (piece.gate != kNone)
         add_gate(before, gates_.gates()[piece.gate], after);
-      else if (after.gate == kNone)
-        add_joint(segment(gates_.space(), piece.constraint), segment(gates_.space(), after.constraint));
+      else
+        add_piece(before, piece.constraint, after);
     }
+    if (places_.size() > 1 && places_.front() == places_.back()) {
+      places_.pop_back();
+      is_link_.pop_back();
+    }
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      if (is_link_[i]) widest_ = std::max(widest_, squared(places_[i], places_[(i + 1) % places_.size()]));
   }
 
   bool is_exact() const { return is_exact_; }
   std::vector<Place> take() { return std::move(places_); }
-  Wide widest() const { return widest_; }  ///< gate, squared
+  Wide widest() const { return widest_; }  ///< link that is no piece, squared
 
  private:
-  void add(const std::optional<Place>& place) {
+  void add(const std::optional<Place>& place, bool is_link) {
     is_exact_ &= place.has_value();
-    if (place) places_.push_back(*place);
+    if (!place) return;
+    if (!places_.empty() && places_.back() == *place) {
+      is_link_.back() = is_link;
+      return;
+    }
+    places_.push_back(*place);
+    is_link_.push_back(is_link);
   }
 
   bool holds(const BarrierPiece& piece, const Gate& gate, bool foot) const {
@@ -136,21 +128,34 @@ class Chain {
   }
 
   void add_gate(const BarrierPiece& before, const Gate& gate, const BarrierPiece& after) {
-    const auto end = grid_.exactly(gate.end);
-    const auto foot =
-        gate.foot_is_end ? grid_.exactly(gate.foot) : grid_.on(segment(gates_.space(), gate.facing), gate.foot);
+    const auto end = edges_.on(gate.constraint, gate.end), foot = edges_.on(gate.facing, gate.foot);
     const bool forward = holds(before, gate, false) && holds(after, gate, true);
-    add(forward ? end : foot);
-    add(forward ? foot : end);
-    if (end && foot) widest_ = std::max(widest_, squared(*end, *foot));
+    add(forward ? end : foot, true);
+    add(forward ? foot : end, true);
   }
 
-  void add_joint(const Segment& s, const Segment& t) { add(grid_.exactly(s.a == t.a || s.a == t.b ? s.a : s.b)); }
+  /// Where the piece touches its neighbour.
+  Point joint(std::uint32_t constraint, const BarrierPiece& other) const {
+    const Segment s = segment(gates_.space(), constraint);
+    if (other.gate == kNone) {
+      const Segment t = segment(gates_.space(), other.constraint);
+      return s.a == t.a || s.a == t.b ? s.a : s.b;
+    }
+    const Gate& gate = gates_.gates()[other.gate];
+    for (const Point p : {gate.end, gate.foot})
+      if (p == s.a || p == s.b) return p;
+    return gate.foot;
+  }
+
+  void add_piece(const BarrierPiece& before, std::uint32_t constraint, const BarrierPiece& after) {
+    add(edges_.on(constraint, joint(constraint, before)), false);
+    add(edges_.on(constraint, joint(constraint, after)), true);
+  }
 
   const Gates& gates_;
-  const Grid& grid_;
-  const std::vector<BarrierPiece>& pieces_;
+  const Edges& edges_;
   std::vector<Place> places_;
+  std::vector<bool> is_link_;  ///< what follows each place is no piece
   Wide widest_ = 0;
   bool is_exact_ = true;
 };
@@ -176,7 +181,7 @@ std::vector<Point> points_on(const Bezier& curve) {
   return points;
 }
 
-std::vector<Place> on_grid(const Grid& grid, std::span<const Bezier> way, Place start, Place goal) {
+std::vector<Place> on_grid(const PlaceGrid& grid, std::span<const Bezier> way, Place start, Place goal) {
   std::vector<Place> path{start};
   for (const Bezier& curve : way)
     for (const Point p : points_on(curve))
@@ -188,7 +193,7 @@ std::vector<Place> on_grid(const Grid& grid, std::span<const Bezier> way, Place 
 }
 
 /// How far the path is from all walls, rounded down.
-Int distance(const Grid& grid, const std::vector<Place>& path, const FreeSpace& space) {
+Int distance(const PlaceGrid& grid, const std::vector<Place>& path, const FreeSpace& space) {
   std::vector<Segment> legs;
   for (std::size_t i = 0; i < path.size(); ++i)
     legs.push_back({grid.point(path[i]), grid.point(path[std::min(i + 1, path.size() - 1)])});
@@ -196,19 +201,22 @@ Int distance(const Grid& grid, const std::vector<Place>& path, const FreeSpace& 
   const detail::LegContacts contacts = tree.contacts();
   for (std::size_t i = 0; i < legs.size(); ++i)
     if (contacts.crossed[i] != kNone || !contacts.touching[i].empty()) return 0;
-  return std::max<Int>(0, grid.down(mpq_class(tree.nearest().distance * kRounding)) - 1);
+  const double least = tree.nearest().distance * kRounding - 2 * space.report().displacement;
+  return least > 0 ? std::max<Int>(0, grid.down(mpq_class(least)) - 1) : 0;
 }
 
 }  // namespace
 
 std::optional<DiscCertificate> widest_certificate(const Gates& gates, const WidestPassage& widest, Point s, Point g,
                                                   std::span<const Bezier> way) {
-  const Grid grid(plain_world(gates.space()), std::array{s, g});
+  const World plain = plain_world(gates.space());
+  const PlaceGrid grid(plain, std::array{s, g});
+  const Edges edges(gates.space(), plain, grid);
   const auto start = grid.exactly(s), goal = grid.exactly(g);
   if (!start || !goal || widest.limit == WidestPassage::Limit::none) return std::nullopt;
   DiscCertificate certificate{.scale = grid.scale(), .is_found = true};
   if (widest.limit == WidestPassage::Limit::gate) {
-    Chain chain(gates, grid, widest.barrier);
+    Chain chain(gates, edges, widest.barrier);
     if (!chain.is_exact()) return std::nullopt;
     certificate.chain = chain.take();
     certificate.width = root_up(chain.widest());
@@ -217,7 +225,7 @@ std::optional<DiscCertificate> widest_certificate(const Gates& gates, const Wide
     const Segment wall = segment(gates.space(), widest.constraint);
     const double ux = wall.b.x - wall.a.x, uy = wall.b.y - wall.a.y;
     const double part = std::clamp(((end.x - wall.a.x) * ux + (end.y - wall.a.y) * uy) / (ux * ux + uy * uy), 0.0, 1.0);
-    const auto foot = grid.on(wall, {wall.a.x + part * ux, wall.a.y + part * uy});
+    const auto foot = edges.on(widest.constraint, {wall.a.x + part * ux, wall.a.y + part * uy});
     if (!foot) return std::nullopt;
     certificate.chain = {*foot};
     certificate.width = root_up(4 * squared(*foot, end == s ? *start : *goal));
@@ -229,9 +237,11 @@ std::optional<DiscCertificate> widest_certificate(const Gates& gates, const Wide
 
 std::optional<DiscCertificate> narrow_certificate(const Gates& gates, const DiscPassage& passage, Point s, Point g,
                                                   double r) {
-  const Grid grid(plain_world(gates.space()), std::array{s, g, Point{r, r}});  // on which the radius is a multiple
+  const World plain = plain_world(gates.space());
+  const PlaceGrid grid(plain, std::array{s, g, Point{r, r}});  // on which the radius is a multiple
+  const Edges edges(gates.space(), plain, grid);
   const auto start = grid.exactly(s), goal = grid.exactly(g);
-  Chain chain(gates, grid, passage.barrier);
+  Chain chain(gates, edges, passage.barrier);
   if (!start || !goal || !chain.is_exact()) return std::nullopt;
   return DiscCertificate{
       .scale = grid.scale(), .path = {*start, *goal}, .chain = chain.take(), .width = grid.down(2 * meaning(r))};

@@ -16,6 +16,7 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
 #include <taut/cli/solve/batch_answers.h>
+#include <taut/cli/solve/batch_proofs.h>
 #include <taut/cli/solve/ends_on_walls.h>
 #include <taut/cli/solve/index_option.h>
 #include <taut/cli/solve/query_source.h>
@@ -48,6 +49,7 @@ struct BatchOptions {
   std::string queries;
   bool json_lines = false;
   bool path = false;
+  std::string certificate;
 };
 
 void add_options(CommandLine& app, BatchOptions& options) {
@@ -65,7 +67,13 @@ void add_options(CommandLine& app, BatchOptions& options) {
   app.add_flag("--path", options.path,
                "The points of each path as well: ` x y x y ...` after the length, `path` in JSON")
       .group("Output");
+  app.add_option("--certificate", options.certificate, "Write a proof of every answer, in one file for `taut verify`")
+      .type_name("FILE")
+      .group("Output");
   app.callback([&options] {
+    if (!options.certificate.empty() &&
+        (options.query.robot.kind() == Footprint::Kind::disc || options.world.read.project))
+      throw UsageError("--certificate does not go with --robot disc:R and --project");
     if (options.queries == "-" && options.world.file == "-")
       throw UsageError("FILE and QUERIES cannot both come from standard input");
   });
@@ -108,6 +116,7 @@ class Batch {
 
   int work() {
     std::ios::sync_with_stdio(false);
+    run_.promise(options_.certificate);
     QuerySource source(options_.queries);
     const Input input = read_input(options_.world, run_);
     shown_ = Shown(input.notes);
@@ -115,6 +124,7 @@ class Batch {
     const std::optional<Index> index = index_of(options_.index, space, run_);
     if (!index) polyanya_ = run_.stage("mesh", [&] { return Polyanya(space); });
     const NoPath no_path(space);
+    if (!options_.certificate.empty()) proofs_.emplace(space);
     answers_.prepared_in(run_.seconds());
     Finder search = index ? Finder(*index) : Finder(*polyanya_);
     run_.stage("search", [&] { answer_all(source, input, space, search, no_path); });
@@ -124,6 +134,7 @@ class Batch {
     answer.reason = answers_.reason();
     if (run_.wants_json()) answer.result = answers_.json();
     if (index) add_index(options_.index, *index, answer);
+    if (proofs_) add_proofs(answer);
     return run_.end(std::move(answer));
   }
 
@@ -142,6 +153,13 @@ class Batch {
       if (polyanya_) prepare(*polyanya_, search);
     }
     answers_.flush(true);
+  }
+
+  void add_proofs(Answer& answer) const {
+    answer.files.push_back({options_.certificate, proofs_->text()});
+    if (proofs_->missing() == 0 || exit_code(answer.outcome) != 0) return;
+    answer.outcome = Outcome::unproven;
+    answer.reason = count_text(proofs_->missing(), "answer") + " without a certificate";
   }
 
   /// --project: queries are longitude and latitude.
@@ -232,10 +250,17 @@ class Batch {
     answer.cpu = watch.seconds().cpu;
     if (status != SearchStatus::found) {
       if (!no_path.holds(query.from, {query.to, {}})) answer.status = QueryAnswer::Status::unproven;
+      if (proofs_ && answer.status == QueryAnswer::Status::none)
+        proofs_->add(query.line, std::nullopt, query.from, query.to);
       return answer;
     }
     answer.status = QueryAnswer::Status::found;
     answer.length = Length(search.points()).value();
+    if (proofs_) {
+      Path path{{search.points().begin(), search.points().end()}, {}};
+      path.length = Length(path.points);
+      proofs_->add(query.line, path, query.from, query.to);
+    }
     if (options_.path) answer.points.assign(search.points().begin(), search.points().end());
     nodes_ += search.expanded();
     lengths_ += answer.length;
@@ -246,6 +271,7 @@ class Batch {
   const BatchOptions& options_;
   Run& run_;
   BatchAnswers answers_;
+  std::optional<BatchProofs> proofs_;
   Shown shown_{ReadNotes{}};
   std::optional<Polyanya> polyanya_;  // without an index
   bool is_full_ = false;              // there was no memory

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <utility>
+#include <vector>
 
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
@@ -61,6 +62,25 @@ Json result_of(const proof::Judgement& said) {
   return result;
 }
 
+// Of many about one world: that all are proven, or the first that is not.
+int end_of_many(const std::vector<std::string>& certificates, const std::string& world, const std::string& name,
+                double moved, Run& run) {
+  if (certificates.empty()) throw InputError(name, 0, "holds no certificates");
+  std::size_t proven = 0;
+  std::string fault;
+  for (std::size_t i = 0; i < certificates.size(); ++i) {
+    const proof::Judgement said = run.stage("verify", [&] { return judged(world, certificates[i], name); });
+    proven += said.proven;
+    if (!said.proven && fault.empty()) fault = fmt::format("certificate {}: {}", i + 1, said.words);
+  }
+  Json result{{"kind", "batch"}, {"certificates", certificates.size()}, {"proven", proven}, {"displacement", moved}};
+  return run.end({.outcome = fault.empty() ? Outcome::done : Outcome::invalid,
+                  .reason = fault,
+                  .result = std::move(result),
+                  .line = fmt::format("{}: {} of {} proven{}\n", name, proven, certificates.size(),
+                                      fault.empty() ? "" : "; " + fault)});
+}
+
 int run(const VerifyOptions& options, Run& run) {
   run.source(options.world.file);
   run.promise(options.integers);
@@ -79,7 +99,9 @@ int run(const VerifyOptions& options, Run& run) {
     moved = space.report().displacement;
     return write_plain_integers(plain_world(space));
   });
-  const proof::Judgement said = run.stage("verify", [&] { return judged(world, certificate, name); });
+  const std::vector<std::string> all = certificates_in(certificate);
+  if (all.size() != 1) return end_of_many(all, world, name, moved, run);
+  const proof::Judgement said = run.stage("verify", [&] { return judged(world, all.front(), name); });
   Json result = result_of(said);
   result["displacement"] = moved;
   const std::string rounded = moved > 0 ? fmt::format(" (obstacles grown by rounding, {:.1g} at most)", moved) : "";

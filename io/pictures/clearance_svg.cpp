@@ -52,6 +52,10 @@ SvgPicture picture_of(const ClearanceAnswer& answer, const std::string& title, c
     picture.gates = answer.barrier.gate_segments();
     return picture;
   }
+  if (answer.query.kind == Kind::widest) {  // the chain that stops any larger disc
+    picture.separation = answer.barrier.walls;
+    picture.gates = answer.barrier.gate_segments();
+  }
   for (const ClearanceTrade& t : answer.found) picture.gates.push_back({t.path.pinch.posts[0], t.path.pinch.posts[1]});
   if (answer.query.kind == Kind::tradeoff)
     picture.shades = shades(answer);

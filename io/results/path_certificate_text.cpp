@@ -67,6 +67,14 @@ std::string certificate_text(const DiscCertificate& certificate, std::string_vie
   return out + "\n}\n";
 }
 
+std::vector<std::string> certificates_in(std::string_view bytes) {
+  const auto json = nlohmann::json::parse(bytes, nullptr, false);
+  if (!json.is_array()) return {std::string(bytes)};
+  std::vector<std::string> texts;
+  for (const auto& item : json) texts.push_back(item.dump());
+  return texts;
+}
+
 std::optional<std::array<Point, 2>> disc_ends(std::string_view certificate) {
   const auto json = nlohmann::json::parse(certificate, nullptr, false);
   if (!json.is_object() || !json.contains("chain") || !json.contains("ends")) return std::nullopt;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <taut/geometry/point.h>
 #include <taut/search/disc_certificate.h>
@@ -19,6 +20,9 @@ std::string certificate_text(const PathCertificate& certificate, std::string_vie
 /// Likewise of a disc; the world is walled_world() with these ends, which are members `ends`, as the world has them.
 std::string certificate_text(const DiscCertificate& certificate, std::string_view world_text,
                              const std::array<Point, 2>& ends);
+
+/// Those of a list of certificates, as `taut batch` writes them, each by itself; of anything else only that.
+std::vector<std::string> certificates_in(std::string_view bytes);
 
 /// The ends of a certificate with a chain; nothing of another one, and of what is no certificate.
 std::optional<std::array<Point, 2>> disc_ends(std::string_view certificate);

@@ -117,6 +117,19 @@ TEST_F(CertificateProgram, ProvesHowFarOtherPlannersAreFromTheShortest) {
   }
 }
 
+TEST_F(CertificateProgram, ProvesEveryAnswerOfABatchInOneFile) {
+  const std::string proof = in_folder("proof"), queries = folder.file("queries", "0.5 1 3.5 1\n1 1 1 3\n0.5 1 9 9\n");
+  run_taut("batch - " + queries + " --certificate " + proof, kRoom);
+  EXPECT_THAT(verify(proof, kRoom).out, HasSubstr("2 of 2 proven"));
+  EXPECT_EQ(verify(proof, kRoom).code, 0);
+  json proofs = json::parse(contents(proof));
+  EXPECT_EQ(proofs[1]["line"], 2);
+  proofs[0]["potentials"][2][2] = std::int64_t{1} << 44;  // 16 in halves of the world's unit
+  const Outcome wrong = verify(folder.file("other", proofs.dump()), kRoom);
+  EXPECT_EQ(wrong.code, 1);
+  EXPECT_THAT(wrong.out, HasSubstr("1 of 2 proven; certificate 1: "));
+}
+
 TEST_F(CertificateProgram, ProvesItOfThickWallsSquaresAndSeveralAreas) {
   const std::string proof = in_folder("proof");
   for (const std::string options : {"--wall-thickness 0.1", "--robot square:0.2"}) {
