@@ -69,6 +69,7 @@ constexpr Row kRows[] = {
     {"solve @room --certificate -", 0, "taut certificate 1"},
     {"solve @room --certificate new", 3, "", "new: "},
     {"verify @room -", 3, "", "cannot be read", "{}"},
+    {"audit @room -", 1, "not valid", "", "1 1\n9 9\n"},
     {"roadmap @sloped", 0, "vertices"},
     {"roadmap @sloped --kind voronoi", 0, "vertices"},
     {"compare @sloped --planners polyanya,full-visibility,prm,voronoi", 0, "yes"},
