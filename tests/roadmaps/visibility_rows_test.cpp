@@ -1,12 +1,9 @@
 #include <taut/roadmaps/visibility_rows.h>
 
-#include <algorithm>
-#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include <taut/io/results/visibility_stream.h>
 #include <taut/roadmaps/visibility_graph.h>
 
 #include "support/random_world.h"
@@ -46,17 +43,6 @@ TEST(VisibilityRows, FollowALineThatPassesObstaclesOnBothSides) {
     for (const VisibilityKind kind : {VisibilityKind::full, VisibilityKind::reduced})
       EXPECT_TRUE(VisibilityGraph(space, kind).roadmap() == visibility_graph_brute_force(space, kind)) << on_lattice;
   }
-}
-
-TEST(VisibilityStream, WritesVerticesThenEdgesThenTheirNumber) {
-  const SmallWorld world{.walls = {{{3, 3}, {3, 7}}, {{7, 3}, {7, 7}}}, .solids = {}};
-  std::string text;
-  const VisibilityRows rows(world.space(), VisibilityKind::reduced);
-  EXPECT_EQ(stream_visibility(rows, [&](std::string_view piece) { text += piece; }), 6u);
-  EXPECT_EQ(std::count(text.begin(), text.end(), 'v'), 4);
-  EXPECT_EQ(text.substr(0, 2), "v ");
-  EXPECT_NE(text.find("v 3 3\n"), std::string::npos);
-  EXPECT_EQ(text.substr(text.rfind("end")), "end 6\n");
 }
 
 }  // namespace
