@@ -2,6 +2,9 @@
 // circumscribed 64-gon and its reduced visibility graph, space included, for an end-to-end answer.
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+#include <cstdint>
+
 #include <taut/search/arc_search.h>
 #include <taut/search/shortest_path.h>
 #include <taut/search/verify_arcs.h>
@@ -55,6 +58,30 @@ void BM_InflatedPolygon(benchmark::State& state) {
   state.counters["length"] = length;
 }
 
+/// The inside of a ring whose corners lie almost on a circle: nearly all see each other, hardly any are joined.
+World noisy_ring(std::int64_t corners) {
+  Ring ring;
+  std::uint64_t state = 1;
+  for (std::int64_t i = 0; i < corners; ++i) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    const double angle = 2 * M_PI * double(i) / double(corners), reach = 100 + 0.01 * double(state >> 40) / (1 << 24);
+    ring.push_back(
+        {std::round(1000 * reach * std::cos(angle)) / 1000, std::round(1000 * reach * std::sin(angle)) / 1000});
+  }
+  WorldParts parts;
+  for (std::size_t i = 0; i < ring.size(); ++i) parts.walls.push_back({ring[i], ring[(i + 1) % ring.size()], 0, 0});
+  return World(parts);
+}
+
+void BM_NoisyRing(benchmark::State& state) {
+  const FreeSpace space(noisy_ring(state.range(0)));
+  std::size_t legs = 0;
+  for (auto _ : state) legs = TangentGraph(space, 0.01).leg_count();
+  if (legs < static_cast<std::size_t>(state.range(0))) state.SkipWithError("legs are missing");
+  state.counters["legs"] = static_cast<double>(legs);
+}
+
+BENCHMARK(BM_NoisyRing)->Arg(512)->Arg(2048)->Arg(8192)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_TangentGraph)->Arg(15)->Arg(45)->Arg(100)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_Query)->Arg(15)->Arg(45)->Arg(100)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_InflatedPolygon)->Arg(15)->Arg(45)->Arg(100)->Unit(benchmark::kMillisecond)->Iterations(1);

@@ -1,7 +1,10 @@
 #include <taut/geometry/segment_distance.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 
 #include <gmpxx.h>
@@ -75,6 +78,67 @@ void for_each_end(const Segment& s, const Segment& t, F f) {
   if (t.a != t.b) f(t.b, s.a, s.b);
 }
 
+__extension__ typedef __int128 Int128;  // NOLINT(modernize-use-using): pedantic compilers take no other
+
+/// Small multiples of 1/64, which mean themselves: what most worlds consist of. A ratio of squares of their differences
+/// fits 128 bits, and so do two of them multiplied crosswise.
+constexpr double kGrain = 64;
+constexpr double kMost = 1 << 19;  // grains
+
+using Grains = std::array<std::int64_t, 2>;
+
+std::optional<Grains> grains(Point p) {
+  const double x = p.x * kGrain, y = p.y * kGrain;
+  if (!(std::abs(x) < kMost && std::abs(y) < kMost)) return std::nullopt;
+  const auto i = static_cast<std::int64_t>(x), j = static_cast<std::int64_t>(y);
+  if (static_cast<double>(i) != x || static_cast<double>(j) != y) return std::nullopt;
+  return Grains{i, j};
+}
+
+/// A squared distance in grains, below 2^82 over below 2^42.
+struct Ratio {
+  Int128 above;
+  std::int64_t below;
+
+  friend int compare(const Ratio& a, const Ratio& b) {
+    const Int128 left = a.above * b.below, right = b.above * a.below;
+    return (left > right) - (left < right);
+  }
+};
+
+Ratio squared(Grains p, Grains a, Grains b) {
+  const std::int64_t ux = b[0] - a[0], uy = b[1] - a[1], vx = p[0] - a[0], vy = p[1] - a[1];
+  const std::int64_t along = ux * vx + uy * vy, length = ux * ux + uy * uy;
+  if (along >= length) return {Int128{(vx - ux) * (vx - ux) + (vy - uy) * (vy - uy)}, 1};
+  if (along <= 0) return {Int128{vx * vx + vy * vy}, 1};
+  const Int128 cross = ux * vy - uy * vx;
+  return {cross * cross, length};
+}
+
+/// Of segments that do not meet, or of which one is a point; nothing where they are not so simple.
+std::optional<Ratio> simple_squared(const Segment& s, const Segment& t) {
+  const auto sa = grains(s.a), sb = grains(s.b), ta = grains(t.a), tb = grains(t.b);
+  if (!sa || !sb || !ta || !tb) return std::nullopt;
+  Ratio least = squared(*sa, *ta, *tb);
+  const auto take = [&](const Ratio& r) {
+    if (compare(r, least) < 0) least = r;
+  };
+  take(squared(*ta, *sa, *sb));
+  if (s.a != s.b) take(squared(*sb, *ta, *tb));
+  if (t.a != t.b) take(squared(*tb, *sa, *sb));
+  const bool may_cross = s.a != s.b && t.a != t.b;
+  return may_cross && written::segments_meet(s, t) ? Ratio{0, 1} : least;
+}
+
+/// The nearest double to its root in units; nothing where 64 bits do not tell.
+std::optional<double> quick_root(const Ratio& r) {
+  constexpr long double kSlack = 4 * std::numeric_limits<long double>::epsilon();
+  const long double root = std::sqrt(static_cast<long double>(r.above) / static_cast<long double>(r.below));
+  const auto low = static_cast<double>(root * (1 - kSlack)), high = static_cast<double>(root * (1 + kSlack));
+  if (low != high) return std::nullopt;
+  return low / kGrain;
+}
+
 mpq_class exact_squared(Point p, Point a, Point b) {
   const ExactPoint from(a), to(b), at(p);
   const mpq_class ux = to.x - from.x, uy = to.y - from.y, vx = at.x - from.x, vy = at.y - from.y;
@@ -127,11 +191,17 @@ std::optional<int> compare(const Interval& a, const Interval& b) {
 }
 
 int compare_segment_distances(const Segment& s1, const Segment& t1, const Segment& s2, const Segment& t2) {
+  const auto first = simple_squared(s1, t1);
+  if (const auto second = first ? simple_squared(s2, t2) : std::nullopt) return compare(*first, *second);
   if (const auto sign = compare(segment_distance_interval(s1, t1), segment_distance_interval(s2, t2))) return *sign;
   const int sign = cmp(exact_squared(s1, t1), exact_squared(s2, t2));
   return (sign > 0) - (sign < 0);
 }
 
-double segment_distance(const Segment& s, const Segment& t) { return nearest_root(exact_squared(s, t)); }
+double segment_distance(const Segment& s, const Segment& t) {
+  if (const auto simple = simple_squared(s, t))
+    if (const auto root = quick_root(*simple)) return *root;
+  return nearest_root(exact_squared(s, t));
+}
 
 }  // namespace taut

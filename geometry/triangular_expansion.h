@@ -48,7 +48,8 @@ class DoubleCoordinates {
 /// obstacle that the ray touches. Calls, counter-clockwise:
 ///  - visitor.vertex(t, k): corner k of triangle t is seen through t, unless it lies on a ray behind a vertex v with
 ///    visitor.hides(v);
-///  - visitor.blocked(t, i, right, left): the view ends at the constrained side i of t.
+///  - visitor.blocked(t, i, right, left): the view ends at the constrained side i of t;
+///  - visitor.skips(t, i, right, left), where there is one: is nothing wanted that this view shows beyond side i of t?
 /// O(triangles seen), each counted once a cone. Source: Bungiu et al., "Efficient computation of visibility polygons"
 /// (2014).
 template <class Coordinates, class Visitor>
@@ -75,6 +76,8 @@ class Expansion {
     while (!stack_.empty()) {
       const View view = stack_.back();
       stack_.pop_back();
+      if constexpr (requires { visitor_.skips(view.t, view.i, view.right, view.left); })
+        if (visitor_.skips(view.t, view.i, view.right, view.left)) continue;
       if (tri_.is_constrained(view.t, view.i)) {
         visitor_.blocked(view.t, view.i, view.right, view.left);
         continue;

@@ -98,7 +98,9 @@ void TangentParts::find_sites() {
         site.walls.push_back(tri.points[gate_walls.ends()[c][gate_walls.ends()[c][0] == v]]);
     if (site.round) {
       const auto hull = hull_of(site.at, site.walls);
-      if (hull && is_free_beyond(gate_walls, v, *hull)) add(std::move(site));
+      if (!hull || !is_free_beyond(gate_walls, v, *hull)) continue;
+      site.cones = TautCones(site.at, (*hull)[0], (*hull)[1], r);
+      add(std::move(site));
       continue;
     }
     for (const Triangulation::Sector& sector : tri.sectors_at(v))
@@ -111,9 +113,11 @@ void TangentParts::find_sites() {
 
 void TangentParts::find_legs() {
   for (std::uint32_t i = 0; i < sites.size(); ++i) {
-    for (const std::uint32_t v : walls.seen_from_vertex(sites[i].vertex)) {
+    for (const std::uint32_t v : walls.seen_from_vertex(sites[i].vertex, sites[i].cones)) {
       const std::uint32_t j = site_at[v];
       if (j == kNone || j <= i || sites[j].vertex == sites[i].vertex) continue;
+      const Point back{sites[i].at.x - sites[j].at.x, sites[i].at.y - sites[j].at.y};
+      if (!sites[j].cones.may_lead(back)) continue;
       for (const TangentPair& pair : free_tangents(walls, r, sites[i], sites[j])) {
         const auto from = static_cast<std::uint32_t>(points.size());
         const int s = pair.from.here.side, t = -pair.to.here.side;

@@ -28,8 +28,9 @@ struct TangentParts;
 ///     where circles and walls touch exactly, it often cannot.
 ///  5. It holds a shortest path between any two places, with legs from the ends added (arc_search).
 ///  6. Same space and radius, same graph.
-/// Candidates are the pairs of corners that see each other, by triangular expansion; walls near a leg come from an
-/// R-tree. O(k log n) for k visible pairs on worlds whose walls are spread evenly. 45 x 45 cells:
+/// Candidates are the pairs of corners that see each other within each other's taut cones, widened by 2r, by triangular
+/// expansion that follows only what shows some of them; walls near a leg come from an R-tree. O(k log n) for k such
+/// pairs on worlds whose walls are spread evenly. 45 x 45 cells:
 /// bench/tangent_graph_bench.cpp.
 /// Source: Liu and Arimoto, "Path planning using a tangent graph for mobile robots among polygonal and curved
 /// obstacles" (1992), without the exact decisions.

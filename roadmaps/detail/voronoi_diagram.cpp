@@ -1,49 +1,16 @@
 #include <taut/roadmaps/detail/voronoi_diagram.h>
 
-#include <CGAL/Gmpq.h>
-#include <CGAL/Handle_hash_function.h>
-#include <CGAL/Mpzf.h>
-#include <CGAL/Segment_Delaunay_graph_2.h>
-#include <CGAL/Segment_Delaunay_graph_filtered_traits_2.h>
-#include <CGAL/Simple_cartesian.h>
-
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
-#include <unordered_map>
 
 #include <taut/geometry/segment_distance.h>
-
-namespace taut::detail {
-
-namespace {
-
-using Kernel = CGAL::Simple_cartesian<double>;
-/// What the filter cannot decide, numbers of any length do that know no division and no root: signs of a + b sqrt(c)
-/// and the like, by squaring.
-#ifdef CGAL_HAS_MPZF
-using Exact = CGAL::Simple_cartesian<CGAL::Mpzf>;
-#else
-using Exact = CGAL::Simple_cartesian<CGAL::Gmpq>;
-#endif
-/// A type of our own, so that what follows concerns nobody else's graphs.
-struct Traits
-    : CGAL::Segment_Delaunay_graph_filtered_traits_without_intersections_2<Kernel, CGAL::Field_with_sqrt_tag, Exact> {};
-using Graph = CGAL::Segment_Delaunay_graph_2<Traits>;
-
-}  // namespace
-
-}  // namespace taut::detail
-
-/// CGAL prints that pieces cross, and goes on without them.
-template <>
-void CGAL::Segment_Delaunay_graph_2<taut::detail::Traits>::print_error_message() const {
-  throw std::logic_error("two pieces of a Voronoi diagram cross");
-}
+#include <taut/roadmaps/detail/voronoi_graph.h>
 
 namespace taut::detail {
 
@@ -65,31 +32,41 @@ std::int64_t stepped(std::int64_t n, std::int64_t step) {
 
 class Builder {
  public:
-  explicit Builder(std::span<const Constraint> pieces) {
-    for (const Constraint& c : pieces) ends_.insert(ends_.end(), {c.a, c.b});
-    std::sort(ends_.begin(), ends_.end());
-    ends_.erase(std::unique(ends_.begin(), ends_.end()), ends_.end());
+  explicit Builder(std::span<const Constraint> pieces) : ends_(ends_of(pieces)), number_(ends_) {
     for (const Constraint& c : pieces) {
       result_.sites.push_back({c.a, c.b});
-      pairs_.emplace_back(std::min(end_index(c.a), end_index(c.b)), std::max(end_index(c.a), end_index(c.b)));
+      result_.ends.push_back({number_.of(c.a), number_.of(c.b)});
+      const auto& [a, b] = result_.ends.back();
+      pairs_.push_back(std::minmax<std::size_t>({a, b}));
     }
     for (const Point p : ends_) result_.sites.push_back({p, p});
-    for (std::uint32_t i = 0; i < pairs_.size(); ++i) piece_of_.emplace_back(pairs_[i], i);
-    std::sort(piece_of_.begin(), piece_of_.end());
+    first_piece_.resize(ends_.size() + 1);
+    for (const Pair& pair : pairs_) ++first_piece_[pair.first + 1];
+    std::partial_sum(first_piece_.begin(), first_piece_.end(), first_piece_.begin());
+    pieces_.resize(pairs_.size());
+    std::vector<std::uint32_t> next = first_piece_;
+    for (std::uint32_t i = 0; i < pairs_.size(); ++i) pieces_[next[pairs_[i].first]++] = i;
   }
 
   VoronoiDiagram build() && {
     insert();
     collect_faces();
     contract();
-    collect_edges();
+    keep_edges();
     return std::move(result_);
   }
 
  private:
   using Pair = std::pair<std::size_t, std::size_t>;
 
-  std::size_t end_index(Point p) const { return std::lower_bound(ends_.begin(), ends_.end(), p) - ends_.begin(); }
+  static std::vector<Point> ends_of(std::span<const Constraint> pieces) {
+    std::vector<Point> ends;
+    ends.reserve(2 * pieces.size());
+    for (const Constraint& c : pieces) ends.insert(ends.end(), {c.a, c.b});
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    return ends;
+  }
 
   void insert() {
     std::vector<Kernel::Point_2> points;
@@ -99,20 +76,20 @@ class Builder {
 
   std::uint32_t site_of(Graph::Vertex_handle v) const {
     const auto site = v->site();
-    const auto index = [&](const Kernel::Point_2& p) { return end_index({p.x(), p.y()}); };
-    if (site.is_point()) return static_cast<std::uint32_t>(pairs_.size() + index(site.point()));
-    const std::size_t s = index(site.source()), t = index(site.target());
-    const Pair pair{std::min(s, t), std::max(s, t)};
-    return std::lower_bound(piece_of_.begin(), piece_of_.end(), std::pair(pair, 0u))->second;
+    const auto index = [&](const Kernel::Point_2& p) { return number_.of({p.x(), p.y()}); };
+    if (site.is_point()) return static_cast<std::uint32_t>(pairs_.size()) + index(site.point());
+    const Pair pair = std::minmax<std::size_t>({index(site.source()), index(site.target())});
+    const auto* piece = &pieces_[first_piece_[pair.first]];
+    while (pairs_[*piece] != pair) ++piece;
+    return *piece;
   }
 
   void collect_faces() {
-    for (auto v = graph_.finite_vertices_begin(); v != graph_.finite_vertices_end(); ++v)
-      site_[Graph::Vertex_handle(v)] = site_of(v);
+    for (auto v = graph_.finite_vertices_begin(); v != graph_.finite_vertices_end(); ++v) v->number = site_of(v);
     for (auto f = graph_.finite_faces_begin(); f != graph_.finite_faces_end(); ++f) {
-      face_[Graph::Face_handle(f)] = static_cast<std::uint32_t>(found_.size());
+      f->number = static_cast<std::uint32_t>(found_.size());
       std::array<Segment, 3> sites;
-      for (int i = 0; i < 3; ++i) sites[i] = result_.sites[site_.at(f->vertex(i))];
+      for (int i = 0; i < 3; ++i) sites[i] = result_.sites[f->vertex(i)->number];
       found_.push_back(point(sites, f));
     }
     cluster_.resize(found_.size());
@@ -122,8 +99,8 @@ class Builder {
   /// Nearly parallel sites, or coordinates much larger than what they differ by, can leave doubles without an answer
   /// that is proven; exact predicates have one.
   VoronoiPoint point(const std::array<Segment, 3>& sites, Graph::Face_handle f) const {
-    if (joint(sites)) return voronoi_point(sites, {});
-    const VoronoiPoint found = voronoi_point(sites, guess(f));
+    if (joint(sites)) return voronoi_point(sites, Point{});
+    const VoronoiPoint found = voronoi_point(sites, [&] { return guess(f); });
     if (is_known(found) && std::isfinite(found.error)) return found;
     return exact_point(sites, f, is_known(found) ? found.at : sites[0].a).value_or(found);
   }
@@ -187,15 +164,19 @@ class Builder {
     }
   }
 
-  /// Calls visit(edge, face, other face, site, site) for the edges to keep or contract.
-  template <class Visit>
-  void each_edge(Visit visit) const {
+  /// The edges to keep or contract, and those to contract contracted. Of the points of a cluster, which are one
+  /// exactly, the one known best stays.
+  void contract() {
     for (auto e = graph_.finite_edges_begin(); e != graph_.finite_edges_end(); ++e) {
       const auto f = e->first, g = f->neighbor(e->second);
       if (graph_.is_infinite(f) || graph_.is_infinite(g)) continue;
-      const std::uint32_t s = site_.at(f->vertex(Graph::ccw(e->second))), t = site_.at(f->vertex(Graph::cw(e->second)));
+      const std::uint32_t s = f->vertex(Graph::ccw(e->second))->number, t = f->vertex(Graph::cw(e->second))->number;
       if (is_own_end(result_.sites[s], result_.sites[t]) || is_own_end(result_.sites[t], result_.sites[s])) continue;
-      visit(*e, face_.at(f), face_.at(g), s, t);
+      result_.edges.push_back({f->number, g->number, {std::min(s, t), std::max(s, t)}});
+      if (!has_no_length(*e, f->number, g->number, s, t)) continue;
+      const std::uint32_t a = root(f->number), b = root(g->number);
+      const bool first = found_[a].error != found_[b].error ? found_[a].error < found_[b].error : a < b;
+      cluster_[first ? b : a] = first ? a : b;
     }
   }
 
@@ -216,30 +197,18 @@ class Builder {
     return f;
   }
 
-  /// Of the points of a cluster, which are one exactly, the one known best stays.
-  void contract() {
-    each_edge([&](const Graph::Edge& e, std::uint32_t f, std::uint32_t g, std::uint32_t s, std::uint32_t t) {
-      if (!has_no_length(e, f, g, s, t)) return;
-      const std::uint32_t a = root(f), b = root(g);
-      const bool first = found_[a].error != found_[b].error ? found_[a].error < found_[b].error : a < b;
-      cluster_[first ? b : a] = first ? a : b;
-    });
-  }
-
-  void collect_edges() {
-    result_.vertices = found_;
-    each_edge([&](const Graph::Edge&, std::uint32_t f, std::uint32_t g, std::uint32_t s, std::uint32_t t) {
-      if (root(f) != root(g)) result_.edges.push_back({root(f), root(g), {std::min(s, t), std::max(s, t)}});
-    });
+  void keep_edges() {
+    for (VoronoiDiagram::Edge& e : result_.edges) e.from = root(e.from), e.to = root(e.to);
+    std::erase_if(result_.edges, [](const VoronoiDiagram::Edge& e) { return e.from == e.to; });
+    result_.vertices = std::move(found_);
   }
 
   VoronoiDiagram result_;
   std::vector<Point> ends_;
+  PointNumbers number_;
   std::vector<Pair> pairs_;
-  std::vector<std::pair<Pair, std::uint32_t>> piece_of_;
+  std::vector<std::uint32_t> first_piece_, pieces_;  // by lower end
   Graph graph_;
-  std::unordered_map<Graph::Vertex_handle, std::uint32_t, CGAL::Handle_hash_function> site_;
-  std::unordered_map<Graph::Face_handle, std::uint32_t, CGAL::Handle_hash_function> face_;
   std::vector<VoronoiPoint> found_;
   std::vector<std::uint32_t> cluster_;
 };

@@ -19,7 +19,8 @@ struct VoronoiDiagram {
     std::array<std::uint32_t, 2> sites{};
   };
 
-  std::vector<Segment> sites;  ///< the pieces, in their order, then their end points, sorted
+  std::vector<Segment> sites;                      ///< the pieces, in their order, then their end points, sorted
+  std::vector<std::array<std::uint32_t, 2>> ends;  ///< of each piece, a and b, numbered from the first end point
   std::vector<VoronoiPoint> vertices;
   std::vector<Edge> edges;
 };

@@ -34,24 +34,34 @@ struct Equation {
 
 bool is_point(const Segment& s) { return s.a == s.b; }
 
+/// Coordinates are measured so that squares neither overflow nor vanish.
+Real norm(Real x, Real y) { return std::sqrt(x * x + y * y); }
+
 Vector from(Point p, Vector v) { return {v.x - p.x, v.y - p.y}; }
 
 Vector direction(const Segment& s) {
   const Vector d{Real(s.b.x) - s.a.x, Real(s.b.y) - s.a.y};
-  const Real length = std::hypot(d.x, d.y);
+  const Real length = norm(d.x, d.y);
   return {d.x / length, d.y / length};
 }
 
-Equation distance(const Segment& s, Vector v) {
+/// A segment with its direction, which is asked for again and again.
+struct Site : Segment {
+  Site(const Segment& s) : Segment(s), along(is_point(s) ? Vector{} : direction(s)) {}
+
+  Vector along;
+};
+
+Equation distance(const Site& s, Vector v) {
   const Vector w = from(s.a, v);
-  const Real reach = std::hypot(w.x, w.y);
+  const Real reach = norm(w.x, w.y);
   if (is_point(s)) return {reach, {w.x / reach, w.y / reach}, 1 / reach, 4 * kRealEps * reach};
-  const Vector d = direction(s);
+  const Vector d = s.along;
   const Real off = d.x * w.y - d.y * w.x, sign = off < 0 ? -1 : 1;
   return {sign * off, {-sign * d.y, sign * d.x}, 0, 8 * kRealEps * reach};
 }
 
-Equation equally_far(const Segment& s, const Segment& t, Vector v) {
+Equation equally_far(const Site& s, const Site& t, Vector v) {
   const Equation a = distance(s, v), b = distance(t, v);
   return {a.value - b.value,
           {a.gradient.x - b.gradient.x, a.gradient.y - b.gradient.y},
@@ -71,7 +81,7 @@ struct Ray {
 
   Equation at(Vector v) const {
     const Vector w = from(foot, v);
-    return {normal.x * w.x + normal.y * w.y, normal, 0, 8 * kRealEps * std::hypot(w.x, w.y)};
+    return {normal.x * w.x + normal.y * w.y, normal, 0, 8 * kRealEps * norm(w.x, w.y)};
   }
 };
 
@@ -85,13 +95,13 @@ std::optional<Ray> linked(const Segment& s, const Segment& t) {
   const Vector out = direction(t.a == end ? t : Segment{t.b, t.a});
   if (in.x * out.x + in.y * out.y < 0) return std::nullopt;
   const Vector sum{in.x + out.x, in.y + out.y};
-  const Real length = std::hypot(sum.x, sum.y);
+  const Real length = norm(sum.x, sum.y);
   return Ray{end, {sum.x / length, sum.y / length}, length > 1.9999L};
 }
 
 /// The two equations a vertex satisfies: the first two sites are equally far on `ray`, if any.
 struct Conditions {
-  std::array<Segment, 3> sites;
+  std::array<Site, 3> sites;
   std::optional<Ray> ray;
   bool counter_clockwise = true;  // the sites, as seen from the vertex
 
@@ -103,16 +113,18 @@ struct Conditions {
 /// A piece and its own end first: a circle that touches both does so in one point, so their distances are one
 /// condition. Then pieces that go on straight: the difference of their distances says least.
 Conditions conditions(const std::array<Segment, 3>& sites) {
-  Conditions best{sites, std::nullopt, true};
+  std::array<int, 3> order{0, 1, 2};
+  std::optional<Ray> best;
   int best_score = 0;
+  bool counter_clockwise = true;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       const auto ray = i != j ? linked(sites[i], sites[j]) : std::nullopt;
       const int score = !ray ? 0 : is_point(sites[j]) ? 3 : ray->straight ? 2 : 1;
       if (score > best_score)
-        best = {{sites[i], sites[j], sites[3 - i - j]}, ray, j == (i + 1) % 3}, best_score = score;
+        order = {i, j, 3 - i - j}, best = ray, counter_clockwise = j == (i + 1) % 3, best_score = score;
     }
-  return best;
+  return {{sites[order[0]], sites[order[1]], sites[order[2]]}, best, counter_clockwise};
 }
 
 struct Step {
@@ -125,17 +137,17 @@ struct Step {
 Step newton(const Conditions& c, Vector v) {
   const auto [f, g] = c.at(v);
   const Real det = f.gradient.x * g.gradient.y - f.gradient.y * g.gradient.x;
-  const Real norm = std::hypot(std::hypot(f.gradient.x, f.gradient.y), std::hypot(g.gradient.x, g.gradient.y));
+  const Real size = norm(norm(f.gradient.x, f.gradient.y), norm(g.gradient.x, g.gradient.y));
   return {{-(f.value * g.gradient.y - g.value * f.gradient.y) / det,
            -(g.value * f.gradient.x - f.value * g.gradient.x) / det},
-          norm / std::abs(det),
-          std::hypot(f.bend, g.bend),
-          std::hypot(f.rounding, g.rounding)};
+          size / std::abs(det),
+          norm(f.bend, g.bend),
+          norm(f.rounding, g.rounding)};
 }
 
 /// How far the exact point lies from v at most, when one more step would be `step`.
 Real kantorovich(const Step& step, Real clearance) {
-  const Real reach = std::hypot(step.move.x, step.move.y) + step.inverse * step.rounding;
+  const Real reach = norm(step.move.x, step.move.y) + step.inverse * step.rounding;
   if (!(4 * reach < clearance)) return kUnknown;
   const Real bend = 4 * step.bend;  // within 2 * reach < clearance / 2 no distance halves
   return step.inverse * bend * reach <= 0.5L ? 2 * reach : Real(kUnknown);
@@ -146,11 +158,11 @@ Real kantorovich(const Step& step, Real clearance) {
 Vector point_on_ray(const Conditions& c) {
   const Ray& ray = *c.ray;
   const Vector u = c.counter_clockwise ? Vector{-ray.normal.y, ray.normal.x} : Vector{ray.normal.y, -ray.normal.x};
-  const Segment& t = c.sites[2];
+  const Site& t = c.sites[2];
   const Vector w = from(ray.foot, {t.a.x, t.a.y});
   Real reach = (w.x * w.x + w.y * w.y) / (2 * (u.x * w.x + u.y * w.y));
   if (!is_point(t)) {
-    const Vector d = direction(t);
+    const Vector d = t.along;
     const Real off = d.y * w.x - d.x * w.y,
                rise = d.x * u.y - d.y * u.x;  // of the foot from t's line, and along the ray
     reach = std::abs(off) / (1 - (off < 0 ? -rise : rise));
@@ -169,7 +181,7 @@ std::optional<Vector> centre_over_level_points(const std::array<Segment, 3>& sit
   const Point p = sites[(i + 1) % 3].a, q = sites[(i + 2) % 3].a;
   const Vector d = direction(*piece), e = direction({p, q}), normal{-e.y, e.x};
   const Vector middle{(Real(p.x) + q.x) / 2, (Real(p.y) + q.y) / 2}, w = from(piece->a, middle);
-  const Real sine = d.x * normal.x + d.y * normal.y, half = std::hypot(Real(q.x) - p.x, Real(q.y) - p.y) / 2;
+  const Real sine = d.x * normal.x + d.y * normal.y, half = norm(Real(q.x) - p.x, Real(q.y) - p.y) / 2;
   const Real off = d.x * w.y - d.y * w.x, slope = d.x * normal.y - d.y * normal.x;
   if (sine * sine > kLevel || off == 0) return std::nullopt;
   // (off + slope s)^2 = half^2 + s^2, s from the middle along the normal; solved without cancellation.
@@ -187,11 +199,11 @@ VoronoiPoint refined(const Conditions& c, Vector v) {
     const Vector move = newton(c, v).move;
     if (!std::isfinite(move.x) || !std::isfinite(move.y)) return {{}, 0, kUnknown};
     v = {v.x + move.x, v.y + move.y};
-    if (std::hypot(move.x, move.y) <= 4 * kRealEps * (std::abs(v.x) + std::abs(v.y))) break;
+    if (norm(move.x, move.y) <= 4 * kRealEps * (std::abs(v.x) + std::abs(v.y))) break;
   }
   const Real clearance = distance(c.sites[2], v).value;
   const Point at{double(v.x), double(v.y)};
-  const Real error = kantorovich(newton(c, v), clearance) + std::hypot(at.x - v.x, at.y - v.y);
+  const Real error = kantorovich(newton(c, v), clearance) + norm(at.x - v.x, at.y - v.y);
   return {at, double(clearance), std::nextafter(double(error), kUnknown)};
 }
 
@@ -213,20 +225,28 @@ bool go_straight_on(const Segment& s, const Segment& t) {
 }
 
 bool parallel(const Segment& s, const Segment& t) {
-  const double left = (s.b.x - s.a.x) * (t.b.y - t.a.y), right = (s.b.y - s.a.y) * (t.b.x - t.a.x);
+  const double sx = s.b.x - s.a.x, sy = s.b.y - s.a.y, tx = t.b.x - t.a.x, ty = t.b.y - t.a.y;
+  // Along an axis nothing need be multiplied: a difference is 0 only when it is.
+  if ((sx == 0 || sy == 0) && (tx == 0 || ty == 0)) return sx == 0 ? tx == 0 : ty == 0;
+  const double left = sx * ty, right = sy * tx;
   if (std::abs(left - right) > 1e-14 * (std::abs(left) + std::abs(right))) return false;
-  const mpq_class sx = mpq_class(s.b.x) - s.a.x, sy = mpq_class(s.b.y) - s.a.y;
-  return sx * (mpq_class(t.b.y) - t.a.y) == sy * (mpq_class(t.b.x) - t.a.x);
+  const mpq_class ux = mpq_class(s.b.x) - s.a.x, uy = mpq_class(s.b.y) - s.a.y;
+  return ux * (mpq_class(t.b.y) - t.a.y) == uy * (mpq_class(t.b.x) - t.a.x);
 }
 
 VoronoiPoint voronoi_point(const std::array<Segment, 3>& sites, Point guess) {
+  return voronoi_point(sites, [guess] { return guess; });
+}
+
+VoronoiPoint voronoi_point(const std::array<Segment, 3>& sites, const std::function<Point()>& guess) {
   if (const Segment* end = joint(sites)) {
     const bool straight = go_straight_on(sites[end == &sites[0] ? 1 : 0], sites[end == &sites[2] ? 1 : 2]);
     return {end->a, 0, straight ? kUnknown : 0};
   }
   const Conditions c = conditions(sites);
   if (c.ray && c.ray->straight) return refined(c, point_on_ray(c));
-  return refined(c, centre_over_level_points(sites, guess).value_or(Vector{guess.x, guess.y}));
+  const Point near = guess();
+  return refined(c, centre_over_level_points(sites, near).value_or(Vector{near.x, near.y}));
 }
 
 Point parabola_control(Point focus, const Segment& directrix, Point p, Point q) {

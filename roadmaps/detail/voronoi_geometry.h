@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 
 #include <taut/geometry/point.h>
 #include <taut/roadmaps/bezier.h>
@@ -26,6 +27,8 @@ struct VoronoiPoint {
 ///  4. Two segments that go straight on at their shared end, with that end: all points of the perpendicular; error
 ///     infinite.
 VoronoiPoint voronoi_point(const std::array<Segment, 3>& sites, Point guess);
+/// With a guess that is made only where one is needed: not where a piece and its own end are among the sites.
+VoronoiPoint voronoi_point(const std::array<Segment, 3>& sites, const std::function<Point()>& guess);
 
 /// The shared end when the sites are two segments and an end of both; else null. Guarantees 3 and 4.
 const Segment* joint(const std::array<Segment, 3>& sites);

@@ -50,15 +50,10 @@ class FreeParts {
 std::vector<VoronoiSite> sites_of(const FreeSpace& space, const VoronoiDiagram& diagram) {
   const auto n = static_cast<std::uint32_t>(space.constraints().size());
   std::vector<VoronoiSite> sites(diagram.sites.size());
-  const auto site_at = [&](Point p) -> VoronoiSite& {
-    const auto before = [](const Segment& s, Point q) { return s.a < q; };
-    const auto at = std::lower_bound(diagram.sites.begin() + n, diagram.sites.end(), p, before);
-    return sites[at - diagram.sites.begin()];
-  };
   for (std::uint32_t i = n; i-- > 0;) {
     sites[i] = {i, Part::inside};
-    site_at(space.constraints()[i].b) = {i, Part::b};
-    site_at(space.constraints()[i].a) = {i, Part::a};
+    sites[n + diagram.ends[i][1]] = {i, Part::b};
+    sites[n + diagram.ends[i][0]] = {i, Part::a};
   }
   return sites;
 }
@@ -100,25 +95,36 @@ std::vector<std::uint32_t> vertex_order(const VoronoiDiagram& diagram, const std
   std::vector<std::array<std::uint32_t, 2>> lowest(diagram.vertices.size(), {kNone, kNone});
   for (const VoronoiEdge& e : edges)
     for (const std::uint32_t v : {e.from, e.to}) lowest[v] = std::min(lowest[v], e.sites);
-  std::vector<std::uint32_t> order;
+  std::vector<std::tuple<Point, std::array<std::uint32_t, 2>, std::uint32_t>> keys;
   for (std::uint32_t v = 0; v < lowest.size(); ++v)
-    if (lowest[v][0] != kNone) order.push_back(v);
-  const auto key = [&](std::uint32_t v) { return std::tuple(diagram.vertices[v].at, lowest[v], v); };
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
+    if (lowest[v][0] != kNone) keys.emplace_back(diagram.vertices[v].at, lowest[v], v);
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::uint32_t> order;
+  order.reserve(keys.size());
+  for (const auto& key : keys) order.push_back(std::get<2>(key));
   return order;
 }
 
-void renumber(std::vector<VoronoiEdge>& edges, const std::vector<std::uint32_t>& order, std::size_t vertices) {
+/// Edges by vertices, then sites.
+std::vector<VoronoiEdge> renumbered(std::vector<VoronoiEdge> edges, const std::vector<std::uint32_t>& order,
+                                    std::size_t vertices) {
   std::vector<std::uint32_t> number(vertices, kNone);
   for (std::uint32_t i = 0; i < order.size(); ++i) number[order[i]] = i;
+  std::vector<std::uint32_t> next(order.size() + 1);
   for (VoronoiEdge& e : edges) {
     std::tie(e.from, e.to) = std::tuple(number[e.from], number[e.to]);
-    if (e.from < e.to) continue;
-    std::swap(e.from, e.to);
-    e.foot = 1 - e.foot;
+    if (e.from > e.to) std::swap(e.from, e.to), e.foot = 1 - e.foot;
+    ++next[e.from + 1];
   }
-  const auto key = [](const VoronoiEdge& e) { return std::tuple(e.from, e.to, e.sites); };
-  std::sort(edges.begin(), edges.end(), [&](const VoronoiEdge& a, const VoronoiEdge& b) { return key(a) < key(b); });
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  const std::vector<std::uint32_t> starts = next;
+  std::vector<VoronoiEdge> sorted(edges.size());
+  for (const VoronoiEdge& e : edges) sorted[next[e.from]++] = e;
+  const auto key = [](const VoronoiEdge& e) { return std::tuple(e.to, e.sites); };
+  for (std::size_t v = 0; v < order.size(); ++v)
+    std::sort(sorted.begin() + starts[v], sorted.begin() + starts[v + 1],
+              [&](const VoronoiEdge& a, const VoronoiEdge& b) { return key(a) < key(b); });
+  return sorted;
 }
 
 /// Gates in exact order of clearance. The nearest double orders them but for ties, and most ties are equal exactly.
@@ -128,7 +134,7 @@ class Ranking {
     std::vector<std::uint32_t> gates;
     for (std::uint32_t e = 0; e < parts.edges.size(); ++e)
       if (parts.edges[e].gate != Gate::none) gates.push_back(e);
-    std::stable_sort(gates.begin(), gates.end(), [&](std::uint32_t a, std::uint32_t b) { return clear(a) < clear(b); });
+    sort_by_clearance(gates);
     for (auto first = gates.begin(); first != gates.end();) {
       const auto last = std::find_if(first, gates.end(), [&](std::uint32_t e) { return clear(e) != clear(*first); });
       if (std::any_of(first, last, [&](std::uint32_t e) { return order(*first, e) != 0; }))
@@ -138,6 +144,15 @@ class Ranking {
   }
 
  private:
+  /// Stable: `gates` ascend.
+  void sort_by_clearance(std::vector<std::uint32_t>& gates) const {
+    std::vector<std::pair<double, std::uint32_t>> keys;
+    keys.reserve(gates.size());
+    for (const std::uint32_t e : gates) keys.emplace_back(clear(e), e);
+    std::sort(keys.begin(), keys.end());
+    std::transform(keys.begin(), keys.end(), gates.begin(), [](const auto& key) { return key.second; });
+  }
+
   double clear(std::uint32_t e) const { return parts_.edges[e].clearance; }
 
   int order(std::uint32_t a, std::uint32_t b) const {
@@ -182,7 +197,7 @@ VoronoiParts voronoi_parts(const FreeSpace& space) {
     const VoronoiPoint& p = diagram.vertices[v];
     parts.vertices.push_back({p.at, p.clearance * p.clearance, p.error});
   }
-  renumber(parts.edges, order, diagram.vertices.size());
+  parts.edges = renumbered(std::move(parts.edges), order, diagram.vertices.size());
   Ranking{parts};
   parts.at_vertex = rows(parts.edges, order.size(), [](const VoronoiEdge& e) { return std::array{e.from, e.to}; });
   parts.beside_site = rows(parts.edges, parts.sites.size(), [](const VoronoiEdge& e) { return e.sites; });

@@ -1,5 +1,8 @@
 #include <taut/roadmaps/exact/tangent_line.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include <taut/geometry/written.h>
 
 namespace taut {
@@ -98,12 +101,19 @@ bool TangentLine::leaves_by(Point w, Point v, bool solid_left) const {
   return first * second < 0 || (first == 0 && second == solid) || (second == 0 && first == solid);
 }
 
-Box TangentLine::box() const {
+Box TangentLine::box(double from, double to) const {
   const double reach = 2.001 * r_;  // a tangent point is r from its centre
-  const Point a = from_.centre, b = to_.centre;
-  const double more = 1e-12 * (std::abs(a.x) + std::abs(a.y) + std::abs(b.x) + std::abs(b.y));
+  const Point p = from_.centre, q = to_.centre;
+  const double more = 1e-12 * (std::abs(p.x) + std::abs(p.y) + std::abs(q.x) + std::abs(q.y));
+  const auto at = [&](double share) { return Point{p.x + share * (q.x - p.x), p.y + share * (q.y - p.y)}; };
+  const Point a = at(from), b = at(to);
   return {{std::min(a.x, b.x) - reach - more, std::min(a.y, b.y) - reach - more},
           {std::max(a.x, b.x) + reach + more, std::max(a.y, b.y) + reach + more}};
+}
+
+int TangentLine::pieces() const {
+  const double x = std::abs(to_.centre.x - from_.centre.x), y = std::abs(to_.centre.y - from_.centre.y);
+  return static_cast<int>(std::clamp(std::min(x, y) / (8 * r_), 1.0, 64.0));
 }
 
 }  // namespace taut

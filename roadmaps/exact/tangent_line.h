@@ -142,7 +142,9 @@ class TangentLine {
   int onward(Point w, Point v) const;
 
   Interval length() const { return S_; }
-  Box box() const;  ///< of all that is nearer than r, and a bit more
+  /// Of all that is nearer than r to the part between two shares of the way from centre to centre, and a bit more.
+  Box box(double from, double to) const;
+  int pieces() const;  ///< into how many equal parts it is worth cutting for box()
 
  private:
   template <class Question>

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include <taut/roadmaps/exact/tangent_walls.h>
+#include <taut/roadmaps/exact/taut_cones.h>
 #include <taut/roadmaps/tangent_graph.h>
 
 namespace taut {
@@ -14,6 +15,7 @@ struct TangentSite {
   std::uint32_t sector = kNone;  ///< of a corner of openings; of an end that is a vertex
   bool round = false;
   std::vector<Point> walls;  ///< the far ends of the walls that meet in a circle's centre
+  TautCones cones{};         ///< of a circle: where its legs can lead
 };
 
 /// A free tangent between two tangent points, from the first's side. Its sides are `points`' own when it is left from

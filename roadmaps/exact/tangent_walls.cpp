@@ -21,15 +21,37 @@ Triangulation without_openings(const WallIndex& walls) {
   return tri;
 }
 
-/// Collects what an expansion sees.
+/// Collects what an expansion sees, as far as legs may lead there.
 struct Seen {
   const Triangulation& tri;
+  Point origin;
+  const TautCones& cones;
   std::vector<std::uint32_t> vertices;
 
+  Point to(std::uint32_t v) const { return {tri.points[v].x - origin.x, tri.points[v].y - origin.y}; }
+
   static bool hides(std::uint32_t) { return false; }
-  void vertex(std::uint32_t t, int k) { vertices.push_back(tri.triangles[t][k]); }
+  void vertex(std::uint32_t t, int k) { add(tri.triangles[t][k]); }
+  void add(std::uint32_t v) {
+    if (cones.may_lead(to(v))) vertices.push_back(v);
+  }
   template <class Ray>
   static void blocked(std::uint32_t, int, const Ray&, const Ray&) {}
+  template <class Ray>
+  bool skips(std::uint32_t t, int i, const Ray& right, const Ray& left) const {
+    return cones.is_bounded() && !cones.may_lead(to(right.vertex), to(left.vertex), distance_to_side(t, i));
+  }
+
+ private:
+  /// No more than that of the side from the origin.
+  double distance_to_side(std::uint32_t t, int i) const {
+    const Point p = to(tri.triangles[t][Tri::ccw(i)]), q = to(tri.triangles[t][Tri::cw(i)]);
+    const Point d{q.x - p.x, q.y - p.y};
+    const double at_p = -(d.x * p.x + d.y * p.y), at_q = d.x * q.x + d.y * q.y;
+    const double ends = std::min(std::hypot(p.x, p.y), std::hypot(q.x, q.y));
+    if (at_p <= 0 || at_q <= 0) return ends * (1 - 1e-9);
+    return std::min(ends, std::abs(p.x * q.y - p.y * q.x) / std::hypot(d.x, d.y)) * (1 - 1e-6);
+  }
 };
 
 /// Is a direction, given by its turn from each bound of a sector (the sign of bound x direction), in the closed sector?
@@ -65,12 +87,14 @@ TangentWalls::TangentWalls(const FreeSpace& space, double r)
 
 bool TangentWalls::is_free(const TangentLine& line, std::uint32_t from_sector, std::uint32_t to_sector) const {
   bool free = true;
-  const Box box = line.box();
-  walls_.walls_meeting(box, [&](std::uint32_t c) {
-    if (free) free = line.clears(walls_.segment(c).a, walls_.segment(c).b);
-  });
+  // The box of a long slanted leg holds far more than what lies along it.
+  const int pieces = line.pieces();
+  for (int i = 0; i < pieces && free; ++i)
+    walls_.walls_meeting(line.box(double(i) / pieces, double(i + 1) / pieces), [&](std::uint32_t c) {
+      if (free) free = line.clears(walls_.segment(c).a, walls_.segment(c).b);
+    });
   if (!free || openings_.empty()) return free;
-  opening_boxes_.meeting(box, [&](std::uint32_t i) {
+  opening_boxes_.meeting(line.box(0, 1), [&](std::uint32_t i) {
     if (!free) return;
     const std::uint32_t c = openings_[i];
     const Segment s = walls_.segment(c);
@@ -203,13 +227,15 @@ bool TangentWalls::arc_passes_vertex(Point centre, std::uint32_t v, bool before,
 
 template <class Coordinates>
 std::vector<std::uint32_t> TangentWalls::seen(const std::vector<std::array<std::uint32_t, 2>>& views,
-                                              typename Coordinates::Place origin) const {
-  Seen seen{open_, {}};
+                                              typename Coordinates::Place origin, Point at,
+                                              const TautCones& cones) const {
+  Seen seen{open_, at, cones, {}};
   Expansion<Coordinates, Seen> expansion(open_, seen);
   for (const auto& [t, side] : views) {
     const int i = static_cast<int>(side);
     const std::uint32_t right = open_.triangles[t][Tri::ccw(i)], left = open_.triangles[t][Tri::cw(i)];
-    seen.vertices.insert(seen.vertices.end(), {right, left});
+    seen.add(right);
+    seen.add(left);
     expansion.spread(origin, t, i, expansion.ray(right), expansion.ray(left));
   }
   std::sort(seen.vertices.begin(), seen.vertices.end());
@@ -217,11 +243,11 @@ std::vector<std::uint32_t> TangentWalls::seen(const std::vector<std::array<std::
   return std::move(seen.vertices);
 }
 
-std::vector<std::uint32_t> TangentWalls::seen_from_vertex(std::uint32_t v) const {
+std::vector<std::uint32_t> TangentWalls::seen_from_vertex(std::uint32_t v, const TautCones& cones) const {
   std::vector<std::array<std::uint32_t, 2>> views;
   for (const std::uint32_t t : walls_.around(v)) views.push_back({t, static_cast<std::uint32_t>(open_.corner(t, v))});
-  if (open_.lattice.empty()) return seen<DoubleCoordinates>(views, open_.points[v]);
-  return seen<LatticeCoordinates>(views, open_.lattice[v]);
+  if (open_.lattice.empty()) return seen<DoubleCoordinates>(views, open_.points[v], open_.points[v], cones);
+  return seen<LatticeCoordinates>(views, open_.lattice[v], open_.points[v], cones);
 }
 
 std::vector<std::uint32_t> TangentWalls::seen_from(Point p) const {
@@ -237,7 +263,7 @@ std::vector<std::uint32_t> TangentWalls::seen_from(Point p) const {
   add(at.triangle, on_side ? at.index : 3);
   if (on_side && !open_.is_constrained(at.triangle, at.index))
     add(open_.neighbours[at.triangle][at.index], open_.mirror(at.triangle, at.index));
-  return seen<DoubleCoordinates>(views, p);
+  return seen<DoubleCoordinates>(views, p, p, {});
 }
 
 std::uint32_t TangentWalls::too_near(Point p) const {

@@ -5,6 +5,7 @@
 
 #include <taut/geometry/box_index.h>
 #include <taut/roadmaps/exact/tangent_circle.h>
+#include <taut/roadmaps/exact/taut_cones.h>
 #include <taut/roadmaps/wall_index.h>
 
 namespace taut {
@@ -38,7 +39,8 @@ class TangentWalls {
   bool arc_is_free(const TangentPoint& a, const TangentPoint& b, const CircleObstacles& obstacles) const;
 
   /// The vertices that see a vertex or a place, by a straight line that crosses no wall (openings it may), ascending.
-  std::vector<std::uint32_t> seen_from_vertex(std::uint32_t v) const;
+  /// With `cones` around a vertex, those alone that legs of its circle may lead to.
+  std::vector<std::uint32_t> seen_from_vertex(std::uint32_t v, const TautCones& cones = {}) const;
   std::vector<std::uint32_t> seen_from(Point p) const;
 
   /// The nearest of the walls that are nearer to p than r; kNone when there is none. Exact.
@@ -51,7 +53,7 @@ class TangentWalls {
   bool arc_passes_vertex(Point centre, std::uint32_t v, bool before, bool after) const;
   template <class Coordinates>
   std::vector<std::uint32_t> seen(const std::vector<std::array<std::uint32_t, 2>>& views,
-                                  typename Coordinates::Place origin) const;
+                                  typename Coordinates::Place origin, Point at, const TautCones& cones) const;
 
   WallIndex walls_;
   double r_;
