@@ -1,8 +1,11 @@
 #include <taut/roadmaps/visibility_graph.h>
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include <taut/geometry/expects.h>
+#include <taut/geometry/parallel.h>
 #include <taut/geometry/ray_walk.h>
 #include <taut/geometry/triangular_expansion.h>
 
@@ -180,31 +183,61 @@ std::vector<bool> bending_vertices(const Tri& tri) {
   return bends;
 }
 
+/// Rows of consecutive vertices, as compressed rows: where each ends, and what they hold.
+struct Rows {
+  std::vector<std::uint64_t> ends;
+  std::vector<Vertex> targets;
+
+  void append(const Rows& more) {
+    for (const std::uint64_t end : more.ends) ends.push_back(targets.size() + end);
+    targets.insert(targets.end(), more.targets.begin(), more.targets.end());
+  }
+};
+
+/// All in one piece when one thread does them all.
+template <class Coordinates>
+Rows all_rows(const Tri& tri, VisibilityKind kind, const std::vector<std::uint32_t>& sectors,
+              const std::vector<Vertex>& vertex_of_sector, const std::vector<bool>& bends, unsigned jobs) {
+  const std::size_t length = block_length(sectors.size(), jobs, 32);
+  std::vector<Rows> blocks((sectors.size() + length - 1) / length);
+  each_in_parallel(blocks.size(), {jobs}, [&] {
+    auto view = std::make_shared<View<Coordinates>>(tri, kind, vertex_of_sector, bends);
+    return [&, view](std::size_t block) {
+      const std::size_t first = block * length, last = std::min(sectors.size(), first + length);
+      Rows rows;
+      rows.ends.reserve(last - first);
+      for (std::size_t i = first; i < last; ++i) {
+        view->from_sector(sectors[i], rows.targets);
+        rows.ends.push_back(rows.targets.size());
+      }
+      blocks[block] = std::move(rows);
+    };
+  });
+  if (blocks.empty()) return {};
+  Rows all = std::move(blocks.front());
+  for (std::size_t block = 1; block < blocks.size(); ++block) all.append(std::exchange(blocks[block], {}));
+  return all;
+}
+
 template <class Coordinates>
 Roadmap build(const Tri& tri, VisibilityKind kind, const std::vector<std::uint32_t>& sectors,
-              const std::vector<Vertex>& vertex_of_sector, const std::vector<bool>& bends) {
-  View<Coordinates> view(tri, kind, vertex_of_sector, bends);
+              const std::vector<Vertex>& vertex_of_sector, const std::vector<bool>& bends, unsigned jobs) {
+  Rows rows = all_rows<Coordinates>(tri, kind, sectors, vertex_of_sector, bends, jobs);
   std::vector<Point> points;
-  std::vector<std::uint64_t> offsets{0};
-  std::vector<Vertex> targets;
   points.reserve(sectors.size());
-  offsets.reserve(sectors.size() + 1);
-  for (const std::uint32_t sector : sectors) {
-    points.push_back(tri.points[tri.sectors[sector].vertex]);
-    view.from_sector(sector, targets);
-    offsets.push_back(targets.size());
-  }
-  return Roadmap(std::move(points), std::move(offsets), std::move(targets));
+  for (const std::uint32_t sector : sectors) points.push_back(tri.points[tri.sectors[sector].vertex]);
+  rows.ends.insert(rows.ends.begin(), 0);
+  return Roadmap(std::move(points), std::move(rows.ends), std::move(rows.targets));
 }
 
 }  // namespace
 
-VisibilityGraph::VisibilityGraph(FreeSpace space, VisibilityKind kind)
+VisibilityGraph::VisibilityGraph(FreeSpace space, VisibilityKind kind, unsigned jobs)
     : space_(std::move(space)), kind_(kind), bends_(bending_vertices(space_.triangulation())) {
   number_sectors();
   const Tri& tri = space_.triangulation();
-  roadmap_ = tri.lattice.empty() ? build<DoubleCoordinates>(tri, kind, sectors_, vertex_of_sector_, bends_)
-                                 : build<LatticeCoordinates>(tri, kind, sectors_, vertex_of_sector_, bends_);
+  roadmap_ = tri.lattice.empty() ? build<DoubleCoordinates>(tri, kind, sectors_, vertex_of_sector_, bends_, jobs)
+                                 : build<LatticeCoordinates>(tri, kind, sectors_, vertex_of_sector_, bends_, jobs);
 }
 
 VisibilityGraph::VisibilityGraph(FreeSpace space, VisibilityKind kind, Roadmap roadmap)

@@ -26,7 +26,8 @@ enum class VisibilityKind {
 /// polygons", 2014) from every vertex, exact, int64 on lattices. O(sum over vertices of the triangles seen).
 class VisibilityGraph {
  public:
-  explicit VisibilityGraph(FreeSpace space, VisibilityKind kind = VisibilityKind::reduced);
+  /// By `jobs` threads, the calling one among them (each_in_parallel); the graph is the same for any number.
+  explicit VisibilityGraph(FreeSpace space, VisibilityKind kind = VisibilityKind::reduced, unsigned jobs = 1);
   /// From the roadmap of another VisibilityGraph of the same world, footprint and kind, as a file keeps it. Its edges
   /// are taken on trust. Throws InputError when its vertices are not this space's. O(n).
   VisibilityGraph(FreeSpace space, VisibilityKind kind, Roadmap roadmap);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <memory>
 
 #include <taut/geometry/expects.h>
+#include <taut/geometry/parallel.h>
 #include <taut/search/detail/bend_distances.h>
 #include <taut/search/detail/seen_places.h>
 #include <taut/search/query_ends.h>
@@ -19,25 +21,48 @@ using twofold::Pair;
 constexpr std::size_t kLanes = 8;  // rows at a time: the bends that a point sees are looked through once for all
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-class Rows {
+using Leg = BendDistances::Leg;
+
+/// For each point the bends that it sees, and how far they are.
+class Entries {
  public:
-  Rows(const VisibilityGraph& graph, std::span<const Point> points, std::span<double> lengths)
-      : points_(points),
-        lengths_(lengths),
-        distances_(graph),
-        seen_(graph.space(), points),
-        high_(distances_.size() * kLanes),
-        low_(distances_.size() * kLanes) {
+  Entries(const VisibilityGraph& graph, std::span<const Point> points, unsigned jobs) {
+    std::vector<std::vector<Leg>> of(points.size());
+    each_in_parallel(points.size(), {jobs}, [&](std::size_t i) {
+      for (const Roadmap::Vertex v : graph.visible_from(points[i]))
+        of[i].push_back({v, detail::leg_of(points[i], graph.roadmap().point(v))});
+    });
     first_.reserve(points.size() + 1);
-    first_.push_back(0);
-    for (const Point p : points) {
-      for (const Roadmap::Vertex v : graph.visible_from(p))
-        legs_.push_back({v, detail::leg_of(p, graph.roadmap().point(v))});
+    for (const std::vector<Leg>& legs : of) {
       first_.push_back(legs_.size());
+      legs_.insert(legs_.end(), legs.begin(), legs.end());
     }
+    first_.push_back(legs_.size());
   }
 
-  /// Rows first .. first + count, from the diagonal on, and the columns that are their mirror.
+  std::span<const Leg> operator[](std::size_t i) const {
+    return {legs_.data() + first_[i], legs_.data() + first_[i + 1]};
+  }
+
+ private:
+  std::vector<std::size_t> first_;  // by point, into legs_
+  std::vector<Leg> legs_;
+};
+
+/// What one thread measures rows with.
+class Rows {
+ public:
+  Rows(std::span<const Point> points, std::span<double> lengths, const Entries& entries, const BendDistances& distances,
+       const detail::SeenPlaces& seen)
+      : points_(points),
+        lengths_(lengths),
+        entries_(entries),
+        distances_(distances),
+        seen_(seen),
+        high_(distances_.size() * kLanes),
+        low_(distances_.size() * kLanes) {}
+
+  /// Rows first .. first + count, from the diagonal on, and the columns that are their mirror; nobody else writes them.
   void add(std::size_t first, std::size_t count) {
     for (std::size_t lane = 0; lane < count; ++lane) measure(first + lane, lane);
     for (std::size_t j = first; j < points_.size(); ++j) over_bends(first, std::min(count, j - first + 1), j);
@@ -48,7 +73,7 @@ class Rows {
 
  private:
   void measure(std::size_t i, std::size_t lane) {
-    distances_.from(legs(i));
+    distances_.from(entries_[i]);
     for (std::size_t v = 0; v < distances_.size(); ++v) {
       high_[v * kLanes + lane] = distances_[v].high;
       low_[v * kLanes + lane] = distances_[v].low;
@@ -58,7 +83,7 @@ class Rows {
   void over_bends(std::size_t first, std::size_t count, std::size_t j) {
     std::array<double, kLanes> least;
     least.fill(kInfinity);
-    for (const BendDistances::Leg& leg : legs(j)) {
+    for (const Leg& leg : entries_[j]) {
       const double* const to = &high_[leg.to * kLanes];
       for (std::size_t lane = 0; lane < kLanes; ++lane) least[lane] = std::min(least[lane], to[lane] + leg.length.high);
     }
@@ -70,7 +95,7 @@ class Rows {
   double settled(std::size_t lane, std::size_t j, double least) const {
     const double limit = least * (1 + detail::kDoubt);
     Pair best{kInfinity, 0};
-    for (const BendDistances::Leg& leg : legs(j)) {
+    for (const Leg& leg : entries_[j]) {
       const std::size_t at = leg.to * kLanes + lane;
       if (high_[at] + leg.length.high > limit) continue;
       const Pair sum = detail::plus({high_[at], low_[at]}, leg.length);
@@ -84,37 +109,38 @@ class Rows {
     lengths_[j * points_.size() + i] = length;
   }
 
-  std::span<const BendDistances::Leg> legs(std::size_t i) const {
-    return {legs_.data() + first_[i], legs_.data() + first_[i + 1]};
-  }
-
   std::span<const Point> points_;
   std::span<double> lengths_;
+  const Entries& entries_;
   BendDistances distances_;
   detail::SeenPlaces seen_;
-  std::vector<std::size_t> first_;  // by point, into legs_
-  std::vector<BendDistances::Leg> legs_;
   std::vector<double> high_, low_;  // by bend and lane
 };
 
 }  // namespace
 
 void distance_matrix(const VisibilityGraph& graph, std::span<const Point> points, std::span<double> lengths,
-                     const std::function<void(std::size_t)>& finished) {
+                     const std::function<void(std::size_t)>& finished, unsigned jobs) {
   TAUT_EXPECTS(graph.kind() == VisibilityKind::reduced);
   TAUT_EXPECTS(lengths.size() == points.size() * points.size());
   for (const Point p : points) require_free(graph.space(), p, "point");
-  Rows rows(graph, points, lengths);
-  for (std::size_t first = 0; first < points.size(); first += kLanes) {
-    const std::size_t count = std::min(kLanes, points.size() - first);
-    rows.add(first, count);
-    if (finished) finished(first + count);
-  }
+  const Entries entries(graph, points, jobs);
+  const BendDistances distances(graph);
+  const detail::SeenPlaces seen(graph.space(), points);
+  Parallel how{jobs};
+  if (finished) how.finished = [&](std::size_t groups) { finished(std::min(groups * kLanes, points.size())); };
+  each_in_parallel((points.size() + kLanes - 1) / kLanes, how, [&] {
+    auto rows = std::make_shared<Rows>(points, lengths, entries, distances, seen);
+    return [&points, rows](std::size_t group) {
+      const std::size_t first = group * kLanes;
+      rows->add(first, std::min(kLanes, points.size() - first));
+    };
+  });
 }
 
-std::vector<double> distance_matrix(const FreeSpace& space, std::span<const Point> points) {
+std::vector<double> distance_matrix(const FreeSpace& space, std::span<const Point> points, unsigned jobs) {
   std::vector<double> lengths(points.size() * points.size());
-  distance_matrix(VisibilityGraph(space), points, lengths);
+  distance_matrix(VisibilityGraph(space, VisibilityKind::reduced, jobs), points, lengths, {}, jobs);
   return lengths;
 }
 

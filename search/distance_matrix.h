@@ -19,18 +19,20 @@ namespace taut {
 ///  2. Infinite where there is no path; 0 from a point to itself. The matrix is symmetric, bit by bit.
 ///  3. Points may repeat and lie wherever a robot can be: on walls and corners as well, with all sides of them.
 ///
-/// `finished` is told how many rows, from the first on, are final: after every few, and at the end. It may throw.
+/// `finished` is told how many rows, from the first on, are final: after every few, and at the end. It may throw. With
+/// `jobs` threads any of them tells it, one at a time; the lengths are the same, bit by bit, for any number of them.
 ///
 /// For each point: one search over the bends of the reduced visibility graph, O(E + V log V), and one expansion over
 /// what it sees, which settles the pairs that see each other; then for each pair the least over the bends seen from the
-/// other point, ten to twenty mostly. Memory: 24 bytes an edge and for each bend that a point sees, beside `lengths`.
+/// other point, ten to twenty mostly. Memory: 24 bytes an edge and for each bend that a point sees, beside `lengths`;
+/// with several threads those bytes an edge for each.
 ///
 /// Throws InputError when a point is no place for the robot. Preconditions: the graph is a reduced one; lengths has
 /// room for n * n.
 void distance_matrix(const VisibilityGraph& graph, std::span<const Point> points, std::span<double> lengths,
-                     const std::function<void(std::size_t rows)>& finished = {});
+                     const std::function<void(std::size_t rows)>& finished = {}, unsigned jobs = 1);
 
 /// The same with a graph of its own and in memory of its own: 8 * n * n bytes.
-std::vector<double> distance_matrix(const FreeSpace& space, std::span<const Point> points);
+std::vector<double> distance_matrix(const FreeSpace& space, std::span<const Point> points, unsigned jobs = 1);
 
 }  // namespace taut

@@ -1,27 +1,30 @@
 // taut batch: many queries on one world, streamed.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
+#include <atomic>
+#include <exception>
 #include <iostream>
 #include <new>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
 #include <taut/cli/input.h>
+#include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
 #include <taut/cli/solve/batch_answers.h>
 #include <taut/cli/solve/ends_on_walls.h>
-#include <taut/cli/solve/query_source.h>
+#include <taut/cli/solve/query_asker.h>
+#include <taut/cli/solve/query_blocks.h>
 #include <taut/cli/world/geographic.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/parallel.h>
 #include <taut/io/worlds/query_lines.h>
-#include <taut/search/no_path.h>
 #include <taut/search/polyanya.h>
 #include <taut/search/stopwatch.h>
 
@@ -60,6 +63,7 @@ void add_options(CommandLine& app, BatchOptions& options) {
   app.add_flag("--path", options.path,
                "The points of each path as well: ` x y x y ...` after the length, `path` in JSON")
       .group("Output");
+  add_jobs_option(app, options.common.limits);
   app.callback([&options] {
     if (options.queries == "-" && options.world.file == "-")
       throw UsageError("FILE and QUERIES cannot both come from standard input");
@@ -81,12 +85,20 @@ class Batch {
     std::ios::sync_with_stdio(false);
     QuerySource source(options_.queries);
     const Input input = read_input(options_.world, run_);
-    shown_ = Shown(input.notes);
+    const Shown shown(input.notes);
     const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
-    Polyanya polyanya = run_.stage("mesh", [&] { return Polyanya(space); });
-    const NoPath no_path(space);
+    polyanya_.emplace(run_.stage("mesh", [&] { return Polyanya(space); }));
+    const EndsOnWalls walls(input, options_.world.read.snap, space);
+    SharedNoPath no_path(space);
+    const QueryGround ground{space,
+                             walls,
+                             shown,
+                             options_.query.snap_ends,
+                             options_.query.snap_ends || options_.json_lines || run_.wants_json(),
+                             options_.path};
+    QueryAskers askers(ground, no_path);
     answers_.prepared_in(run_.seconds());
-    run_.stage("search", [&] { answer_all(source, input, space, polyanya, no_path); });
+    run_.stage("search", [&] { answer_all(source, input, shown, askers); });
     note(answers_.totals());
     Answer answer;
     answer.outcome = answers_.outcome();
@@ -96,71 +108,64 @@ class Batch {
   }
 
  private:
-  void answer_all(QuerySource& source, const Input& input, const FreeSpace& space, Polyanya& polyanya,
-                  const NoPath& no_path) {
-    PolyanyaSearch search(polyanya);
-    const EndsOnWalls walls(input, options_.world.read.snap, space);
-    QueryReader reader(source.name());
-    std::string line;
-    for (int number = 1; source.next(line); ++number) {
-      const std::optional<QueryLine> query = read(reader, line, number, source, input);
-      if (!query) continue;
-      const bool on_walls = walls.concern(plane(query->from)) || walls.concern(plane(query->to));
-      answers_.add(*query, on_walls ? ask_on_walls(walls, *query) : ask(space, search, no_path, *query), source.name());
-      answers_.flush(source.may_wait());
-      prepare(polyanya, search);
-    }
-    answers_.flush(true);
-  }
-
-  /// --project: queries are longitude and latitude.
-  Point plane(Point p) const { return shown_ ? shown_.geographic()->metres(p) : p; }
-
-  void show(QueryAnswer& answer) const {
-    if (!shown_) return;
-    answer.points = shown_(std::move(answer.points));
-    answer.moves = shown_(std::move(answer.moves));
-    if (answer.nearest) answer.nearest = shown_(*answer.nearest);
-  }
-
-  // A line that is wrong does not take the answers before it along.
-  std::optional<QueryLine> read(QueryReader& reader, const std::string& line, int number, const QuerySource& source,
-                                const Input& input) {
-    try {
-      const std::optional<QueryLine> query = reader.read(line, number);
-      const Box box = input.world.box();
-      if (query && query->map != Point{} && query->map != box.max)
-        throw InputError(source.name(), number,
-                         fmt::format("is for a map of {} x {} cells, {} has {} x {}", query->map.x, query->map.y,
-                                     input.name, box.max.x, box.max.y));
-      if (query && shown_)
-        for (const Point p : {query->from, query->to})
-          shown_.geographic()->require_end(p, fmt::format("line {} of the queries: end", number));
-      return query;
-    } catch (const InputError&) {
-      answers_.flush(true);
-      throw;
+  void answer_all(QuerySource& source, const Input& input, const Shown& shown, QueryAskers& askers) {
+    QueryBlocks blocks(source, input, shown, options_.common.limits.jobs);
+    for (bool more = true; more;) {
+      std::vector<QueryLine> block;
+      std::exception_ptr wrong;
+      try {
+        more = blocks.next(block);
+      } catch (const InputError&) {  // a line that is wrong does not take the answers before it along
+        wrong = std::current_exception();
+      }
+      answer_block(block, source.name(), askers);
+      answers_.flush(!more || wrong || source.may_wait());
+      if (wrong) std::rethrow_exception(wrong);
     }
   }
 
-  /// A space of their own has the ends where they are.
-  QueryAnswer ask_on_walls(const EndsOnWalls& walls, const QueryLine& query) {
-    const FreeSpace space = walls.space_with(std::vector{query.from, query.to});
-    PolyanyaSearch search{Polyanya(space)};
-    return ask(space, search, NoPath(space), query);
+  /// After each answer, in their order, the batch may want to prepare for what is to come: the rest is asked again.
+  void answer_block(std::span<const QueryLine> block, const std::string& source, QueryAskers& askers) {
+    while (!block.empty()) {
+      std::vector<QueryAnswer> answers(block.size());
+      std::size_t done = 0;
+      std::atomic<bool> is_due{false};
+      Parallel how{options_.common.limits.jobs, [&] { return is_due.load(); }, {}};
+      how.finished = [&](std::size_t over) {
+        for (; done < over && !is_due; ++done) {
+          answers_.add(block[done], answers[done], source);
+          answers_.flush(false);
+          is_due = weigh(answers[done]);
+        }
+      };
+      each_in_parallel(block.size(), how, [&] {
+        return [&, asker = askers.lend(*polyanya_)](std::size_t i) { answers[i] = asker->ask(block[i]); };
+      });
+      block = block.subspan(done);
+      if (is_due) prepare(askers);
+    }
+  }
+
+  /// Has so much been looked at that it is time to prepare?
+  bool weigh(const QueryAnswer& answer) {
+    if (answer.status != QueryAnswer::Status::found) return false;
+    nodes_ += answer.nodes;
+    lengths_ += answer.length;
+    straight_ += answer.straight;
+    const std::size_t bends = polyanya_->mesh().bends.size();
+    const bool graph = !polyanya_->has_graph() && nodes_ > kConesABend * bends;
+    const bool landmarks = polyanya_->has_graph() && !polyanya_->has_landmarks() && nodes_ > kNodesABend * bends;
+    return !is_full_ && (graph || landmarks) && lengths_ > kWinding * straight_;
   }
 
   /// Where there is no memory for it, go on as before.
-  void prepare(Polyanya& polyanya, PolyanyaSearch& search) {
-    const std::size_t bends = polyanya.mesh().bends.size();
-    const bool graph = !polyanya.has_graph() && nodes_ > kConesABend * bends;
-    const bool landmarks = polyanya.has_graph() && !polyanya.has_landmarks() && nodes_ > kNodesABend * bends;
-    if (is_full_ || (!graph && !landmarks) || !(lengths_ > kWinding * straight_)) return;
+  void prepare(QueryAskers& askers) {
     const Stopwatch watch;
+    const std::size_t bends = polyanya_->mesh().bends.size();
     try {
-      Polyanya made = graph ? polyanya.with_graph() : polyanya.with_landmarks(bends > kManyBends ? 16 : 8);
-      search = PolyanyaSearch(made);
-      polyanya = std::move(made);
+      polyanya_ = polyanya_->has_graph() ? polyanya_->with_landmarks(bends > kManyBends ? 16 : 8)
+                                         : polyanya_->with_graph(options_.common.limits.jobs);
+      askers.forget();
     } catch (const std::bad_alloc&) {
       is_full_ = true;
     }
@@ -168,54 +173,10 @@ class Batch {
     answers_.prepared_in(watch.seconds());
   }
 
-  /// Is p a place for the robot, or moved to one by --snap-ends?
-  bool settle(const FreeSpace& space, const char* role, Point& p, QueryAnswer& answer) const {
-    if (space.locate(p).kind != Location::Kind::outside) return true;
-    std::optional<FreePlace> nearest;
-    if (options_.query.snap_ends || options_.json_lines || run_.wants_json()) nearest = nearest_free(space, p);
-    if (nearest && options_.query.snap_ends && nearest->distance <= *options_.query.snap_ends) {
-      answer.moves.push_back({role, p, *nearest});
-      p = nearest->point;
-      return true;
-    }
-    answer.status = QueryAnswer::Status::blocked;
-    answer.blocked = role;
-    answer.nearest = nearest;
-    return false;
-  }
-
-  /// A start or goal in a wall is an answer here, no reason to stop.
-  QueryAnswer ask(const FreeSpace& space, PolyanyaSearch& search, const NoPath& no_path, QueryLine query) {
-    query.from = plane(query.from);
-    query.to = plane(query.to);
-    QueryAnswer answer = ask_in_plane(space, search, no_path, query);
-    show(answer);
-    return answer;
-  }
-
-  QueryAnswer ask_in_plane(const FreeSpace& space, PolyanyaSearch& search, const NoPath& no_path, QueryLine query) {
-    QueryAnswer answer;
-    if (!settle(space, "start", query.from, answer) || !settle(space, "goal", query.to, answer)) return answer;
-    const Stopwatch watch;
-    const SearchStatus status = search.find(query.from, query.to);
-    answer.cpu = watch.seconds().cpu;
-    if (status != SearchStatus::found) {
-      if (!no_path.holds(query.from, {query.to, {}})) answer.status = QueryAnswer::Status::unproven;
-      return answer;
-    }
-    answer.status = QueryAnswer::Status::found;
-    answer.length = Length(search.points()).value();
-    if (options_.path) answer.points.assign(search.points().begin(), search.points().end());
-    nodes_ += search.expanded();
-    lengths_ += answer.length;
-    straight_ += std::hypot(query.to.x - query.from.x, query.to.y - query.from.y);
-    return answer;
-  }
-
   const BatchOptions& options_;
   Run& run_;
   BatchAnswers answers_;
-  Shown shown_{ReadNotes{}};
+  std::optional<Polyanya> polyanya_;
   bool is_full_ = false;  // there was no memory
   std::size_t nodes_ = 0;
   double lengths_ = 0, straight_ = 0;

@@ -10,12 +10,15 @@
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
 #include <taut/cli/input.h>
+#include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
 #include <taut/cli/solve/compare_report.h>
 #include <taut/cli/solve/prm_options.h>
+#include <taut/cli/stop.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/parallel.h>
 #include <taut/geometry/rounding.h>
 #include <taut/io/pictures/comparison_svg.h>
 #include <taut/io/results/comparison_json.h>
@@ -82,13 +85,14 @@ void add_options(CommandLine& app, CompareOptions& options) {
       .group("Planners");
   app.renamed("--roadmap", "--planners");
   add_prm_options(app, options.prm, true);
+  add_jobs_option(app, options.common.limits);
   add_svg_option(app, options.svg);
   app.callback([&options] { check(options); });
   app.example("taut compare maze.txt --svg planners.svg");
   app.example("taut compare maze.txt --planners polyanya,prm,prm-funnel --runs 20");
 }
 
-// Runs the planners one after the other; what is finished is kept.
+// Runs the planners; what is finished, in their order, is kept.
 class Comparer {
  public:
   Comparer(const CompareOptions& options, Run& run, const Input& input, const FreeSpace& space)
@@ -100,29 +104,69 @@ class Comparer {
   }
 
   Comparison compare() {
-    std::vector<const Planner*> list = options_.chosen;
-    if (list.empty())
-      for (const Planner& p : planners()) list.push_back(&p);
-    for (const Planner* p : list) {
-      comparison_.add(runs_of(*p));
-      refuse_if_asked_for(comparison_.planners.back());
-      run_.so_far(comparison_json(comparison_), comparison_table(comparison_));
-    }
+    plan();
+    run_.stage("planners", [&] {
+      each_in_parallel(tasks_.size(), {options_.common.limits.jobs, {}, [this](std::size_t over) { note_until(over); }},
+                       [this](std::size_t i) { tasks_[i].done = done(tasks_[i]); });
+    });
+    end_progress();
     find_optimum();
     return std::move(comparison_);
   }
 
  private:
-  PlannerRuns runs_of(const Planner& p) {
-    std::string why = options_.chosen.empty() ? too_large(p, space_) : "";
-    if (!why.empty()) return {&p, false, {}, why + "; ask for it with --planners"};
-    PlannerRuns runs = run_.stage(p.name, [&] {
-      return run_planner(
-          p, space_, comparison_.start, comparison_.goal, options_.common.seed, options_.runs,
-          {1, {}, {}, options_.prm, options_.common.limits.seconds.has_value(), prm_progress(options_.common.quiet)});
-    });
-    end_progress();
-    return runs;
+  /// One run of one planner; or none at all.
+  struct Task {
+    const Planner* planner;
+    std::size_t run;
+    bool is_last;
+    std::string too_large{};
+    PlannerRuns done{};
+  };
+
+  void plan() {
+    std::vector<const Planner*> list = options_.chosen;
+    if (list.empty())
+      for (const Planner& p : planners()) list.push_back(&p);
+    for (const Planner* p : list) {
+      const std::string why = options_.chosen.empty() ? too_large(*p, space_) : "";
+      const std::size_t runs = why.empty() && roadmap_kind(p->kind)->random ? options_.runs : 1;
+      for (std::size_t i = 0; i < runs; ++i) tasks_.push_back({p, i, i + 1 == runs, why});
+    }
+  }
+
+  PlannerRuns done(const Task& task) const {
+    if (!task.too_large.empty()) return {task.planner, false, {}, task.too_large + "; ask for it with --planners"};
+    begin_stage(task.planner->name);
+    return runs_of(*task.planner, task.run);
+  }
+
+  PlannerRuns runs_of(const Planner& p, std::size_t number) const {
+    return run_planner(
+        p, space_, comparison_.start, comparison_.goal, options_.common.seed + number, 1,
+        {1, {}, {}, options_.prm, options_.common.limits.seconds.has_value(), prm_progress(options_.common.quiet)});
+  }
+
+  /// A planner that is unfit in one run, as for a world that is none of cells, is unfit.
+  void note_until(std::size_t over) {
+    for (; noted_ < over; ++noted_) {
+      Task& task = tasks_[noted_];
+      if (task.run == 0) {
+        runs_ = std::move(task.done);
+      } else if (!task.done.unfit.empty()) {
+        runs_.runs.clear();
+        runs_.unfit = task.done.unfit;
+      } else if (runs_.unfit.empty()) {
+        runs_.runs.push_back(std::move(task.done.runs.front()));
+      }
+      if (task.is_last) note_planner();
+    }
+  }
+
+  void note_planner() {
+    comparison_.add(std::move(runs_));
+    refuse_if_asked_for(comparison_.planners.back());
+    run_.so_far(comparison_json(comparison_), comparison_table(comparison_));
   }
 
   void refuse_if_asked_for(const PlannerRuns& runs) const {
@@ -134,7 +178,7 @@ class Comparer {
   void find_optimum() {
     const auto is_optimal = [](const PlannerRuns& runs) { return runs.optimal && !runs.runs.empty(); };
     if (std::ranges::none_of(comparison_.planners, is_optimal))
-      if (const PlannerRuns best = runs_of(planners()[0]); best.solved() > 0)
+      if (const PlannerRuns best = runs_of(planners()[0], 0); best.solved() > 0)
         comparison_.optimum = best.typical().path.length;
     comparison_.is_shut = !comparison_.optimum && NoPath(space_).walls(comparison_.start, comparison_.goal).has_value();
   }
@@ -143,6 +187,9 @@ class Comparer {
   Run& run_;
   const FreeSpace& space_;
   Comparison comparison_;
+  std::vector<Task> tasks_;  // by planner, then run
+  std::size_t noted_ = 0;
+  PlannerRuns runs_;  // of the planner that is being noted
 };
 
 Outcome outcome_of(const Comparison& comparison) {

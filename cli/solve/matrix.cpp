@@ -13,6 +13,7 @@
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
 #include <taut/cli/input.h>
+#include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
 #include <taut/cli/solve/ends_on_walls.h>
@@ -61,6 +62,7 @@ void add_options(CommandLine& app, MatrixOptions& options) {
          "What to write, whatever the file's name: csv, npy, raw")
       .type_name("NAME")
       .group("Output");
+  add_jobs_option(app, options.common.limits);
   app.callback([&options] {
     if (options.points == "-" && options.world.file == "-")
       throw UsageError("FILE and POINTS cannot both come from standard input");
@@ -134,7 +136,8 @@ class Matrix {
     read_places();
     FreeSpace space = run_.stage("space", [&] { return space_of(input); });
     settle(space);
-    const VisibilityGraph graph = run_.stage("graph", [&] { return VisibilityGraph(space); });
+    const VisibilityGraph graph = run_.stage(
+        "graph", [&] { return VisibilityGraph(space, VisibilityKind::reduced, options_.common.limits.jobs); });
     const auto lengths = std::make_shared<Lengths>(places_.size());
     run_.when_stopped([lengths, json = run_.wants_json(), csv = prints()]() -> std::pair<Json, std::string> {
       const std::size_t rows = lengths->rows;
@@ -143,9 +146,10 @@ class Matrix {
     });
     run_.stage("search", [&] {
       const bool is_doubted = space.footprint().kind() == Footprint::Kind::disc || rounding_bound(space) > 0;
-      distance_matrix(graph, places_, lengths->values, [&](std::size_t rows) {
+      const auto finished = [&](std::size_t rows) {
         if (!is_doubted) lengths->rows = rows;
-      });
+      };
+      distance_matrix(graph, places_, lengths->values, finished, options_.common.limits.jobs);
       if (is_doubted) doubt(*lengths, space);
       lengths->rows = lengths->size;
     });
