@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include <taut/geometry/expects.h>
 #include <taut/geometry/parallel.h>
@@ -18,7 +19,8 @@ namespace {
 using detail::BendDistances;
 using twofold::Pair;
 
-constexpr std::size_t kLanes = 8;  // rows at a time: the bends that a point sees are looked through once for all
+constexpr std::size_t kLanes =
+    DistanceRows::kRows;  // at a time: the bends that a point sees are looked through once for all
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Leg = BendDistances::Leg;
@@ -52,19 +54,20 @@ class Entries {
 /// What one thread measures rows with.
 class Rows {
  public:
-  Rows(std::span<const Point> points, std::span<double> lengths, const Entries& entries, const BendDistances& distances,
+  Rows(std::span<const Point> points, const Entries& entries, const BendDistances& distances,
        const detail::SeenPlaces& seen)
       : points_(points),
-        lengths_(lengths),
         entries_(entries),
         distances_(distances),
         seen_(seen),
         high_(distances_.size() * kLanes),
         low_(distances_.size() * kLanes) {}
 
-  /// Rows first .. first + count, from the diagonal on, and the columns that are their mirror; nobody else writes them.
-  void add(std::size_t first, std::size_t count) {
-    for (std::size_t lane = 0; lane < count; ++lane) measure(first + lane, lane);
+  /// Rows first .. first + count, each from the diagonal on, into `lengths`, where row `first` begins.
+  void measure(std::size_t first, std::size_t count, double* lengths) {
+    first_ = first;
+    lengths_ = lengths;
+    for (std::size_t lane = 0; lane < count; ++lane) start_from(first + lane, lane);
     for (std::size_t j = first; j < points_.size(); ++j) over_bends(first, std::min(count, j - first + 1), j);
     for (std::size_t i = first; i < first + count; ++i)
       for (const std::uint32_t j : seen_.from(i))
@@ -72,7 +75,7 @@ class Rows {
   }
 
  private:
-  void measure(std::size_t i, std::size_t lane) {
+  void start_from(std::size_t i, std::size_t lane) {
     distances_.from(entries_[i]);
     for (std::size_t v = 0; v < distances_.size(); ++v) {
       high_[v * kLanes + lane] = distances_[v].high;
@@ -105,37 +108,96 @@ class Rows {
   }
 
   void set(std::size_t i, std::size_t j, double length) {
-    lengths_[i * points_.size() + j] = length;
-    lengths_[j * points_.size() + i] = length;
+    if (j >= i) lengths_[(i - first_) * points_.size() + j] = length;
   }
 
   std::span<const Point> points_;
-  std::span<double> lengths_;
+  std::size_t first_ = 0;
+  double* lengths_ = nullptr;
   const Entries& entries_;
   BendDistances distances_;
   detail::SeenPlaces seen_;
   std::vector<double> high_, low_;  // by bend and lane
 };
 
+/// What all threads share.
+class Measurement {
+ public:
+  Measurement(const VisibilityGraph& graph, std::span<const Point> points, unsigned jobs)
+      : points_(points), entries_(graph, points, jobs), distances_(graph), seen_(graph.space(), points) {}
+
+  std::span<const Point> points() const { return points_; }
+  std::size_t groups() const { return (points_.size() + kLanes - 1) / kLanes; }
+  std::size_t rows_of(std::size_t group) const { return std::min(kLanes, points_.size() - group * kLanes); }
+  std::shared_ptr<Rows> rows() const { return std::make_shared<Rows>(points_, entries_, distances_, seen_); }
+
+ private:
+  std::span<const Point> points_;
+  const Entries entries_;
+  const BendDistances distances_;
+  const detail::SeenPlaces seen_;
+};
+
+void require_all_free(const VisibilityGraph& graph, std::span<const Point> points) {
+  TAUT_EXPECTS(graph.kind() == VisibilityKind::reduced);
+  for (const Point p : points) require_free(graph.space(), p, "point");
+}
+
+/// The columns that are the mirror of rows first .. first + count: nobody else writes them.
+void mirror(std::span<double> lengths, std::size_t n, std::size_t first, std::size_t count) {
+  for (std::size_t j = first; j < n; ++j)
+    for (std::size_t i = first; i < std::min(first + count, j); ++i) lengths[j * n + i] = lengths[i * n + j];
+}
+
 }  // namespace
 
 void distance_matrix(const VisibilityGraph& graph, std::span<const Point> points, std::span<double> lengths,
                      const std::function<void(std::size_t)>& finished, unsigned jobs) {
-  TAUT_EXPECTS(graph.kind() == VisibilityKind::reduced);
   TAUT_EXPECTS(lengths.size() == points.size() * points.size());
-  for (const Point p : points) require_free(graph.space(), p, "point");
-  const Entries entries(graph, points, jobs);
-  const BendDistances distances(graph);
-  const detail::SeenPlaces seen(graph.space(), points);
+  require_all_free(graph, points);
+  const Measurement all(graph, points, jobs);
   Parallel how{jobs};
   if (finished) how.finished = [&](std::size_t groups) { finished(std::min(groups * kLanes, points.size())); };
-  each_in_parallel((points.size() + kLanes - 1) / kLanes, how, [&] {
-    auto rows = std::make_shared<Rows>(points, lengths, entries, distances, seen);
-    return [&points, rows](std::size_t group) {
+  each_in_parallel(all.groups(), how, [&] {
+    return [&, rows = all.rows()](std::size_t group) {
       const std::size_t first = group * kLanes;
-      rows->add(first, std::min(kLanes, points.size() - first));
+      rows->measure(first, all.rows_of(group), lengths.data() + first * points.size());
+      mirror(lengths, points.size(), first, all.rows_of(group));
     };
   });
+}
+
+struct DistanceRows::Impl : Measurement {
+  using Measurement::Measurement;
+};
+
+DistanceRows::DistanceRows(const VisibilityGraph& graph, std::span<const Point> points, unsigned jobs) {
+  require_all_free(graph, points);
+  impl_ = std::make_shared<const Impl>(graph, points, jobs);
+}
+
+std::size_t DistanceRows::groups() const { return impl_->groups(); }
+
+std::function<std::vector<double>(std::size_t)> DistanceRows::worker() const {
+  return [impl = impl_, rows = impl_->rows(), whole = std::vector<double>()](std::size_t group) mutable {
+    const std::size_t first = group * kLanes, count = impl->rows_of(group), n = impl->points().size();
+    whole.resize(count * n);
+    rows->measure(first, count, whole.data());
+    std::vector<double> lengths;
+    for (std::size_t i = 0; i < count; ++i)
+      lengths.insert(lengths.end(), whole.begin() + static_cast<std::ptrdiff_t>(i * n + first + i),
+                     whole.begin() + static_cast<std::ptrdiff_t>((i + 1) * n));
+    return lengths;
+  };
+}
+
+void put_rows(std::size_t group, std::span<const double> rows, std::span<double> lengths, std::size_t n) {
+  const std::size_t first = group * kLanes, count = std::min(kLanes, n - first);
+  for (std::size_t i = first; i < first + count; ++i) {
+    std::copy_n(rows.begin(), n - i, lengths.begin() + static_cast<std::ptrdiff_t>(i * n + i));
+    rows = rows.subspan(n - i);
+  }
+  mirror(lengths, n, first, count);
 }
 
 std::vector<double> distance_matrix(const FreeSpace& space, std::span<const Point> points, unsigned jobs) {

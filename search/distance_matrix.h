@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -32,7 +33,30 @@ namespace taut {
 void distance_matrix(const VisibilityGraph& graph, std::span<const Point> points, std::span<double> lengths,
                      const std::function<void(std::size_t rows)>& finished = {}, unsigned jobs = 1);
 
-/// The same with a graph of its own and in memory of its own: 8 * n * n bytes.
+/// Rows alone, for work that is shared among machines: group g is rows kRows * g and those after it, as many as there
+/// are.
+class DistanceRows {
+ public:
+  static constexpr std::size_t kRows = 8;
+
+  /// As distance_matrix. Both outlive it.
+  DistanceRows(const VisibilityGraph& graph, std::span<const Point> points, unsigned jobs = 1);
+
+  std::size_t groups() const;
+  /// What one thread measures groups with. Of row i the lengths from i on, one row after the other: those of
+  /// distance_matrix, bit by bit.
+  std::function<std::vector<double>(std::size_t group)> worker() const;
+
+ private:
+  struct Impl;
+  std::shared_ptr<const Impl> impl_;
+};
+
+/// Puts a group's rows where they belong in the whole matrix of n points, and the columns that are their mirror.
+/// Precondition: the group has as many lengths as worker() gives.
+void put_rows(std::size_t group, std::span<const double> rows, std::span<double> lengths, std::size_t n);
+
+/// All pairs with a graph of its own and in memory of its own: 8 * n * n bytes.
 std::vector<double> distance_matrix(const FreeSpace& space, std::span<const Point> points, unsigned jobs = 1);
 
 }  // namespace taut

@@ -1,11 +1,12 @@
 // taut batch: many queries on one world, streamed.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <exception>
 #include <iostream>
-#include <new>
-#include <optional>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -16,29 +17,28 @@
 #include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
+#include <taut/cli/shards.h>
 #include <taut/cli/solve/batch_answers.h>
 #include <taut/cli/solve/ends_on_walls.h>
+#include <taut/cli/solve/packed_answer.h>
 #include <taut/cli/solve/query_asker.h>
 #include <taut/cli/solve/query_blocks.h>
+#include <taut/cli/solve/search_stages.h>
 #include <taut/cli/world/geographic.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/parallel.h>
+#include <taut/io/saved/packed.h>
+#include <taut/io/saved/roadmap_file.h>
+#include <taut/io/saved/shard_file.h>
 #include <taut/io/worlds/query_lines.h>
 #include <taut/search/polyanya.h>
-#include <taut/search/stopwatch.h>
 
 namespace taut::cli {
 
 namespace {
 
-// The graph, and then landmarks, are made once the searches have looked at about as much as making them takes, if paths
-// wind: where they are hardly longer than straight lines a corner has many legs, and landmarks say nothing that
-// those lines do not.
-constexpr std::size_t kConesABend = 16;
-constexpr std::size_t kNodesABend = 16;
-constexpr double kWinding = 1.1;
-constexpr std::size_t kManyBends = 20000;
+constexpr std::size_t kQueriesAnItem = 256;  // of shards
 
 struct BatchOptions {
   WorldOptions world;
@@ -47,6 +47,7 @@ struct BatchOptions {
   std::string queries;
   bool json_lines = false;
   bool path = false;
+  ShardOptions shards;
 };
 
 void add_options(CommandLine& app, BatchOptions& options) {
@@ -64,6 +65,7 @@ void add_options(CommandLine& app, BatchOptions& options) {
                "The points of each path as well: ` x y x y ...` after the length, `path` in JSON")
       .group("Output");
   add_jobs_option(app, options.common.limits);
+  add_shard_options(app, options.shards);
   app.callback([&options] {
     if (options.queries == "-" && options.world.file == "-")
       throw UsageError("FILE and QUERIES cannot both come from standard input");
@@ -71,6 +73,64 @@ void add_options(CommandLine& app, BatchOptions& options) {
   app.example("taut batch maze.txt queries.txt");
   app.example("taut batch maze.txt queries.txt --json-lines --path");
 }
+
+/// What queries are asked about, and who asks.
+class Ground {
+ public:
+  Ground(const BatchOptions& options, const Input& input, Run& run)
+      : options_(options),
+        shown_(input.notes),
+        space_(run.stage("space", [&] { return FreeSpace(input.world, options.query.robot); })),
+        walls_(input, options.world.read.snap, space_),
+        no_path_(space_),
+        ground_{space_, walls_, shown_, options.query.snap_ends, wants_nearest(run), options.path},
+        stages_(run.stage("mesh", [&] { return Polyanya(space_); }), options.common.limits.jobs) {}
+
+  /// Answers in order, `take`n as soon as each and all before it are there. After each the stages may want to go on to
+  /// the next one: the rest is asked again.
+  template <typename Take>
+  void answer(std::span<const QueryLine> block, Take take) {
+    while (!block.empty()) {
+      std::vector<QueryAnswer> answers(block.size());
+      std::size_t done = 0;
+      std::atomic<bool> is_due{false};
+      Parallel how{options_.common.limits.jobs, [&] { return is_due.load(); }, {}};
+      how.finished = [&](std::size_t over) {
+        for (; done < over && !is_due; ++done) {
+          is_due = stages_.weigh(answers[done]);
+          take(block[done], answers[done]);
+        }
+      };
+      each_in_parallel(block.size(), how, [&] {
+        return [&, asker = lend(stages_.stage())](std::size_t i) { answers[i] = asker->ask(block[i]); };
+      });
+      block = block.subspan(done);
+      if (is_due) prepared_ += stages_.go_on();
+    }
+  }
+
+  std::shared_ptr<QueryAsker> lend(std::size_t stage) { return askers_[stage].lend(stages_[stage]); }
+  const SearchStages& stages() const { return stages_; }
+  const Shown& shown() const { return shown_; }
+  Seconds prepared() { return std::exchange(prepared_, {}); }  ///< since the last call
+
+ private:
+  /// Whoever joins shards may want it though this one does not.
+  bool wants_nearest(const Run& run) const {
+    return options_.query.snap_ends || options_.json_lines || run.wants_json() || options_.shards.is_shared();
+  }
+
+  const BatchOptions& options_;
+  const Shown shown_;
+  const FreeSpace space_;
+  const EndsOnWalls walls_;
+  SharedNoPath no_path_;
+  const QueryGround ground_;
+  SearchStages stages_;
+  std::array<QueryAskers, 3> askers_{QueryAskers{ground_, no_path_}, QueryAskers{ground_, no_path_},
+                                     QueryAskers{ground_, no_path_}};
+  Seconds prepared_;
+};
 
 class Batch {
  public:
@@ -85,31 +145,16 @@ class Batch {
     std::ios::sync_with_stdio(false);
     QuerySource source(options_.queries);
     const Input input = read_input(options_.world, run_);
-    const Shown shown(input.notes);
-    const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
-    polyanya_.emplace(run_.stage("mesh", [&] { return Polyanya(space); }));
-    const EndsOnWalls walls(input, options_.world.read.snap, space);
-    SharedNoPath no_path(space);
-    const QueryGround ground{space,
-                             walls,
-                             shown,
-                             options_.query.snap_ends,
-                             options_.query.snap_ends || options_.json_lines || run_.wants_json(),
-                             options_.path};
-    QueryAskers askers(ground, no_path);
+    if (options_.shards.is_shared()) return share(source, input);
+    Ground ground(options_, input, run_);
     answers_.prepared_in(run_.seconds());
-    run_.stage("search", [&] { answer_all(source, input, shown, askers); });
-    note(answers_.totals());
-    Answer answer;
-    answer.outcome = answers_.outcome();
-    answer.reason = answers_.reason();
-    if (run_.wants_json()) answer.result = answers_.json();
-    return run_.end(std::move(answer));
+    run_.stage("search", [&] { answer_all(source, input, ground); });
+    return end();
   }
 
  private:
-  void answer_all(QuerySource& source, const Input& input, const Shown& shown, QueryAskers& askers) {
-    QueryBlocks blocks(source, input, shown, options_.common.limits.jobs);
+  void answer_all(QuerySource& source, const Input& input, Ground& ground) {
+    QueryBlocks blocks(source, input, ground.shown(), options_.common.limits.jobs);
     for (bool more = true; more;) {
       std::vector<QueryLine> block;
       std::exception_ptr wrong;
@@ -118,68 +163,71 @@ class Batch {
       } catch (const InputError&) {  // a line that is wrong does not take the answers before it along
         wrong = std::current_exception();
       }
-      answer_block(block, source.name(), askers);
+      ground.answer(block, [&](const QueryLine& query, const QueryAnswer& answer) {
+        answers_.add(query, answer, source.name());
+        answers_.flush(false);
+      });
+      answers_.prepared_in(ground.prepared());
       answers_.flush(!more || wrong || source.may_wait());
       if (wrong) std::rethrow_exception(wrong);
     }
   }
 
-  /// After each answer, in their order, the batch may want to prepare for what is to come: the rest is asked again.
-  void answer_block(std::span<const QueryLine> block, const std::string& source, QueryAskers& askers) {
-    while (!block.empty()) {
-      std::vector<QueryAnswer> answers(block.size());
-      std::size_t done = 0;
-      std::atomic<bool> is_due{false};
-      Parallel how{options_.common.limits.jobs, [&] { return is_due.load(); }, {}};
-      how.finished = [&](std::size_t over) {
-        for (; done < over && !is_due; ++done) {
-          answers_.add(block[done], answers[done], source);
-          answers_.flush(false);
-          is_due = weigh(answers[done]);
+  int end() {
+    note(answers_.totals());
+    Answer answer;
+    answer.outcome = answers_.outcome();
+    answer.reason = answers_.reason();
+    if (run_.wants_json()) answer.result = answers_.json();
+    return run_.end(std::move(answer));
+  }
+
+  int share(QuerySource& source, const Input& input) {
+    const Shown shown(input.notes);
+    QueryBlocks blocks(source, input, shown, 1);
+    std::vector<QueryLine> queries;
+    while (blocks.next(queries)) continue;
+    const std::string texts[] = {TAUT_VERSION, options_.shards.how, fingerprint(input.world), text_of(queries)};
+    const std::size_t count = (queries.size() + kQueriesAnItem - 1) / kQueriesAnItem;
+    if (options_.shards.join.empty()) return do_shard(queries, input, {mark_of(texts), count, {}});
+    join_shards(options_.shards, run_.command(), mark_of(texts), count, [&](std::size_t item, std::string_view bytes) {
+      Unpacker unpacker(bytes, fmt::format("item {} of the shards", item));
+      for (const QueryLine& query : queries_of(queries, item))
+        answers_.add(query, unpacked_answer(unpacker), source.name());
+      answers_.flush(false);
+    });
+    answers_.flush(true);
+    return end();
+  }
+
+  /// The first answers are looked for by every shard: they say what the others are searched on.
+  int do_shard(std::span<const QueryLine> queries, const Input& input, Items items) {
+    Ground ground(options_, input, run_);
+    for (std::size_t done = 0; done < queries.size() && !ground.stages().is_settled(); done += kQueriesAnItem)
+      ground.answer(queries.subspan(done, std::min(kQueriesAnItem, queries.size() - done)), [](auto&&...) {});
+    items.begin = [&] {
+      return [&, askers = std::array<std::shared_ptr<QueryAsker>, 3>()](std::size_t item) mutable {
+        Packer packer;
+        std::size_t number = item * kQueriesAnItem;
+        for (const QueryLine& query : queries_of(queries, item)) {
+          const std::size_t stage = ground.stages().stage_of(number++);
+          if (!askers[stage]) askers[stage] = ground.lend(stage);
+          pack(askers[stage]->ask(query), packer);
         }
+        return std::move(packer).bytes();
       };
-      each_in_parallel(block.size(), how, [&] {
-        return [&, asker = askers.lend(*polyanya_)](std::size_t i) { answers[i] = asker->ask(block[i]); };
-      });
-      block = block.subspan(done);
-      if (is_due) prepare(askers);
-    }
+    };
+    return run_.end(run_.stage("search", [&] { return cli::do_shard(options_.shards, items, run_); }));
   }
 
-  /// Has so much been looked at that it is time to prepare?
-  bool weigh(const QueryAnswer& answer) {
-    if (answer.status != QueryAnswer::Status::found) return false;
-    nodes_ += answer.nodes;
-    lengths_ += answer.length;
-    straight_ += answer.straight;
-    const std::size_t bends = polyanya_->mesh().bends.size();
-    const bool graph = !polyanya_->has_graph() && nodes_ > kConesABend * bends;
-    const bool landmarks = polyanya_->has_graph() && !polyanya_->has_landmarks() && nodes_ > kNodesABend * bends;
-    return !is_full_ && (graph || landmarks) && lengths_ > kWinding * straight_;
-  }
-
-  /// Where there is no memory for it, go on as before.
-  void prepare(QueryAskers& askers) {
-    const Stopwatch watch;
-    const std::size_t bends = polyanya_->mesh().bends.size();
-    try {
-      polyanya_ = polyanya_->has_graph() ? polyanya_->with_landmarks(bends > kManyBends ? 16 : 8)
-                                         : polyanya_->with_graph(options_.common.limits.jobs);
-      askers.forget();
-    } catch (const std::bad_alloc&) {
-      is_full_ = true;
-    }
-    nodes_ = 0;
-    answers_.prepared_in(watch.seconds());
+  static std::span<const QueryLine> queries_of(std::span<const QueryLine> queries, std::size_t item) {
+    const std::size_t first = item * kQueriesAnItem;
+    return queries.subspan(first, std::min(kQueriesAnItem, queries.size() - first));
   }
 
   const BatchOptions& options_;
   Run& run_;
   BatchAnswers answers_;
-  std::optional<Polyanya> polyanya_;
-  bool is_full_ = false;  // there was no memory
-  std::size_t nodes_ = 0;
-  double lengths_ = 0, straight_ = 0;
 };
 
 int run(const BatchOptions& options, Run& run) {

@@ -13,7 +13,9 @@
 #include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
+#include <taut/cli/shards.h>
 #include <taut/cli/solve/compare_report.h>
+#include <taut/cli/solve/packed_runs.h>
 #include <taut/cli/solve/prm_options.h>
 #include <taut/cli/stop.h>
 #include <taut/cli/world/snap_ends.h>
@@ -23,6 +25,9 @@
 #include <taut/io/pictures/comparison_svg.h>
 #include <taut/io/results/comparison_json.h>
 #include <taut/io/results/words.h>
+#include <taut/io/saved/packed.h>
+#include <taut/io/saved/roadmap_file.h>
+#include <taut/io/saved/shard_file.h>
 #include <taut/search/no_path.h>
 #include <taut/search/planners.h>
 #include <taut/search/query_ends.h>
@@ -39,6 +44,7 @@ struct CompareOptions {
   std::size_t runs = 1;
   PrmRequest prm;
   std::string svg;
+  ShardOptions shards;
 };
 
 std::vector<Choice> choices() {
@@ -60,6 +66,8 @@ std::vector<const Planner*> planners_in(const std::string& list) {
 }
 
 void check(const CompareOptions& options) {
+  if (options.shards.is_shared() && !options.svg.empty())
+    throw UsageError("--svg draws roadmaps, which shards do not keep");
   require_one_stdout({{"--svg", options.svg}, {"--json", options.common.json}});
   const auto is_prm = [](const Planner* p) { return roadmap_kind(p->kind)->is_prm; };
   if (!first_option(options.prm).empty() && !options.chosen.empty() &&
@@ -86,6 +94,7 @@ void add_options(CommandLine& app, CompareOptions& options) {
   app.renamed("--roadmap", "--planners");
   add_prm_options(app, options.prm, true);
   add_jobs_option(app, options.common.limits);
+  add_shard_options(app, options.shards);
   add_svg_option(app, options.svg);
   app.callback([&options] { check(options); });
   app.example("taut compare maze.txt --svg planners.svg");
@@ -99,13 +108,24 @@ class Comparer {
       : options_(options),
         run_(run),
         space_(space),
+        work_(work_mark(options, input)),
         comparison_{*input.world.start(), input.world.goal(), options.common.seed, options.runs} {
     comparison_.within = path_bound(space);
+    plan();
+  }
+
+  /// One run of one planner is an item.
+  int do_shard() {
+    const Items items{work_, tasks_.size(),
+                      [this] { return [this](std::size_t i) { return packed_runs(done(tasks_[i])); }; }};
+    Answer answer = run_.stage("planners", [&] { return cli::do_shard(options_.shards, items, run_); });
+    end_progress();
+    return run_.end(std::move(answer));
   }
 
   Comparison compare() {
-    plan();
     run_.stage("planners", [&] {
+      if (!options_.shards.join.empty()) return join();
       each_in_parallel(tasks_.size(), {options_.common.limits.jobs, {}, [this](std::size_t over) { note_until(over); }},
                        [this](std::size_t i) { tasks_[i].done = done(tasks_[i]); });
     });
@@ -123,6 +143,24 @@ class Comparer {
     std::string too_large{};
     PlannerRuns done{};
   };
+
+  /// What results depend on.
+  static std::string work_mark(const CompareOptions& options, const Input& input) {
+    if (!options.shards.is_shared()) return {};
+    const Goal& goal = input.world.goal();
+    Packer packer;
+    packer.put(*input.world.start()).put(goal.point.value_or(Point{})).put(std::uint64_t{goal.room.size()});
+    for (const Box& box : goal.room) packer.put(box.min).put(box.max);
+    const std::string texts[] = {TAUT_VERSION, options.shards.how, fingerprint(input.world), std::move(packer).bytes()};
+    return mark_of(texts);
+  }
+
+  void join() {
+    join_shards(options_.shards, run_.command(), work_, tasks_.size(), [this](std::size_t i, std::string_view bytes) {
+      tasks_[i].done = unpacked_runs(*tasks_[i].planner, bytes, fmt::format("item {} of the shards", i));
+      note_until(i + 1);
+    });
+  }
 
   void plan() {
     std::vector<const Planner*> list = options_.chosen;
@@ -186,6 +224,7 @@ class Comparer {
   const CompareOptions& options_;
   Run& run_;
   const FreeSpace& space_;
+  std::string work_;  // of shards
   Comparison comparison_;
   std::vector<Task> tasks_;  // by planner, then run
   std::size_t noted_ = 0;
@@ -217,7 +256,9 @@ int run(const CompareOptions& options, Run& run) {
   const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world, options.query.robot); });
   require_free(space, *input.world.start(), "start");
   if (input.world.goal().point) require_free(space, *input.world.goal().point, "goal");
-  const Comparison comparison = Comparer(options, run, input, space).compare();
+  Comparer comparer(options, run, input, space);
+  if (options.shards.shard > 0) return comparer.do_shard();
+  const Comparison comparison = comparer.compare();
   require_verified(comparison);
   for (const PlannerRuns& p : comparison.planners)
     if (!p.unfit.empty()) note(fmt::format("taut: {} did not run: {}", p.planner->name, p.unfit));

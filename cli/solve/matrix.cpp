@@ -16,12 +16,17 @@
 #include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
+#include <taut/cli/shards.h>
 #include <taut/cli/solve/ends_on_walls.h>
+#include <taut/cli/solve/matrix_shards.h>
 #include <taut/cli/world/geographic.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/rounding.h>
 #include <taut/io/results/matrix_file.h>
+#include <taut/io/saved/packed.h>
+#include <taut/io/saved/roadmap_file.h>
+#include <taut/io/saved/shard_file.h>
 #include <taut/io/worlds/read_points.h>
 #include <taut/search/distance_matrix.h>
 #include <taut/search/no_path.h>
@@ -37,6 +42,7 @@ struct MatrixOptions {
   std::string points;
   std::string output;
   std::optional<MatrixFormat> format;
+  ShardOptions shards;
 };
 
 void add_options(CommandLine& app, MatrixOptions& options) {
@@ -63,6 +69,7 @@ void add_options(CommandLine& app, MatrixOptions& options) {
       .type_name("NAME")
       .group("Output");
   add_jobs_option(app, options.common.limits);
+  add_shard_options(app, options.shards);
   app.callback([&options] {
     if (options.points == "-" && options.world.file == "-")
       throw UsageError("FILE and POINTS cannot both come from standard input");
@@ -136,23 +143,15 @@ class Matrix {
     read_places();
     FreeSpace space = run_.stage("space", [&] { return space_of(input); });
     settle(space);
-    const VisibilityGraph graph = run_.stage(
-        "graph", [&] { return VisibilityGraph(space, VisibilityKind::reduced, options_.common.limits.jobs); });
+    const std::string work = options_.shards.is_shared() ? work_mark(input) : "";
+    if (options_.shards.shard > 0) return do_shard(graph_of(space), work);
     const auto lengths = std::make_shared<Lengths>(places_.size());
     run_.when_stopped([lengths, json = run_.wants_json(), csv = prints()]() -> std::pair<Json, std::string> {
       const std::size_t rows = lengths->rows;
       return {json ? json_of(*lengths, rows, true) : Json(),
               csv ? matrix_bytes(lengths->first(rows), lengths->size, MatrixFormat::csv) : ""};
     });
-    run_.stage("search", [&] {
-      const bool is_doubted = space.footprint().kind() == Footprint::Kind::disc || rounding_bound(space) > 0;
-      const auto finished = [&](std::size_t rows) {
-        if (!is_doubted) lengths->rows = rows;
-      };
-      distance_matrix(graph, places_, lengths->values, finished, options_.common.limits.jobs);
-      if (is_doubted) doubt(*lengths, space);
-      lengths->rows = lengths->size;
-    });
+    measure(space, work, *lengths);
     return end(input, *lengths);
   }
 
@@ -194,6 +193,42 @@ class Matrix {
       places_[i] = nearest->point;
     }
     if (!moves.empty()) run_.add_to_result("moved_ends", end_moves_json(shown_(moves)));
+  }
+
+  /// What results depend on.
+  std::string work_mark(const Input& input) const {
+    Packer packer;
+    for (const Point p : given_) packer.put(p);
+    const std::string texts[] = {TAUT_VERSION, options_.shards.how, fingerprint(input.world),
+                                 std::move(packer).bytes()};
+    return mark_of(texts);
+  }
+
+  int do_shard(const VisibilityGraph& graph, const std::string& work) {
+    const DistanceRows rows(graph, places_, options_.common.limits.jobs);
+    return run_.end(
+        run_.stage("search", [&] { return cli::do_shard(options_.shards, matrix_items(rows, work), run_); }));
+  }
+
+  void measure(const FreeSpace& space, const std::string& work, Lengths& lengths) {
+    const bool is_doubted = space.footprint().kind() == Footprint::Kind::disc || rounding_bound(space) > 0;
+    if (!options_.shards.join.empty()) {
+      run_.stage("join", [&] { join_matrix(options_.shards, run_.command(), work, lengths.values, lengths.size); });
+    } else {
+      const VisibilityGraph graph = graph_of(space);
+      const auto finished = [&](std::size_t rows) {
+        if (!is_doubted) lengths.rows = rows;
+      };
+      run_.stage("search",
+                 [&] { distance_matrix(graph, places_, lengths.values, finished, options_.common.limits.jobs); });
+    }
+    if (is_doubted) run_.stage("search", [&] { doubt(lengths, space); });
+    lengths.rows = lengths.size;
+  }
+
+  VisibilityGraph graph_of(const FreeSpace& space) {
+    return run_.stage("graph",
+                      [&] { return VisibilityGraph(space, VisibilityKind::reduced, options_.common.limits.jobs); });
   }
 
   /// Where nothing proves that there is no path the length is no number.

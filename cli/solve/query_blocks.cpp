@@ -17,7 +17,7 @@ constexpr std::size_t kLongest = 4096;
 
 bool QueryBlocks::next(std::vector<QueryLine>& block) {
   std::string line;
-  while (block.size() < length_) {
+  for (const std::size_t before = block.size(); block.size() < before + length_;) {
     if (!source_.next(line)) return false;
     if (const std::optional<QueryLine> query = reader_.read(line, ++line_)) {
       require_for_this_map(*query);
