@@ -15,6 +15,7 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/options.h>
 #include <taut/cli/output.h>
+#include <taut/cli/ranks.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/parallel.h>
 #include <taut/io/saved/shard_file.h>
@@ -36,6 +37,8 @@ void take_shard(const std::string& text, ShardOptions& options) {
 }
 
 void check(const ShardOptions& options) {
+  if (options.ranks && (options.shard > 0 || !options.join.empty()))
+    throw UsageError("--mpi goes neither with --shard nor with --join");
   if (options.shard > 0 && !options.join.empty()) throw UsageError("--shard and --join: one or the other");
   if (options.shard > 0 && options.part.empty()) throw UsageError("--shard needs --part FILE, the shard's own");
   if (options.shard == 0 && !options.part.empty()) throw UsageError("--part needs --shard I/N");
@@ -100,53 +103,7 @@ std::size_t begin_part(PartFile& part, const std::string& name, const ShardHead&
   return file.items.size();
 }
 
-}  // namespace
-
-void add_shard_options(CommandLine& app, ShardOptions& options) {
-  app.add_option_function(
-         "--shard", [&options](const std::string& text) { take_shard(text, options); },
-         "Do shard I of N of the work alone, into --part FILE; one that was stopped goes on after what is whole")
-      .type_name("I/N")
-      .group("Shards");
-  app.add_option("--part", options.part, "The shard's own file").type_name("FILE").group("Shards");
-  app.add_option("--join", options.join, "Put the files of all N shards together: what one run would have given")
-      .type_name("FILE...")
-      .group("Shards");
-  app.callback([line = app, &options] {
-    check(options);
-    // What changes no result; what is added to this list must not either.
-    options.how = line.given_except({"--shard", "--part", "--join", "--jobs", "--max-seconds", "--max-memory", "--json",
-                                     "--stats", "--quiet", "--json-lines", "--output", "--as", "--svg"});
-  });
-}
-
-Answer do_shard(const ShardOptions& options, const Items& items, Run& run) {
-  const ShardHead head{run.command(), options.shard, options.shards, items.count, items.work};
-  PartFile part(options.part);
-  const std::size_t there = begin_part(part, options.part, head), all = head.own_items();
-  const auto done = std::make_shared<std::atomic<std::size_t>>(there);
-  const auto tell = [done, there, head, all, name = options.part]() -> std::pair<Json, std::string> {
-    const std::size_t now = *done;
-    return {{{"shard", head.shard}, {"shards", head.shards}, {"items", all}, {"done", now}, {"there_before", there}},
-            fmt::format("{}: shard {} of {}: {} of {} done{}\n", name, head.shard, head.shards, now,
-                        count_text(all, "item"), there > 0 ? fmt::format(", {} of them before", there) : "")};
-  };
-  run.when_stopped(tell);
-  std::vector<std::string> results(all - there);
-  const auto keep = [&](std::size_t over) {
-    for (std::size_t k = *done - there; k < over; ++k) {
-      part.add(shard_item_text(head.item(there + k), std::exchange(results[k], {})));
-      ++*done;
-    }
-  };
-  each_in_parallel(results.size(), {run.options().limits.jobs, {}, keep}, [&] {
-    return [&, work = items.begin()](std::size_t k) { results[k] = work(head.item(there + k)); };
-  });
-  part.add(shard_end_text());
-  auto [json, line] = tell();
-  return {.result = std::move(json), .line = std::move(line)};
-}
-
+/// Out of the shards' files.
 void join_shards(const ShardOptions& options, const std::string& command, const std::string& work, std::size_t count,
                  const std::function<void(std::size_t, std::string_view)>& take) {
   std::vector<std::string> names, bytes;
@@ -173,6 +130,70 @@ void join_shards(const ShardOptions& options, const std::string& command, const 
   for (std::size_t i = 0; i < shards.size(); ++i)
     if (names[i].empty()) throw InputError("--join", 0, fmt::format("shard {} of {} is missing", i + 1, shards.size()));
   for (std::size_t item = 0; item < count; ++item) take(item, shards[item % shards.size()].items[item / shards.size()]);
+}
+
+}  // namespace
+
+void add_shard_options(CommandLine& app, ShardOptions& options, CommonOptions& common) {
+  app.add_option_function(
+         "--shard", [&options](const std::string& text) { take_shard(text, options); },
+         "Do shard I of N of the work alone, into --part FILE; one that was stopped goes on after what is whole")
+      .type_name("I/N")
+      .group("Shards");
+  app.add_option("--part", options.part, "The shard's own file").type_name("FILE").group("Shards");
+  app.add_option("--join", options.join, "Put the files of all N shards together: what one run would have given")
+      .type_name("FILE...")
+      .group("Shards");
+  app.add_flag("--mpi", options.ranks, "Share the work among the processes that mpirun started").group("Shards");
+  app.add_option_function(
+         "--lost-after", [&options](const std::string& text) { options.lost_after = number_of(text); },
+         "Give again what a process is at for so long while another one has nothing to do (default: 300)")
+      .type_name("S")
+      .group("Shards");
+  app.callback([line = app, &options, &common] {
+    check(options);
+    common.ranks = options.ranks;
+    // What changes no result; what is added to this list must not either.
+    options.how = line.given_except({"--shard", "--part", "--join", "--mpi", "--lost-after", "--jobs", "--max-seconds",
+                                     "--max-memory", "--json", "--stats", "--quiet", "--json-lines", "--output", "--as",
+                                     "--svg"});
+  });
+}
+
+Answer do_shard(const ShardOptions& options, const Items& items, Run& run) {
+  const ShardHead head{run.command(), options.shard, options.shards, items.count, items.work};
+  PartFile part(options.part);
+  const std::size_t there = begin_part(part, options.part, head), all = head.own_items();
+  const auto done = std::make_shared<std::atomic<std::size_t>>(there);
+  const auto tell = [done, there, head, all, name = options.part]() -> std::pair<Json, std::string> {
+    const std::size_t now = *done;
+    return {{{"shard", head.shard}, {"shards", head.shards}, {"items", all}, {"done", now}, {"there_before", there}},
+            fmt::format("{}: shard {} of {}: {} of {} done{}\n", name, head.shard, head.shards, now,
+                        count_text(all, "item"), there > 0 ? fmt::format(", {} of them before", there) : "")};
+  };
+  run.when_stopped(tell);
+  std::vector<std::string> results(all - there);
+  const auto keep = [&](std::size_t over) {
+    for (std::size_t k = *done - there; k < over; ++k) {
+      part.add(shard_item_text(head.item(there + k), std::exchange(results[k], {})));
+      ++*done;
+    }
+  };
+  if (!results.empty()) items.prepare();
+  each_in_parallel(results.size(), {run.options().limits.jobs, {}, keep}, [&] {
+    return [&, work = items.begin()](std::size_t k) { results[k] = work(head.item(there + k)); };
+  });
+  part.add(shard_end_text());
+  auto [json, line] = tell();
+  return {.result = std::move(json), .line = std::move(line)};
+}
+
+void take_all(const ShardOptions& options, const Items& items, const Run& run,
+              const std::function<void(std::size_t, std::string_view)>& take) {
+  if (options.ranks)
+    do_by_ranks(items, run.options().limits, options.lost_after, take);
+  else
+    join_shards(options, run.command(), items.work, items.count, take);
 }
 
 }  // namespace taut::cli

@@ -5,8 +5,10 @@
 #include <array>
 #include <atomic>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -65,7 +67,7 @@ void add_options(CommandLine& app, BatchOptions& options) {
                "The points of each path as well: ` x y x y ...` after the length, `path` in JSON")
       .group("Output");
   add_jobs_option(app, options.common.limits);
-  add_shard_options(app, options.shards);
+  add_shard_options(app, options.shards, options.common);
   app.callback([&options] {
     if (options.queries == "-" && options.world.file == "-")
       throw UsageError("FILE and QUERIES cannot both come from standard input");
@@ -187,10 +189,10 @@ class Batch {
     QueryBlocks blocks(source, input, shown, 1);
     std::vector<QueryLine> queries;
     while (blocks.next(queries)) continue;
-    const std::string texts[] = {TAUT_VERSION, options_.shards.how, fingerprint(input.world), text_of(queries)};
-    const std::size_t count = (queries.size() + kQueriesAnItem - 1) / kQueriesAnItem;
-    if (options_.shards.join.empty()) return do_shard(queries, input, {mark_of(texts), count, {}});
-    join_shards(options_.shards, run_.command(), mark_of(texts), count, [&](std::size_t item, std::string_view bytes) {
+    const Items items = items_of(queries, input);
+    if (options_.shards.shard > 0)
+      return run_.end(run_.stage("search", [&] { return do_shard(options_.shards, items, run_); }));
+    take_all(options_.shards, items, run_, [&](std::size_t item, std::string_view bytes) {
       Unpacker unpacker(bytes, fmt::format("item {} of the shards", item));
       for (const QueryLine& query : queries_of(queries, item))
         answers_.add(query, unpacked_answer(unpacker), source.name());
@@ -200,24 +202,30 @@ class Batch {
     return end();
   }
 
-  /// The first answers are looked for by every shard: they say what the others are searched on.
-  int do_shard(std::span<const QueryLine> queries, const Input& input, Items items) {
-    Ground ground(options_, input, run_);
-    for (std::size_t done = 0; done < queries.size() && !ground.stages().is_settled(); done += kQueriesAnItem)
-      ground.answer(queries.subspan(done, std::min(kQueriesAnItem, queries.size() - done)), [](auto&&...) {});
-    items.begin = [&] {
-      return [&, askers = std::array<std::shared_ptr<QueryAsker>, 3>()](std::size_t item) mutable {
-        Packer packer;
-        std::size_t number = item * kQueriesAnItem;
-        for (const QueryLine& query : queries_of(queries, item)) {
-          const std::size_t stage = ground.stages().stage_of(number++);
-          if (!askers[stage]) askers[stage] = ground.lend(stage);
-          pack(askers[stage]->ask(query), packer);
-        }
-        return std::move(packer).bytes();
-      };
+  Items items_of(std::span<const QueryLine> queries, const Input& input) {
+    const std::string texts[] = {TAUT_VERSION, options_.shards.how, fingerprint(input.world), text_of(queries)};
+    return {mark_of(texts), (queries.size() + kQueriesAnItem - 1) / kQueriesAnItem,
+            [this, queries, &input] { prepare(queries, input); }, [this, queries] { return worker(queries); }};
+  }
+
+  /// The first answers are looked for by everybody: they say what the others are searched on.
+  void prepare(std::span<const QueryLine> queries, const Input& input) {
+    ground_.emplace(options_, input, run_);
+    for (std::size_t done = 0; done < queries.size() && !ground_->stages().is_settled(); done += kQueriesAnItem)
+      ground_->answer(queries.subspan(done, std::min(kQueriesAnItem, queries.size() - done)), [](auto&&...) {});
+  }
+
+  std::function<std::string(std::size_t)> worker(std::span<const QueryLine> queries) {
+    return [this, queries, askers = std::array<std::shared_ptr<QueryAsker>, 3>()](std::size_t item) mutable {
+      Packer packer;
+      std::size_t number = item * kQueriesAnItem;
+      for (const QueryLine& query : queries_of(queries, item)) {
+        const std::size_t stage = ground_->stages().stage_of(number++);
+        if (!askers[stage]) askers[stage] = ground_->lend(stage);
+        pack(askers[stage]->ask(query), packer);
+      }
+      return std::move(packer).bytes();
     };
-    return run_.end(run_.stage("search", [&] { return cli::do_shard(options_.shards, items, run_); }));
   }
 
   static std::span<const QueryLine> queries_of(std::span<const QueryLine> queries, std::size_t item) {
@@ -228,6 +236,7 @@ class Batch {
   const BatchOptions& options_;
   Run& run_;
   BatchAnswers answers_;
+  std::optional<Ground> ground_;  // of shards
 };
 
 int run(const BatchOptions& options, Run& run) {

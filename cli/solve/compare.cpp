@@ -94,7 +94,7 @@ void add_options(CommandLine& app, CompareOptions& options) {
   app.renamed("--roadmap", "--planners");
   add_prm_options(app, options.prm, true);
   add_jobs_option(app, options.common.limits);
-  add_shard_options(app, options.shards);
+  add_shard_options(app, options.shards, options.common);
   add_svg_option(app, options.svg);
   app.callback([&options] { check(options); });
   app.example("taut compare maze.txt --svg planners.svg");
@@ -116,16 +116,14 @@ class Comparer {
 
   /// One run of one planner is an item.
   int do_shard() {
-    const Items items{work_, tasks_.size(),
-                      [this] { return [this](std::size_t i) { return packed_runs(done(tasks_[i])); }; }};
-    Answer answer = run_.stage("planners", [&] { return cli::do_shard(options_.shards, items, run_); });
+    Answer answer = run_.stage("planners", [&] { return cli::do_shard(options_.shards, items(), run_); });
     end_progress();
     return run_.end(std::move(answer));
   }
 
   Comparison compare() {
     run_.stage("planners", [&] {
-      if (!options_.shards.join.empty()) return join();
+      if (options_.shards.is_shared()) return take();
       each_in_parallel(tasks_.size(), {options_.common.limits.jobs, {}, [this](std::size_t over) { note_until(over); }},
                        [this](std::size_t i) { tasks_[i].done = done(tasks_[i]); });
     });
@@ -155,8 +153,13 @@ class Comparer {
     return mark_of(texts);
   }
 
-  void join() {
-    join_shards(options_.shards, run_.command(), work_, tasks_.size(), [this](std::size_t i, std::string_view bytes) {
+  Items items() {
+    return {work_, tasks_.size(), [] {},
+            [this] { return [this](std::size_t i) { return packed_runs(done(tasks_[i])); }; }};
+  }
+
+  void take() {
+    take_all(options_.shards, items(), run_, [this](std::size_t i, std::string_view bytes) {
       tasks_[i].done = unpacked_runs(*tasks_[i].planner, bytes, fmt::format("item {} of the shards", i));
       note_until(i + 1);
     });

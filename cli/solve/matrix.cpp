@@ -15,6 +15,7 @@
 #include <taut/cli/input.h>
 #include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/ranks.h>
 #include <taut/cli/run.h>
 #include <taut/cli/shards.h>
 #include <taut/cli/solve/ends_on_walls.h>
@@ -69,7 +70,7 @@ void add_options(CommandLine& app, MatrixOptions& options) {
       .type_name("NAME")
       .group("Output");
   add_jobs_option(app, options.common.limits);
-  add_shard_options(app, options.shards);
+  add_shard_options(app, options.shards, options.common);
   app.callback([&options] {
     if (options.points == "-" && options.world.file == "-")
       throw UsageError("FILE and POINTS cannot both come from standard input");
@@ -143,15 +144,14 @@ class Matrix {
     read_places();
     FreeSpace space = run_.stage("space", [&] { return space_of(input); });
     settle(space);
-    const std::string work = options_.shards.is_shared() ? work_mark(input) : "";
-    if (options_.shards.shard > 0) return do_shard(graph_of(space), work);
+    if (options_.shards.shard > 0) return run_.end(do_shard(options_.shards, items(input, space), run_));
     const auto lengths = std::make_shared<Lengths>(places_.size());
     run_.when_stopped([lengths, json = run_.wants_json(), csv = prints()]() -> std::pair<Json, std::string> {
       const std::size_t rows = lengths->rows;
       return {json ? json_of(*lengths, rows, true) : Json(),
               csv ? matrix_bytes(lengths->first(rows), lengths->size, MatrixFormat::csv) : ""};
     });
-    measure(space, work, *lengths);
+    measure(input, space, *lengths);
     return end(input, *lengths);
   }
 
@@ -161,7 +161,7 @@ class Matrix {
   void read_places() {
     run_.stage("read", [&] {
       const std::string name = options_.points == "-" ? "<stdin>" : options_.points;
-      for (const ReadPoint& point : read_points(read_bytes(options_.points), name)) {
+      for (const ReadPoint& point : read_points(bytes_for_all(options_.points), name)) {
         if (shown_) shown_.geographic()->require_end(point.point, fmt::format("{}:{}: point", name, point.line));
         points_.push_back(point);
         given_.push_back(point.point);
@@ -204,21 +204,21 @@ class Matrix {
     return mark_of(texts);
   }
 
-  int do_shard(const VisibilityGraph& graph, const std::string& work) {
-    const DistanceRows rows(graph, places_, options_.common.limits.jobs);
-    return run_.end(
-        run_.stage("search", [&] { return cli::do_shard(options_.shards, matrix_items(rows, work), run_); }));
+  /// The graph is made by who measures.
+  Items items(const Input& input, const FreeSpace& space) {
+    return matrix_items(places_.size(), work_mark(input), [this, &space] {
+      graph_.emplace(graph_of(space));
+      return DistanceRows(*graph_, places_, options_.common.limits.jobs);
+    });
   }
 
-  void measure(const FreeSpace& space, const std::string& work, Lengths& lengths) {
+  void measure(const Input& input, const FreeSpace& space, Lengths& lengths) {
     const bool is_doubted = space.footprint().kind() == Footprint::Kind::disc || rounding_bound(space) > 0;
-    if (!options_.shards.join.empty()) {
-      run_.stage("join", [&] { join_matrix(options_.shards, run_.command(), work, lengths.values, lengths.size); });
+    if (options_.shards.is_shared()) {
+      take_matrix(options_.shards, items(input, space), run_, lengths.values, lengths.size);
     } else {
       const VisibilityGraph graph = graph_of(space);
-      const auto finished = [&](std::size_t rows) {
-        if (!is_doubted) lengths.rows = rows;
-      };
+      const auto finished = [&](std::size_t rows) { lengths.rows = is_doubted ? 0 : rows; };
       run_.stage("search",
                  [&] { distance_matrix(graph, places_, lengths.values, finished, options_.common.limits.jobs); });
     }
@@ -278,8 +278,9 @@ class Matrix {
   Run& run_;
   Shown shown_{ReadNotes{}};
   std::vector<ReadPoint> points_;
-  std::vector<Point> given_;   // as they are written
-  std::vector<Point> places_;  // of the plane, where --snap-ends put them
+  std::vector<Point> given_;              // as they are written
+  std::optional<VisibilityGraph> graph_;  // of shards
+  std::vector<Point> places_;             // of the plane, where --snap-ends put them
 };
 
 int run(const MatrixOptions& options, Run& run) {

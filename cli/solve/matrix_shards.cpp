@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -24,11 +26,11 @@ std::size_t lengths_of(std::size_t group, std::size_t n) {
 
 }  // namespace
 
-std::size_t matrix_items(std::size_t points) { return (points + kRows - 1) / kRows; }
-
-Items matrix_items(const DistanceRows& rows, std::string work) {
-  return {std::move(work), rows.groups(), [&rows] {
-            return [measure = rows.worker()](std::size_t group) {
+Items matrix_items(std::size_t points, std::string work, std::function<DistanceRows()> prepare) {
+  const auto rows = std::make_shared<std::optional<DistanceRows>>();
+  return {std::move(work), (points + kRows - 1) / kRows, [rows, prepare = std::move(prepare)] { *rows = prepare(); },
+          [rows] {
+            return [measure = (*rows)->worker()](std::size_t group) {
               Packer packer;
               for (const double length : measure(group)) packer.put(length);
               return std::move(packer).bytes();
@@ -36,9 +38,9 @@ Items matrix_items(const DistanceRows& rows, std::string work) {
           }};
 }
 
-void join_matrix(const ShardOptions& options, const std::string& command, const std::string& work,
-                 std::span<double> lengths, std::size_t n) {
-  join_shards(options, command, work, matrix_items(n), [&](std::size_t group, std::string_view bytes) {
+void take_matrix(const ShardOptions& options, const Items& items, const Run& run, std::span<double> lengths,
+                 std::size_t n) {
+  take_all(options, items, run, [&](std::size_t group, std::string_view bytes) {
     const std::string name = fmt::format("item {} of the shards", group);
     std::vector<double> rows(lengths_of(group, n));
     if (bytes.size() != rows.size() * sizeof(double)) throw InputError(name, 0, "holds other lengths than it should");

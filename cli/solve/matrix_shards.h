@@ -9,13 +9,11 @@
 
 namespace taut::cli {
 
-std::size_t matrix_items(std::size_t points);
+/// By the rows that `prepare` makes. `work` is the mark of all that they depend on.
+Items matrix_items(std::size_t points, std::string work, std::function<DistanceRows()> prepare);
 
-/// By `rows`, which outlives it.
-Items matrix_items(const DistanceRows& rows, std::string work);
-
-/// Puts what all shards have into the matrix of n points. Throws InputError.
-void join_matrix(const ShardOptions& options, const std::string& command, const std::string& work,
-                 std::span<double> lengths, std::size_t n);
+/// Puts what ranks or shards have into the matrix of n points. Throws InputError.
+void take_matrix(const ShardOptions& options, const Items& items, const Run& run, std::span<double> lengths,
+                 std::size_t n);
 
 }  // namespace taut::cli
