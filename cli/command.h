@@ -23,6 +23,7 @@ struct Command {
 Command solve_command(CommandLine& app);
 Command check_command(CommandLine& app);
 Command verify_command(CommandLine& app);
+Command audit_command(CommandLine& app);
 Command roadmap_command(CommandLine& app);
 Command compare_command(CommandLine& app);
 Command passage_command(CommandLine& app);

@@ -5,7 +5,9 @@
 #include <CLI/Formatter.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
+#include <sstream>
 #include <type_traits>
 
 namespace taut::cli {
@@ -51,7 +53,79 @@ std::string in_words(double number) {
   return static_cast<double>(whole) == number ? std::to_string(whole) : std::to_string(number);
 }
 
+// `--quiet`, then `-q`.
+std::vector<std::string> names_of(const CLI::Option& option) {
+  std::vector<std::string> names;
+  for (const std::string& name : option.get_lnames()) names.push_back("--" + name);
+  for (const std::string& name : option.get_snames()) names.push_back("-" + name);
+  return names.empty() ? std::vector{option.get_name()} : names;
+}
+
+// Is `Samplers of --sampler:` or `Samplers:` the line above what `--sampler` (or `--samplers`) takes?
+bool is_title_of(const std::string& option, std::string line) {
+  if (line.ends_with(" of " + option + ":")) return true;
+  if (line.empty() || line.back() != ':') return false;
+  line.pop_back();
+  line.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(line.front())));
+  return line == option.substr(std::min<std::size_t>(2, option.size())) ||
+         line == option.substr(std::min<std::size_t>(2, option.size())) + "s";
+}
+
+// The names that an option takes, a line each below such a title, with what they mean.
+std::vector<std::pair<std::string, std::string>> choices_of(const std::string& option, const std::string& footer) {
+  std::vector<std::pair<std::string, std::string>> choices;
+  bool is_below = false;
+  std::istringstream lines(footer);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.starts_with("  ")) {
+      is_below = is_title_of(option, line);
+      continue;
+    }
+    const std::size_t gap = std::min(line.find("  ", 2), line.size()), words = line.find_first_not_of(' ', gap);
+    const std::string name = line.substr(2, gap - 2);
+    if (is_below && name.find(':') == std::string::npos)
+      choices.emplace_back(name, words < line.size() ? line.substr(words) : "");
+  }
+  return choices;
+}
+
+DescribedOption described(const CLI::Option& option, const std::string& footer) {
+  DescribedOption result{names_of(option), option.get_type_name(), option.get_description(), option.get_group()};
+  result.is_operand = option.get_positional();
+  result.is_required = option.get_required();
+  if (option.get_expected_max() == 0) result.value.clear();  // a flag
+  if (!result.is_operand) result.choices = choices_of(result.names.front(), footer);
+  return result;
+}
+
+DescribedCommand described(const CLI::App& app, const std::string& above) {
+  DescribedCommand result;
+  result.name = above.empty() ? app.get_name() : above + " " + app.get_name();
+  result.what = app.get_description();
+  result.footer = app.get_footer();
+  result.usage = result.name + " [OPTIONS]";
+  for (const CLI::Option* option : app.get_options([](const CLI::Option* o) { return !o->get_group().empty(); })) {
+    result.options.push_back(described(*option, result.footer));
+    if (const DescribedOption& last = result.options.back(); last.is_operand)
+      result.usage += last.is_required ? " " + last.names.front() : " [" + last.names.front() + "]";
+  }
+  for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
+    result.below.push_back(described(*sub, result.name));
+  if (!result.below.empty()) result.usage += app.get_require_subcommand_min() > 0 ? " SUBCOMMAND" : " [SUBCOMMAND]";
+  return result;
+}
+
 }  // namespace
+
+Option::Option(CLI::App& app, CLI::Option& option) : app_(&app), option_(&option) {
+  if (option.get_positional() || option.get_expected_max() == 0) return;
+  const auto check = [&app, name = option.get_name()](std::string& text) -> std::string {
+    if (text.starts_with("--") && app.get_option_no_throw(text) != nullptr)
+      throw UsageError(name + " needs a value, and " + text + " is an option; a file of that name is ./" + text);
+    return {};
+  };
+  option.check(CLI::Validator(check, ""));
+}
 
 Option Option::type_name(const char* name) const {
   option_->type_name(name);
@@ -194,6 +268,8 @@ std::string CommandLine::given_except(const std::vector<std::string>& names) con
   for (const std::string& one : all) text += one;
   return text;
 }
+
+DescribedCommand CommandLine::described() const { return cli::described(*app_, ""); }
 
 std::string CommandLine::full_name() const {
   std::string name = app_->get_name();

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include <taut/cli/described.h>
+
 namespace CLI {
 class App;
 class Option;
@@ -29,7 +31,8 @@ using Choice = std::pair<std::string_view, std::string_view>;
 /// An option that was added, to be said more of. Cheap to copy; lives as long as its CommandLine.
 class Option {
  public:
-  Option(CLI::App& app, CLI::Option& option) : app_(&app), option_(&option) {}
+  /// Another option in the place of its value is a UsageError: `--json --stats`.
+  Option(CLI::App& app, CLI::Option& option);
 
   Option type_name(const char* name) const;  ///< what stands for the value in --help: `X,Y`
   Option group(const std::string& name) const;
@@ -89,6 +92,8 @@ class CommandLine {
   bool is_chosen() const;  ///< was it on the command line?
 
   std::string full_name() const;  ///< `taut grid solve`
+  /// All that --help says, and of what is below; hidden options are left out.
+  DescribedCommand described() const;
   CLI::App& app() const { return *app_; }
 
  private:

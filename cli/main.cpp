@@ -4,6 +4,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 
+#include <algorithm>
 #include <exception>
 #include <limits>
 #include <new>
@@ -20,11 +21,13 @@
 
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
+#include <taut/cli/config_file.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
 #include <taut/cli/ranks.h>
 #include <taut/cli/run.h>
 #include <taut/cli/stop.h>
+#include <taut/cli/version.h>
 #include <taut/geometry/errors.h>
 
 namespace taut::cli {
@@ -81,7 +84,9 @@ void refuse_stray_options(const CLI::App& at) {
 
 int parse(CLI::App& app, int argc, char** argv) {
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> words = with_config_file(app, {argv + 1, argv + argc});
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    app.parse(std::move(words));
     refuse_stray_options(chosen(app));
     return -1;
   } catch (const CLI::CallForVersion& version) {
@@ -106,6 +111,7 @@ std::vector<Command> all_commands(CommandLine& app) {
   commands.push_back(solve_command(app));
   commands.push_back(check_command(app));
   commands.push_back(verify_command(app));
+  commands.push_back(audit_command(app));
   commands.push_back(roadmap_command(app));
   commands.push_back(compare_command(app));
   commands.push_back(passage_command(app));
@@ -125,20 +131,36 @@ std::vector<Command> all_commands(CommandLine& app) {
 
 // `taut grid solve --version`, too. Not in every --help: it is in the program's.
 void add_version_flag(CLI::App& app) {
-  app.set_version_flag("--version,-V", "taut " TAUT_VERSION, "Print the version and exit")
+  app.set_version_flag("--version,-V", version_text(), "Print the version and exit, what it is made of below it")
       ->group(app.get_parent() == nullptr ? "Options" : "");
   for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) add_version_flag(*sub);
 }
 
-// `taut help`, `taut help grid solve`
-int help(CLI::App& app, const std::vector<std::string>& words) {
-  CLI::App* at = &app;
+// `taut help`, `taut help grid solve`; with `--as man` as manual page, with `--as bash` what that shell completes.
+int help(CommandLine& line, std::vector<std::string> words) {
+  std::string as;
+  if (const auto option = std::find(words.begin(), words.end(), "--as"); option != words.end()) {
+    if (option + 1 == words.end()) return wrong_usage(line.app(), "--as: which of man, bash, zsh, fish?");
+    as = option[1];
+    words.erase(option, option + 2);
+  }
+  const CLI::App* at = &line.app();
+  DescribedCommand described = line.described();
   for (const std::string& word : words) {
     const auto named = at->get_subcommands([&](const CLI::App* sub) { return sub->get_name() == word; });
     if (named.empty()) return wrong_usage(*at, fmt::format("there is no subcommand '{}'", word));
     at = named.front();
+    const auto is_it = [&](const DescribedCommand& below) { return below.name == described.name + " " + word; };
+    described = DescribedCommand(*std::find_if(described.below.begin(), described.below.end(), is_it));
   }
-  print(at->help(at->get_parent() == nullptr ? "" : full_name(*at->get_parent())));
+  if (as == "man")
+    print(manual_page(described, TAUT_VERSION));
+  else if (is_shell(as) && words.empty())
+    print(completion_script(described, as));
+  else if (!as.empty())
+    return wrong_usage(line.app(), fmt::format("--as: '{}' is none of man, bash, zsh, fish", as));
+  else
+    print(at->help(at->get_parent() == nullptr ? "" : full_name(*at->get_parent())));
   return kFound;
 }
 
@@ -177,10 +199,11 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   CommandLine line(app);
   const std::vector<Command> commands = all_commands(line);
-  app.add_subcommand("help", "Print the help of a subcommand: taut help grid solve");
+  app.add_subcommand("help",
+                     "Print the help of a subcommand: taut help grid solve; --as man, bash, zsh or fish: for these");
   app.footer(kFooter);
   add_version_flag(app);
-  if (argc > 1 && std::string_view(argv[1]) == "help") return help(app, {argv + 2, argv + argc});
+  if (argc > 1 && std::string_view(argv[1]) == "help") return help(line, {argv + 2, argv + argc});
   if (const int code = parse(app, argc, argv); code >= 0) return code;
   for (const Command& command : commands)
     if (command.line->is_chosen()) return run(command);

@@ -14,6 +14,9 @@ namespace taut::cli {
 namespace {
 
 constexpr std::size_t kWidestProgress = 79;
+// Of a word of a complaint, a name or what stands in the place of a number, so much is shown at its beginning and its end.
+constexpr std::size_t kWordBegin = 200;
+constexpr std::size_t kWordEnd = 60;
 std::atomic<std::size_t> progress_width{0};  // of the line on the terminal; the watching thread may complain
 
 // How many bytes of a control character begin at i: 0 where none does. U+0080 to U+009F are two bytes of UTF-8.
@@ -21,6 +24,23 @@ std::size_t control_length(std::string_view text, std::size_t i) noexcept {
   const auto byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U; };
   if (byte(i) < ' ' || byte(i) == 0x7f) return 1;
   return byte(i) == 0xc2 && byte(i + 1) >= 0x80 && byte(i + 1) < 0xa0 ? 2 : 0;
+}
+
+bool is_within_letter(char c) noexcept { return (static_cast<unsigned char>(c) & 0xc0U) == 0x80; }  // of UTF-8
+
+// The part [begin, end) of the word at i that is not shown, as is the whole of a short one: begin == end.
+struct Gap {
+  std::size_t begin;
+  std::size_t end;
+};
+
+Gap gap_of_word(std::string_view text, std::size_t i) noexcept {
+  const std::size_t end = std::min(text.find(' ', i), text.size());
+  if (end - i <= kWordBegin + kWordEnd) return {end, end};
+  Gap gap{i + kWordBegin, end - kWordEnd};
+  while (gap.begin > i && is_within_letter(text[gap.begin])) --gap.begin;
+  while (gap.end < end && is_within_letter(text[gap.end])) ++gap.end;
+  return gap;
 }
 
 bool colour() noexcept {
@@ -41,7 +61,13 @@ void complain(std::string_view message) noexcept {
       if (n + 8 < sizeof line) line[n++] = c;
   };
   put(colour() ? "\033[1;31mtaut:\033[0m " : "taut: ");
+  Gap gap = gap_of_word(message, 0);
   for (std::size_t i = 0; i < message.size(); ++i) {
+    if (i == gap.begin && gap.begin < gap.end) {
+      put("...");
+      i = gap.end;
+    }
+    if (message[i] == ' ') gap = gap_of_word(message, i + 1);
     const std::size_t control = control_length(message, i);
     put(control > 0 ? "?" : message.substr(i, 1));
     if (control > 1) ++i;

@@ -10,7 +10,7 @@
 namespace taut::cli {
 
 /// Writes `taut: message` and a line end to stderr in one piece, "taut:" in red on a terminal unless NO_COLOR is set.
-/// Control characters (of file names) become `?`. Allocates nothing.
+/// Control characters (of file names) become `?`, the middle of a word of more than 260 bytes `...`. Allocates nothing.
 void complain(std::string_view message) noexcept;
 
 /// The text with `?` in the place of control characters, as file names may hold them: a terminal obeys those. Line ends

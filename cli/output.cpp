@@ -13,6 +13,7 @@
 #include <set>
 #include <utility>
 
+#include <taut/cli/growing_file.h>
 #include <taut/geometry/errors.h>
 
 namespace taut::cli {
@@ -172,7 +173,8 @@ namespace {
 void refuse_unwritable(const std::string& path) {
   const auto refuse = [&](const std::string& why) { throw InputError(path, 0, "cannot write: " + why); };
   std::error_code error;
-  const fs::file_status status = fs::status(path, error);  // through links, /dev/stdout among them
+  const fs::file_status status = fs::status(path, error);             // through links, /dev/stdout among them
+  if (status.type() == fs::file_type::none) refuse(error.message());  // links in a circle
   if (fs::is_directory(status) || !fs::path(path).has_filename()) refuse("it is a folder");
   if (fs::exists(status) && ::access(path.c_str(), W_OK) != 0) refuse(reason());
   if (fs::exists(status) && !fs::is_regular_file(status)) return;
@@ -213,6 +215,7 @@ void print(std::string_view text) { write_all(STDOUT_FILENO, text, "<stdout>"); 
 void abandon_files() noexcept {
   // Not locked: the writer may be in the middle, and the process ends right after this.
   if (const char* name = unfinished().name; *name) ::unlink(name);
+  abandon_growing_file();
 }
 
 }  // namespace taut::cli

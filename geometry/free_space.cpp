@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include <taut/geometry/detail/cell_sight.h>
 #include <taut/geometry/detail/free_space_impl.h>
 #include <taut/geometry/detail/noding.h>
 #include <taut/geometry/detail/obstacles.h>
@@ -130,15 +131,14 @@ bool looks_towards(const Triangulation& tri, const Location& at, Point q) {
                                                              tri.points[corners[Triangulation::cw(at.index)]], q) >= 0;
 }
 
-}  // namespace
-
-FreeSpace::FreeSpace(World world, Footprint footprint, std::span<const Point> places) {
-  FreeSpaceReport report;
+std::unique_ptr<const detail::FreeSpaceMade> made_of(const World& world, const Footprint& footprint,
+                                                     std::span<const Point> places) {
+  auto made = std::make_unique<detail::FreeSpaceMade>();
   auto start = std::chrono::steady_clock::now();
   detail::Noded noded = noded_edges(world, footprint, places);
-  report.crossings = noded.crossings;
-  report.displacement = noded.displacement;
-  report.seconds_union = seconds_since(start);
+  made->report.crossings = noded.crossings;
+  made->report.displacement = noded.displacement;
+  made->report.seconds_union = seconds_since(start);
 
   start = std::chrono::steady_clock::now();
   detail::Mesh mesh = detail::triangulate(noded.edges);
@@ -150,44 +150,70 @@ FreeSpace::FreeSpace(World world, Footprint footprint, std::span<const Point> pl
     mesh = detail::triangulate(edges);
     detail::classify(mesh, edges);
   }
-  std::vector<std::uint32_t> components;
-  const std::uint32_t count = number_components(mesh.triangulation, components);
-  detail::Locator locator(mesh.triangulation);
-  report.seconds_triangulation = seconds_since(start);
-
-  impl_.reset(new Impl{std::move(world),
-                       std::move(footprint),
-                       report,
-                       std::move(classified.constraints),
-                       std::move(mesh.triangulation),
-                       std::move(mesh.edge_of),
-                       std::move(components),
-                       count,
-                       std::move(locator),
-                       {},
-                       {}});
+  made->constraints = std::move(classified.constraints);
+  made->tri = std::move(mesh.triangulation);
+  made->piece_of = std::move(mesh.edge_of);
+  made->component_count = number_components(made->tri, made->components);
+  made->locator = detail::Locator(made->tri);
+  made->report.seconds_triangulation = seconds_since(start);
+  return made;
 }
+
+}  // namespace
+
+FreeSpace::Impl::Impl(World w, Footprint f, std::span<const Point> p)
+    : world(std::move(w)), footprint(std::move(f)), places(p.begin(), p.end()) {
+  if (footprint.kind() == Footprint::Kind::point) cells = CellPlan::of(world);
+  if (!cells) make();
+}
+
+const detail::FreeSpaceMade& FreeSpace::Impl::make() const {
+  std::call_once(making, [this] {
+    made = made_of(world, footprint, places);
+    is_made.store(true, std::memory_order_release);
+  });
+  return *made;
+}
+
+FreeSpace::FreeSpace(World world, Footprint footprint, std::span<const Point> places)
+    : impl_(std::make_shared<const Impl>(std::move(world), std::move(footprint), places)) {}
 
 const World& FreeSpace::world() const { return impl_->world; }
 const Footprint& FreeSpace::footprint() const { return impl_->footprint; }
-const FreeSpaceReport& FreeSpace::report() const { return impl_->report; }
-const std::vector<Constraint>& FreeSpace::constraints() const { return impl_->constraints; }
-const Triangulation& FreeSpace::triangulation() const { return impl_->tri; }
-std::uint32_t FreeSpace::component(std::uint32_t triangle) const { return impl_->components[triangle]; }
-std::uint32_t FreeSpace::component_count() const { return impl_->component_count; }
+const CellPlan* FreeSpace::cells() const { return impl_->cells ? &*impl_->cells : nullptr; }
+bool FreeSpace::is_triangulated() const { return impl_->is_made.load(std::memory_order_acquire); }
+double FreeSpace::displacement() const { return impl_->cells ? 0 : impl_->parts().report.displacement; }
+const FreeSpaceReport& FreeSpace::report() const { return impl_->parts().report; }
+const std::vector<Constraint>& FreeSpace::constraints() const { return impl_->parts().constraints; }
+const Triangulation& FreeSpace::triangulation() const { return impl_->parts().tri; }
+std::uint32_t FreeSpace::component(std::uint32_t triangle) const { return impl_->parts().components[triangle]; }
+std::uint32_t FreeSpace::component_count() const { return impl_->parts().component_count; }
 
 const std::vector<Polygon>& FreeSpace::polygons() const {
-  std::call_once(impl_->polygons_made, [this] { impl_->polygons = detail::outline_rings(impl_->tri); });
+  const Triangulation& tri = triangulation();
+  std::call_once(impl_->polygons_made, [&] { impl_->polygons = detail::outline_rings(tri); });
   return impl_->polygons;
 }
 
-Location FreeSpace::locate(Point p) const { return impl_->locator.locate(impl_->tri, p); }
+Location FreeSpace::locate(Point p) const { return impl_->parts().locator.locate(impl_->parts().tri, p); }
+
+bool FreeSpace::holds(Point p) const {
+  return impl_->cells ? impl_->cells->around(p).free != 0 : locate(p).kind != Location::Kind::outside;
+}
+
+bool FreeSpace::opens_towards(Point p, Point q) const {
+  if (impl_->cells) return impl_->cells->around(p).towards(p, q) != 0;
+  const Location at = locate(p);
+  return at.kind != Location::Kind::outside && looks_towards(triangulation(), at, q);
+}
 
 bool FreeSpace::sees(Point p, Point q, std::optional<Point> towards) const {
+  if (!is_triangulated()) return detail::sees_among_cells(*cells(), p, q, towards);
   const Location from = locate(p);
   if (from.kind == Location::Kind::outside || locate(q).kind == Location::Kind::outside) return false;
-  if (p == q) return !towards || looks_towards(impl_->tri, from, *towards);
-  RayWalk walk(impl_->tri, p, q, true);
+  const Triangulation& tri = triangulation();
+  if (p == q) return !towards || looks_towards(tri, from, *towards);
+  RayWalk walk(tri, p, q, true);
   auto end = walk.start(from, towards);
   while (end == RayWalk::End::vertex) end = walk.next();
   return end == RayWalk::End::reached;

@@ -14,6 +14,8 @@
 
 namespace taut {
 
+class CellPlan;
+
 /// A piece of what stops a path: part of an obstacle's outline or of a zero-thickness wall. Pieces meet only at end
 /// points.
 struct Constraint {
@@ -73,7 +75,7 @@ struct FreeSpaceReport {
 ///     an outline that bends at a rounded crossing still passes through the world's start and goal, and those of
 ///     `places`, that lie on it as written.
 /// Throws InputError when walls meet at angles so sharp that rounding finds no end. O((n + k) log n) for n input edges
-/// with k contacts.
+/// with k contacts. Where cells() can answer for a while, pieces and triangles are made when they are first asked for.
 class FreeSpace {
  public:
   /// `places`: further points that will be asked about, see 4.
@@ -82,6 +84,12 @@ class FreeSpace {
   const World& world() const;
   const Footprint& footprint() const;
   const FreeSpaceReport& report() const;
+  double displacement() const;  ///< report().displacement, and nothing is made for it
+
+  /// Of a point robot among walls on a raster: the free space as cells, made at once. nullptr: there are none.
+  const CellPlan* cells() const;
+  /// Are pieces and triangles there, or would the next question make them?
+  bool is_triangulated() const;
 
   /// Outer rings counter-clockwise, holes clockwise, in a canonical order (by smallest vertex).
   const std::vector<Polygon>& polygons() const;
@@ -91,6 +99,11 @@ class FreeSpace {
 
   /// Exact; expected O(1) with a grid of hints, O(sqrt n) at worst on usual inputs.
   Location locate(Point p) const;
+
+  /// Can the robot be at p? As locate(p) says it, and nothing is made for it where there are cells.
+  bool holds(Point p) const;
+  /// Does the free space at p begin in the direction of q? Likewise.
+  bool opens_towards(Point p, Point q) const;
 
   /// Can a path go straight from p to q? Exact: it may touch and run along obstacles, it may not pass a
   /// point where obstacles touch from both sides. False when p or q is outside. O(triangles crossed).

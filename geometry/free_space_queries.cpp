@@ -161,11 +161,11 @@ class Outline {
 Clearance FreeSpace::clearance(Point p) const {
   const Location at = locate(p);
   TAUT_EXPECTS(at.kind != Location::Kind::outside);
-  return NearestConstraint(*this, impl_->piece_of, p).search(at);
+  return NearestConstraint(*this, impl_->parts().piece_of, p).search(at);
 }
 
 VisibilityPolygon FreeSpace::visibility_polygon(Point p) const {
-  const Tri& tri = impl_->tri;
+  const Tri& tri = impl_->parts().tri;
   const Location at = locate(p);
   TAUT_EXPECTS(at.kind != Location::Kind::outside);
   Outline outline(tri, p);

@@ -93,13 +93,14 @@ std::vector<Constraint> FreeSpace::separation(Point p, Point q) const {
   const std::uint32_t cp = component(at_p.triangle), cq = component(at_q.triangle);
   std::vector<Constraint> result;
   if (cp == cq) return result;
-  Loops loops(impl_->tri, impl_->piece_of, impl_->components);
+  const detail::FreeSpaceMade& made = impl_->parts();
+  Loops loops(made.tri, made.piece_of, made.components);
   const std::vector<Loop> around_p = loops.around(cp), around_q = loops.around(cq);
-  const Loop* first = separating(around_p, inner_point(impl_->tri, at_q.triangle));
-  const Loop* second = separating(around_q, inner_point(impl_->tri, at_p.triangle));
+  const Loop* first = separating(around_p, inner_point(made.tri, at_q.triangle));
+  const Loop* second = separating(around_q, inner_point(made.tri, at_p.triangle));
   if (!first || (second && second->pieces.size() < first->pieces.size())) first = second;
   if (!first) return result;
-  for (const std::uint32_t piece : first->pieces) result.push_back(impl_->constraints[piece]);
+  for (const std::uint32_t piece : first->pieces) result.push_back(made.constraints[piece]);
   return result;
 }
 

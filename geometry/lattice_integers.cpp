@@ -43,6 +43,10 @@ LatticeIntegers::LatticeIntegers(const World& world, std::span<const Point> plac
                      "start, goal and the world together need coordinates of more than 51 bits over one unit");
 }
 
+double LatticeIntegers::per_one() const {
+  return static_cast<double>(scale_) * std::pow(static_cast<double>(lattice_.base), lattice_.exponent);
+}
+
 std::optional<LatticeIntegers::Place> LatticeIntegers::place(Point p) const {
   const auto x = integer(p.x), y = integer(p.y);
   if (!x || !y) return std::nullopt;

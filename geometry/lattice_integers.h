@@ -27,6 +27,8 @@ class LatticeIntegers {
 
   const NumberLattice& lattice() const { return lattice_; }
   std::int64_t scale() const { return scale_; }
+  /// How many units / scale make 1, to the nearest double.
+  double per_one() const;
 
   /// What the point means as multiples of unit / scale; nothing when it is none.
   std::optional<Place> place(Point p) const;

@@ -7,6 +7,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include <taut/geometry/detail/raster.h>
+#include <taut/geometry/mend_rings.h>
 #include <taut/geometry/written.h>
 
 namespace taut {
@@ -195,28 +197,44 @@ class Outlines {
 
 namespace {
 
-WorldParts parts_of(const OccupancyGrid& grid, std::string source) {
+/// All but the solids.
+WorldParts bare_parts(const OccupancyGrid& grid, std::string source) {
   if (grid.width == 0 || grid.height == 0) throw InputError(source, 0, "the map has no cells");
   WorldParts parts;
   parts.source = std::move(source);
   const double width = grid.width, height = grid.height;
   parts.areas = {{{{{0, 0}, {width, 0}, {width, height}, {0, height}}, {}}, 0}};
   parts.boundary = Boundary::walled;
-  parts.solids = Outlines(grid).solids();
+  return parts;
+}
+
+WorldParts with_y_down(WorldParts parts) {
+  parts.y_down = true;
   return parts;
 }
 
 }  // namespace
 
-World world_of(const OccupancyGrid& grid, std::string source) {
-  WorldParts parts = parts_of(grid, std::move(source));
-  parts.y_down = true;
-  return World(std::move(parts));
+const std::vector<Area>& detail::Raster::solids() const {
+  std::call_once(traced_, [this] {
+    WorldParts parts;
+    parts.solids = Outlines(grid_).solids();
+    mend_rings(parts);
+    solids_ = std::move(parts.solids);
+  });
+  return solids_;
 }
+
+World::World(OccupancyGrid grid, std::string source) : World(with_y_down(bare_parts(grid, std::move(source)))) {
+  raster_ = std::make_shared<const detail::Raster>(std::move(grid));
+}
+
+World world_of(OccupancyGrid grid, std::string source) { return World(std::move(grid), std::move(source)); }
 
 WorldParts parts_of(const OccupancyGrid& grid, const std::function<Point(std::uint32_t, std::uint32_t)>& corner,
                     std::string source) {
-  WorldParts parts = parts_of(grid, std::move(source));
+  WorldParts parts = bare_parts(grid, std::move(source));
+  parts.solids = Outlines(grid).solids();
   const auto place = [&](Ring& ring) {
     for (Point& p : ring) p = corner(static_cast<std::uint32_t>(p.x), static_cast<std::uint32_t>(p.y));
   };

@@ -47,7 +47,7 @@ bool is_as_written(const FreeSpace& space, const Constraint& c) {
 
 }  // namespace
 
-double rounding_bound(const FreeSpace& space) { return kRoundings * space.report().displacement; }
+double rounding_bound(const FreeSpace& space) { return kRoundings * space.displacement(); }
 
 double path_bound(const FreeSpace& space) {
   const Footprint& robot = space.footprint();

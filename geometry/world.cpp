@@ -8,6 +8,7 @@
 #include <taut/geometry/detail/coordinate_gate.h>
 #include <taut/geometry/detail/implied_area.h>
 #include <taut/geometry/detail/outline.h>
+#include <taut/geometry/detail/raster.h>
 #include <taut/geometry/detail/room_cut.h>
 #include <taut/geometry/mend_rings.h>
 #include <taut/geometry/text.h>
@@ -103,8 +104,12 @@ void World::find_openings() {
   openings_ = detail::open_pieces(detail::outline(parts_.areas), parts_.walls, parts_.areas.size() > 1);
 }
 
+const std::vector<Area>& World::solids() const { return raster_ ? raster_->solids() : parts_.solids; }
+const OccupancyGrid* World::raster() const { return raster_ ? &raster_->grid() : nullptr; }
+
 WorldParts World::parts() const {
   WorldParts parts = parts_;
+  if (raster_) parts.solids = raster_->solids();
   if (implied_area_) parts.areas.clear();
   return parts;
 }

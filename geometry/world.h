@@ -12,6 +12,11 @@
 
 namespace taut {
 
+struct OccupancyGrid;
+namespace detail {
+class Raster;
+}
+
 /// A straight wall. With thickness t > 0 it is the rectangle around the segment, t wide, reaching t/2 past both ends
 /// (so walls that share an end point leave no gap); a zero-length wall with t > 0 is an axis-parallel t x t post.
 /// With t = 0 it is the segment itself: a path may touch it, run along it and turn around its free end.
@@ -81,15 +86,22 @@ class World {
   static constexpr double kSmallest = 1e-75;
 
   explicit World(WorldParts parts);
+  /// What world_of(grid) makes (occupancy_world.h).
+  World(OccupancyGrid grid, std::string source);
 
   const std::string& source() const { return parts_.source; }
   const std::vector<Area>& areas() const { return parts_.areas; }
   Boundary boundary() const { return parts_.boundary; }
   const std::vector<Wall>& walls() const { return parts_.walls; }
-  const std::vector<Area>& solids() const { return parts_.solids; }
+  /// Of a raster they are traced when they are first asked for.
+  const std::vector<Area>& solids() const;
   const std::optional<Point>& start() const { return parts_.start; }
   const Goal& goal() const { return parts_.goal; }
   const std::shared_ptr<const GridMaze>& grid() const { return parts_.grid; }
+
+  /// The grid map that this is, cell (column, row) the box [column, column + 1] x [row, row + 1], with nothing else in
+  /// it; nullptr: it came from elsewhere.
+  const OccupancyGrid* raster() const;
 
   bool y_down() const { return parts_.y_down; }
   double uncertainty() const { return parts_.uncertainty; }
@@ -115,6 +127,7 @@ class World {
   void find_openings();
 
   WorldParts parts_;
+  std::shared_ptr<const detail::Raster> raster_;  // instead of parts_.solids
   Box box_;
   std::vector<Segment> openings_;
   std::size_t dropped_walls_ = 0;

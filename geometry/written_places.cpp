@@ -48,8 +48,8 @@ std::vector<Box> boxes_around(const std::vector<Segment>& sides) {
 struct WrittenPlaces::Impl {
   explicit Impl(const FreeSpace& s)
       : space(s),
-        sides(s.report().displacement > 0 && s.footprint().kind() == Footprint::Kind::point ? bending_sides(s.world())
-                                                                                            : std::vector<Segment>{}),
+        sides(s.displacement() > 0 && s.footprint().kind() == Footprint::Kind::point ? bending_sides(s.world())
+                                                                                     : std::vector<Segment>{}),
         index(boxes_around(sides)) {}
 
   FreeSpace space;

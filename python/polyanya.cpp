@@ -66,7 +66,7 @@ std::optional<FoundPath> one(const World& world, const std::optional<Point>& sta
   const Goal to = goal_of_query(world, goal);
   const py::gil_scoped_release unlocked;
   const FreeSpace space = about(world.source(), [&] { return FreeSpace(world.with_ends(from, to.point), footprint); });
-  return Asker(Polyanya(space, navmesh_between(space, from, to))).find(from, to);
+  return Asker(Polyanya::between(space, from, to)).find(from, to);
 }
 
 std::optional<FoundPath> one_in_space(const FreeSpace& space, const std::optional<Point>& start, const Goal& goal) {

@@ -33,12 +33,13 @@ struct Gate {
 ///     runs along it and it lies on one of World::openings() or, in a Boundary::open world, on the outline: the centre
 ///     may stand on it, not cross it, and the disc may stick out.
 ///  2. A gate is a pair of points, nearest to each other, of two pieces of wall (`width`: their distance), or of a
-///     piece of wall and an opening (`width`: twice the distance: there the centre has to squeeze through). The closed
-///     disc that has the pair as diameter touches no further wall. Of several equally near pairs (parallel pieces) one
-///     is taken. Openings hide nothing.
+///     piece of wall and an opening (`width`: twice the distance: there the centre has to squeeze through). Between
+///     walls, the closed disc that has the pair as diameter touches no further wall; to an opening, no wall is nearer
+///     to the place on the opening. Of several equally near pairs (parallel pieces) one is taken. Openings hide
+///     nothing.
 ///  3. They suffice: a disc of radius r gets from s to g, both places for it, iff no closed chain of touching
 ///     constraints and gates with width < 2r separates s from g. Width 2r passes: a disc may touch on both sides.
-///  4. Gates between walls are O(n) and do not cross each other; those to openings may.
+///  4. Gates are O(n) between walls, and none crosses another. They may cross openings.
 ///  5. Exact: what is a gate, and how widths compare. Coordinates and widths in the struct are rounded.
 ///  6. Ordered by width, then (end, foot, facing). Same space, same gates.
 ///

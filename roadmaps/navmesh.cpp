@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <taut/geometry/written.h>
+#include <taut/roadmaps/detail/navmesh_bends.h>
 #include <taut/roadmaps/detail/navmesh_blocks.h>
 #include <taut/roadmaps/detail/navmesh_triangles.h>
 
@@ -54,7 +55,7 @@ class Merging {
     for (std::uint32_t s = 0; s < sides_.size(); ++s)
       if (corner_of_[s] != kNone && sides_[s].across != kNone)
         mesh.corners[corner_of_[s]].across = corner_of_[sides_[s].across];
-    bound_bends(mesh);
+    detail::bound_bends(mesh);
     detail::find_blocks(mesh);
     return mesh;
   }
@@ -143,16 +144,6 @@ class Merging {
       mesh.bends.push_back({tri_.points[sector.right], tri_.points[sector.left], kNone, kNone, at});
     }
     return bend_of_[at];
-  }
-
-  static void bound_bends(Navmesh& mesh) {
-    for (std::uint32_t p = 0; p < mesh.polygon_count(); ++p)
-      for (std::uint32_t c = mesh.first[p], before = mesh.first[p + 1] - 1; c < mesh.first[p + 1]; before = c++) {
-        if (mesh.corners[c].bend == kNone) continue;
-        Navmesh::Bend& bend = mesh.bends[mesh.corners[c].bend];
-        if (mesh.corners[c].across == kNone) bend.right_corner = c;
-        if (mesh.corners[before].across == kNone) bend.left_corner = c;
-      }
   }
 
   const Tri& tri_;

@@ -6,24 +6,13 @@
 
 #include <taut/geometry/free_space.h>
 #include <taut/roadmaps/roadmap.h>
+#include <taut/roadmaps/visibility_rows.h>
 
 namespace taut {
 
-/// Which vertices and edges there are. Both kinds hold all shortest paths.
-enum class VisibilityKind {
-  /// Vertices: the sectors of all triangulation vertices on constraints (see Triangulation). Edges: all pairs that a
-  /// path can join in a straight line, touching and running along obstacles allowed. The textbook graph. O(n^2) edges.
-  full,
-  /// Vertices: the reflex sectors, the only places where a shortest path bends. Edges: the tangent (taut) ones among
-  /// the full graph's: obstacles at either end lie on one side of the line; and no other reflex sector that the edge
-  /// grazes lies between its ends (the shorter edges are there instead). All shortest paths between bends survive.
-  reduced,
-};
-
 /// A visibility graph and how a point joins it.
 ///
-/// Built by triangular expansion (Bungiu, Hemmer, Hershberger, Huang, Kröller: "Efficient computation of visibility
-/// polygons", 2014) from every vertex, exact, int64 on lattices. O(sum over vertices of the triangles seen).
+/// Built of VisibilityRows. O(sum over vertices of the triangles seen); 12 bytes an edge while it is built.
 class VisibilityGraph {
  public:
   /// By `jobs` threads, the calling one among them (each_in_parallel); the graph is the same for any number.
@@ -37,9 +26,9 @@ class VisibilityGraph {
   const Roadmap& roadmap() const { return roadmap_; }
 
   /// The sector of the triangulation that a roadmap vertex stands for.
-  std::uint32_t sector(Roadmap::Vertex v) const { return sectors_[v]; }
+  std::uint32_t sector(Roadmap::Vertex v) const { return vertices_.sectors[v]; }
   /// The roadmap vertex of a sector, kNone when it has none.
-  Roadmap::Vertex vertex_of_sector(std::uint32_t sector) const { return vertex_of_sector_[sector]; }
+  Roadmap::Vertex vertex_of_sector(std::uint32_t sector) const { return vertices_.vertex_of_sector[sector]; }
 
   /// The vertices that a path can join to p in a straight line, tangent at the vertex when the graph is reduced;
   /// ascending. Of a point on a constraint: those on all its free sides. Of a vertex: of all its sectors; the vertex'
@@ -49,13 +38,12 @@ class VisibilityGraph {
   std::vector<Roadmap::Vertex> visible_from(Point p, std::optional<Point> towards = std::nullopt) const;
 
  private:
-  void number_sectors();
+  VisibilityGraph(const VisibilityRows& rows, VisibilityKind kind, unsigned jobs);
 
   FreeSpace space_;
   VisibilityKind kind_;
+  VisibilityVertices vertices_;
   Roadmap roadmap_;
-  std::vector<std::uint32_t> sectors_;
-  std::vector<Roadmap::Vertex> vertex_of_sector_;
   std::vector<bool> bends_;  // by triangulation vertex: does it have a reflex sector?
 };
 

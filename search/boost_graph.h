@@ -1,6 +1,6 @@
 // A Roadmap as a Boost.Graph, for users who run their own algorithms on it. Optional: this header includes Boost.
 //
-//  1. taut::Roadmap models VertexListGraph, IncidenceGraph and AdjacencyGraph (bidirectional in fact: every edge is
+//  1. taut::Roadmap models VertexListGraph, EdgeListGraph, IncidenceGraph and AdjacencyGraph (bidirectional in fact: every edge is
 //     listed from both ends, so the graph is directed for Boost, with two edges a leg). Nothing is copied.
 //  2. A vertex is its index; get(boost::vertex_index, roadmap) is the identity.
 //  3. get(boost::edge_weight, roadmap) is the leg's length as a double, to within an ulp, computed when it is read.
@@ -12,6 +12,7 @@
 #include <boost/graph/graph_traits.hpp>
 #include <boost/graph/properties.hpp>
 #include <boost/iterator/counting_iterator.hpp>
+#include <boost/iterator/iterator_facade.hpp>
 #include <boost/iterator/transform_iterator.hpp>
 #include <boost/property_map/property_map.hpp>
 
@@ -31,6 +32,34 @@ struct RoadmapEdge {
 struct RoadmapEdgeFrom {
   Roadmap::Vertex from = 0;
   RoadmapEdge operator()(Roadmap::Vertex to) const { return {from, to}; }
+};
+
+/// All edges, row by row.
+class RoadmapEdgeIterator
+    : public boost::iterator_facade<RoadmapEdgeIterator, RoadmapEdge, boost::forward_traversal_tag, RoadmapEdge> {
+ public:
+  RoadmapEdgeIterator() = default;
+  RoadmapEdgeIterator(const Roadmap& roadmap, std::size_t row) : roadmap_(&roadmap), row_(row) { skip_empty_rows(); }
+
+ private:
+  friend class boost::iterator_core_access;
+
+  auto neighbours() const { return roadmap_->neighbours(static_cast<Roadmap::Vertex>(row_)); }
+  RoadmapEdge dereference() const { return {static_cast<Roadmap::Vertex>(row_), neighbours()[place_]}; }
+  bool equal(const RoadmapEdgeIterator& other) const { return row_ == other.row_ && place_ == other.place_; }
+  void increment() {
+    if (++place_ < neighbours().size()) return;
+    place_ = 0;
+    ++row_;
+    skip_empty_rows();
+  }
+  void skip_empty_rows() {
+    while (row_ < roadmap_->vertex_count() && neighbours().empty()) ++row_;
+  }
+
+  const Roadmap* roadmap_ = nullptr;
+  std::size_t row_ = 0;
+  std::size_t place_ = 0;
 };
 
 /// edge -> length. The roadmap must outlive it.
@@ -53,7 +82,7 @@ namespace boost {
 
 template <>
 struct graph_traits<taut::Roadmap> {
-  struct traversal_category : vertex_list_graph_tag, incidence_graph_tag, adjacency_graph_tag {};
+  struct traversal_category : vertex_list_graph_tag, edge_list_graph_tag, incidence_graph_tag, adjacency_graph_tag {};
   using directed_category = directed_tag;
   using edge_parallel_category = disallow_parallel_edge_tag;
   using vertex_descriptor = taut::Roadmap::Vertex;
@@ -62,6 +91,7 @@ struct graph_traits<taut::Roadmap> {
   using adjacency_iterator = const vertex_descriptor*;
   using out_edge_iterator =
       transform_iterator<taut::RoadmapEdgeFrom, const vertex_descriptor*, edge_descriptor, edge_descriptor>;
+  using edge_iterator = taut::RoadmapEdgeIterator;
   using vertices_size_type = std::size_t;
   using edges_size_type = std::size_t;
   using degree_size_type = std::size_t;
@@ -103,6 +133,11 @@ inline auto out_edges(Roadmap::Vertex v, const Roadmap& g) {
   return std::pair(Iterator(row.data(), {v}), Iterator(row.data() + row.size(), {v}));
 }
 inline std::size_t out_degree(Roadmap::Vertex v, const Roadmap& g) { return g.neighbours(v).size(); }
+inline auto edges(const Roadmap& g) {
+  return std::pair(RoadmapEdgeIterator(g, 0), RoadmapEdgeIterator(g, g.vertex_count()));
+}
+inline std::size_t num_edges(const Roadmap& g) { return 2 * g.edge_count(); }
+
 inline Roadmap::Vertex source(const RoadmapEdge& e, const Roadmap&) { return e.from; }
 inline Roadmap::Vertex target(const RoadmapEdge& e, const Roadmap&) { return e.to; }
 

@@ -5,19 +5,16 @@
 
 #include <taut/geometry/segment_distance.h>
 #include <taut/roadmaps/exact/exact_gates.h>
+#include <taut/search/detail/disc_ends.h>
 #include <taut/search/detail/gate_parity.h>
 
 namespace taut {
 
 namespace {
 
-/// |p - c|^2, exactly.
-mpq_class squared_distance(Point p, const Segment& c) {
-  if (const auto shape = gate_to_inside(p, c)) return squared_width(*shape);
-  const bool to_a = dot_sign(c.a, c.b, p) <= 0;
-  const Point end = to_a ? c.a : c.b;
-  return squared_width({p, {end, end}});
-}
+using detail::root_below;
+using detail::share_component;
+using detail::squared_distance;
 
 /// The nearest wall to a point; the lowest index among equals.
 struct NearestWall {
@@ -63,38 +60,6 @@ std::optional<std::vector<BarrierPiece>> blocked_at(const Gates& gates, Point p,
 std::uint32_t count_narrower(const Gates& gates, const mpq_class& squared) {
   const auto& widths = gates.exact().squared;
   return static_cast<std::uint32_t>(std::lower_bound(widths.begin(), widths.end(), squared) - widths.begin());
-}
-
-/// The largest double r with r^2 <= squared.
-double root_below(const mpq_class& squared) {
-  const auto fits = [&](double r) {
-    const mpq_class exact = meaning(r);
-    return exact * exact <= squared;
-  };
-  double r = std::sqrt(squared.get_d());
-  while (!fits(r)) r = std::nextafter(r, 0.0);
-  for (double next = r; fits(next = std::nextafter(r, HUGE_VAL));) r = next;
-  return r;
-}
-
-/// The components of free space that p touches: on a wall several.
-std::vector<std::uint32_t> components_at(const FreeSpace& space, Point p) {
-  const Triangulation& tri = space.triangulation();
-  const Location at = space.locate(p);
-  std::vector<std::uint32_t> touched{space.component(at.triangle)};
-  if (at.kind == Location::Kind::side) {
-    const std::uint32_t other = tri.neighbours[at.triangle][at.index];
-    if (other != kNone && tri.free[other]) touched.push_back(space.component(other));
-  }
-  if (at.kind == Location::Kind::vertex)
-    for (const auto& sector : tri.sectors_at(tri.triangles[at.triangle][at.index]))
-      touched.push_back(space.component(sector.triangle));
-  return touched;
-}
-
-bool share_component(const FreeSpace& space, Point s, Point g) {
-  const auto at_s = components_at(space, s), at_g = components_at(space, g);
-  return std::find_first_of(at_s.begin(), at_s.end(), at_g.begin(), at_g.end()) != at_s.end();
 }
 
 /// What the ends allow, and the gates that matter below that.

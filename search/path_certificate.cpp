@@ -155,10 +155,27 @@ void keep_one_a_place(std::vector<std::array<Int, 3>>& rows) {
   rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());
 }
 
-std::vector<Place> bends_of(const std::vector<Point>& points, const LatticeIntegers& integers) {
+constexpr int kFiner = 20;
+
+/// By how many halvings of the unit the path's points are near enough to multiples of it: 0 where they are multiples.
+int halvings(const std::vector<Point>& points, const LatticeIntegers& integers, const Box& box) {
+  if (std::all_of(points.begin(), points.end(), [&](Point p) { return integers.place(p).has_value(); })) return 0;
+  double largest = 1;
+  for (const double v : {box.min.x, box.min.y, box.max.x, box.max.y}) largest = std::max(largest, std::abs(v));
+  int finer = 0;
+  while (finer < kFiner && std::ldexp(largest * integers.per_one(), finer + 1) < LatticeIntegers::kLargest) ++finer;
+  return finer;
+}
+
+/// The path by its ends and bends, in the unit halved so often; rounded where it has to be.
+std::vector<Place> bends_of(const std::vector<Point>& points, const LatticeIntegers& integers, int finer) {
+  const auto whole = [&](double v) {
+    return static_cast<Int>(std::llround(std::ldexp(static_cast<long double>(v) * integers.per_one(), finer)));
+  };
   std::vector<Place> bends;
   for (const Point p : points) {
-    const Place q = integers.place(p).value_or(Place{});
+    const auto place = integers.place(p);
+    const Place q = place ? Place{(*place)[0] << finer, (*place)[1] << finer} : Place{whole(p.x), whole(p.y)};
     if (!bends.empty() && bends.back() == q) continue;
     while (bends.size() > 1) {
       const Place a = bends[bends.size() - 2], b = bends.back();
@@ -181,14 +198,17 @@ std::optional<PathCertificate> shortest_certificate(const VisibilityGraph& graph
   const LatticeIntegers integers(world, ends);
   const Net net(graph, integers, ends[0], ends[1]);
   if (!net.is_exact()) return std::nullopt;
-  PathCertificate certificate{.scale = integers.scale(), .is_found = true, .path = bends_of(path.points, integers)};
-  certificate.fraction_bits = fraction_bits(world.box(), integers, path.length.value());
-  const Distances distances(net, certificate.fraction_bits);
+  const int bits = fraction_bits(world.box(), integers, path.length.value());
+  const int finer = std::min(bits, halvings(path.points, integers, world.box()));
+  PathCertificate certificate{.scale = integers.scale() << finer, .is_found = true};
+  certificate.path = bends_of(path.points, integers, finer);
+  certificate.fraction_bits = bits - finer;
+  const Distances distances(net, bits);
   certificate.horizon = distances.horizon();
   for (Vertex v = 0; v < net.size(); ++v) {
     const Place p = net.place(v);
     const bool at_end = v < net.start() && (p == net.place(net.start()) || p == net.place(net.goal()));
-    if (!at_end && distances.lists(v)) certificate.potentials.push_back({p[0], p[1], distances[v]});
+    if (!at_end && distances.lists(v)) certificate.potentials.push_back({p[0] << finer, p[1] << finer, distances[v]});
   }
   keep_one_a_place(certificate.potentials);
   return certificate;

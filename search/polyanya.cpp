@@ -6,7 +6,9 @@
 #include <optional>
 #include <utility>
 
+#include <taut/geometry/expects.h>
 #include <taut/geometry/written.h>
+#include <taut/roadmaps/cell_navmesh.h>
 #include <taut/search/detail/bend_search.h>
 #include <taut/search/detail/landmarks.h>
 #include <taut/search/detail/polyanya_engine.h>
@@ -73,12 +75,6 @@ class PolygonsAt {
   const Navmesh& mesh_;
 };
 
-Location place_of(const FreeSpace& space, Point p, const char* role) {
-  const Location at = space.locate(p);
-  if (at.kind == Location::Kind::outside) require_free(space, p, role);
-  return at;
-}
-
 }  // namespace
 
 Polyanya::Polyanya(FreeSpace space)
@@ -89,6 +85,16 @@ Polyanya::Polyanya(FreeSpace space)
 Polyanya::Polyanya(FreeSpace space, Navmesh mesh)
     : space_(std::move(space)), mesh_(std::make_shared<const Navmesh>(std::move(mesh))) {}
 
+Polyanya::Polyanya(FreeSpace space, CellNavmesh mesh)
+    : space_(std::move(space)),
+      mesh_(std::make_shared<const Navmesh>(std::move(mesh.mesh))),
+      cells_(std::make_shared<const CellPolygons>(std::move(mesh.polygons))) {}
+
+Polyanya Polyanya::between(const FreeSpace& space, Point from, const Goal& to) {
+  if (const CellPlan* plan = space.cells()) return {space, cell_navmesh_between(*plan, from, to)};
+  return {space, navmesh_between(space, from, to)};
+}
+
 Polyanya Polyanya::with_landmarks(std::size_t count) const {
   Polyanya made = *this;
   made.landmarks_ = std::make_shared<const detail::Landmarks>(space_, *mesh_, count);
@@ -96,6 +102,7 @@ Polyanya Polyanya::with_landmarks(std::size_t count) const {
 }
 
 Polyanya Polyanya::with_graph(unsigned jobs) const {
+  TAUT_EXPECTS(!cells_);
   Polyanya made = *this;
   made.bends_ = std::make_shared<const detail::BendGraph>(space_, *mesh_, jobs);
   return made;
@@ -103,10 +110,8 @@ Polyanya Polyanya::with_graph(unsigned jobs) const {
 
 struct PolyanyaSearch::Impl {
   explicit Impl(Polyanya what)
-      : polyanya(std::move(what)),
-        space(polyanya.space()),
-        engine(polyanya.mesh(), polyanya.landmarks_.get()),
-        polygons_at(space, polyanya.mesh()) {
+      : polyanya(std::move(what)), space(polyanya.space()), engine(polyanya.mesh(), polyanya.landmarks_.get()) {
+    if (!polyanya.cells_) polygons_at.emplace(space, polyanya.mesh());
     if (polyanya.sleeves_) sleeve.emplace(space.triangulation(), *polyanya.sleeves_);
     if (polyanya.bends_) bends.emplace(*polyanya.bends_, polyanya.mesh(), polyanya.landmarks_.get());
   }
@@ -154,28 +159,42 @@ struct PolyanyaSearch::Impl {
     return status;
   }
 
+  /// The polygons that hold a place; with a role it has to be one.
+  void place(Point p, const char* role, std::optional<Point> towards, std::vector<std::uint32_t>& polygons) const {
+    if (polygons_at) {
+      const Location at = space.locate(p);
+      if (role && at.kind == Location::Kind::outside) require_free(space, p, role);
+      (*polygons_at)(p, at, towards, polygons);
+    } else {
+      if (role && !space.holds(p)) require_free(space, p, role);
+      polyanya.cells_->around(*space.cells(), p, towards, polygons);
+    }
+  }
+
   void place_start(Point from) {
-    polygons_at(from, place_of(space, from, "start"), std::nullopt, starts);
+    place(from, "start", std::nullopt, starts);
     goal_count = 0;
   }
 
-  void add_goal(Point p, const Location& at, std::optional<Point> towards = std::nullopt) {
+  void add_goal(Point p, const char* role = nullptr, std::optional<Point> towards = std::nullopt) {
     if (goal_count == goals.size()) goals.emplace_back();
     detail::MeshGoal& goal_place = goals[goal_count++];
     goal_place.point = p;
-    polygons_at(p, at, towards, goal_place.polygons);
+    place(p, role, towards, goal_place.polygons);
   }
 
   SearchStatus find_room(Point from, const std::vector<Box>& room, const SearchLimits& limits) {
     place_start(from);
     for (const detail::RoomEntry& entry : detail::room_entries(space, room))
-      add_goal(entry.point, space.locate(entry.point), entry.inside);
+      add_goal(entry.point, nullptr, entry.inside);
     const std::vector<detail::RoomSide> sides = detail::room_sides(room);
     return search(from, true, true, limits, [&](Point p, std::uint32_t root) {
       for (const detail::RoomSide& side : sides) {
         const auto foot = side.foot(p);
         if (!foot || !engine.may_improve(root, std::max(std::abs(foot->x - p.x), std::abs(foot->y - p.y)))) continue;
-        if (space.locate(*foot).kind != Location::Kind::outside && space.sees(*foot, p, side.inside))
+        // The last leg begins in the sector that the path turns in and ends where the room does: of walls through a room
+        // a foot can be seen on the wrong side.
+        if (space.holds(*foot) && space.sees(*foot, p, side.inside) && space.sees(p, *foot, engine.beyond(root)))
           engine.add_way(root, *foot);
       }
     });
@@ -184,7 +203,7 @@ struct PolyanyaSearch::Impl {
   Polyanya polyanya;
   const FreeSpace& space;
   detail::PolyanyaEngine engine;
-  PolygonsAt polygons_at;
+  std::optional<PolygonsAt> polygons_at;  // of triangles
 
   std::vector<std::uint32_t> starts;
   std::vector<detail::MeshGoal> goals;  // the first goal_count; the others keep their memory
@@ -206,7 +225,7 @@ PolyanyaSearch::~PolyanyaSearch() = default;
 
 SearchStatus PolyanyaSearch::find(Point from, Point to, const SearchLimits& limits) {
   impl_->place_start(from);
-  impl_->add_goal(to, place_of(impl_->space, to, "goal"));
+  impl_->add_goal(to, "goal");
   return impl_->find_point(from, to, limits);
 }
 
@@ -214,7 +233,7 @@ SearchStatus PolyanyaSearch::find(Point from, const Goal& to, const SearchLimits
   if (to.point) return find(from, *to.point, limits);
   if (const auto here = detail::answer_at_start(impl_->space, from, to)) {
     impl_->place_start(from);
-    impl_->add_goal(from, impl_->space.locate(from));
+    impl_->add_goal(from);
     return impl_->search_for(from, true, {});
   }
   return impl_->find_room(from, to.room, limits);
@@ -222,7 +241,7 @@ SearchStatus PolyanyaSearch::find(Point from, const Goal& to, const SearchLimits
 
 SearchStatus PolyanyaSearch::find_nearest(Point from, std::span<const Point> goals, const SearchLimits& limits) {
   impl_->place_start(from);
-  for (const Point p : goals) impl_->add_goal(p, impl_->space.locate(p));
+  for (const Point p : goals) impl_->add_goal(p);
   return impl_->search_for(from, true, limits);
 }
 
@@ -253,7 +272,7 @@ GraphSearchResult PolyanyaSearch::result() const {
 
 std::vector<std::optional<Path>> PolyanyaSearch::find_each(Point from, std::span<const Point> goals) {
   impl_->place_start(from);
-  for (const Point p : goals) impl_->add_goal(p, impl_->space.locate(p));
+  for (const Point p : goals) impl_->add_goal(p);
   impl_->search_for(from, false, {});
   std::vector<std::optional<Path>> paths(goals.size());
   for (std::size_t i = 0; i < goals.size(); ++i) {

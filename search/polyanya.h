@@ -13,6 +13,9 @@
 
 namespace taut {
 
+struct CellNavmesh;
+class CellPolygons;
+
 namespace detail {
 struct BendGraph;
 class Landmarks;
@@ -30,6 +33,10 @@ class Polyanya {
   /// On a mesh of the same space. With one of navmesh_between only the ends that it was made for may be asked.
   Polyanya(FreeSpace space, Navmesh mesh);
 
+  /// For these ends only: on the cells of the space, which then needs no triangles (cell_navmesh_between), or else on
+  /// navmesh_between. The quickest way to a single path.
+  static Polyanya between(const FreeSpace& space, Point from, const Goal& to);
+
   const FreeSpace& space() const { return space_; }
   const Navmesh& mesh() const { return *mesh_; }
 
@@ -42,15 +49,18 @@ class Polyanya {
   /// The same with the reduced visibility graph of the space, for thousands of queries: searches from point to point
   /// then go from bend to bend, along legs that turn around obstacles. With landmarks as well each looks at little more
   /// than its path. Lengths stay the same, exactly. Takes what VisibilityGraph takes, by that many threads; 64 bytes an
-  /// edge.
+  /// edge. Precondition: not made by between().
   Polyanya with_graph(unsigned jobs = 1) const;
   bool has_graph() const { return bends_ != nullptr; }
 
  private:
   friend class PolyanyaSearch;
 
+  Polyanya(FreeSpace space, CellNavmesh mesh);
+
   FreeSpace space_;
   std::shared_ptr<const Navmesh> mesh_;
+  std::shared_ptr<const CellPolygons> cells_;       // where the mesh is made of cells
   std::shared_ptr<const detail::Sleeves> sleeves_;  // of a mesh that is made for many queries
   std::shared_ptr<const detail::Landmarks> landmarks_;
   std::shared_ptr<const detail::BendGraph> bends_;

@@ -29,7 +29,7 @@ void require_free(const FreeSpace& space, Point p, std::string_view role) {
   if (is_small(p.x) || is_small(p.y))
     throw InputError(world.source(), 0,
                      fmt::format("{} ({}, {}) has a coordinate nearer to 0 than {}", role, p.x, p.y, World::kSmallest));
-  if (space.locate(p).kind != Location::Kind::outside) return;
+  if (space.holds(p)) return;
   throw InputError(world.source(), 0, blocked_text(world, p, role, nearest_free(space, p)));
 }
 

@@ -42,7 +42,11 @@ RoadmapKind visibility(const char* name, const char* title, const char* what, Vi
             return planned(std::make_shared<const VisibilityGraph>(space, kind, request.jobs), search_visibility,
                            visibility_query);
           },
-          RoadmapKind::Keeping::rebuilt};
+          RoadmapKind::Keeping::rebuilt,
+          false,
+          true,
+          false,
+          kind};
 }
 
 /// The textbook's way to the full one: the reference that the fast one agrees with, edge for edge.
@@ -154,7 +158,7 @@ RoadmapKind polyanya() {
           false,
           [](const FreeSpace& space, const BuildRequest& request) {
             const auto search = std::make_shared<PolyanyaSearch>(
-                Polyanya(space, request.from ? navmesh_between(space, *request.from, request.to) : navmesh(space)));
+                request.from ? Polyanya::between(space, *request.from, request.to) : Polyanya(space, navmesh(space)));
             return PlannedRoadmap{std::make_shared<const Roadmap>(), [search](Point from, const Goal& to, GraphMethod) {
                                     search->find(from, to);
                                     return search->result();

@@ -10,6 +10,7 @@
 
 #include <taut/geometry/free_space.h>
 #include <taut/roadmaps/roadmap.h>
+#include <taut/roadmaps/visibility_rows.h>
 #include <taut/roadmaps/voronoi.h>
 #include <taut/search/graph_search.h>
 #include <taut/search/prm_request.h>
@@ -58,6 +59,8 @@ struct RoadmapKind {
   bool is_prm = false;   ///< heeds BuildRequest::prm
   bool graph = true;     ///< does it make a graph at all, to be shown and saved?
   bool samples = false;  ///< are its vertices milestones, some of them perhaps joined to nothing?
+  /// Its edges can be found one by one (VisibilityRows), without keeping them
+  std::optional<VisibilityKind> rows{};
 };
 
 /// Legs that stand for an arc leave it by at most this part of the mean width of a corridor.

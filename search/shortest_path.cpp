@@ -16,6 +16,20 @@ GraphQuery to_point(const VisibilityGraph& graph, Point from, Point to) {
   return query;
 }
 
+/// A place in the direction of the inside of a reflex sector.
+Point beyond(const Triangulation& tri, const Triangulation::Sector& sector) {
+  const Point at = tri.points[sector.vertex], right = tri.points[sector.right], left = tri.points[sector.left];
+  return {3 * at.x - right.x - left.x, 3 * at.y - right.y - left.y};
+}
+
+/// Of a last leg from a vertex of the graph into a room: the last bend is a reflex sector, and the leg begins in it. Of
+/// walls through a room a foot can be seen on their other side.
+bool begins_in_sector(const VisibilityGraph& graph, Roadmap::Vertex v, Point p, Point foot) {
+  const Triangulation& tri = graph.space().triangulation();
+  const Triangulation::Sector& sector = tri.sectors[graph.sector(v)];
+  return sector.reflex && !sector.full && graph.space().sees(p, foot, beyond(tri, sector));
+}
+
 /// One terminal for each place where a shortest path can enter the room.
 GraphQuery to_room(const VisibilityGraph& graph, Point from, const std::vector<Box>& room) {
   const FreeSpace& space = graph.space();
@@ -28,6 +42,7 @@ GraphQuery to_room(const VisibilityGraph& graph, Point from, const std::vector<B
     const auto add_foot = [&](Point p, Roadmap::Vertex v) {
       const auto foot = side.foot(p);
       if (!foot || space.locate(*foot).kind == Location::Kind::outside || !space.sees(*foot, p, side.inside)) return;
+      if (v != kNone && !begins_in_sector(graph, v, p, *foot)) return;
       if (v == kNone) query.direct.push_back(query.goals.size());
       query.goals.push_back({*foot, v == kNone ? std::vector<Roadmap::Vertex>{} : std::vector{v}});
     };
@@ -55,7 +70,7 @@ GraphSearchResult shortest_path(const VisibilityGraph& graph, Point from, const 
 }
 
 std::optional<Path> shortest_path(const FreeSpace& space, Point from, const Goal& to) {
-  GraphSearchResult result = shortest_path(Polyanya(space, navmesh_between(space, from, to)), from, to);
+  GraphSearchResult result = shortest_path(Polyanya::between(space, from, to), from, to);
   if (result.status != SearchStatus::found) return std::nullopt;
   return std::move(result.path);
 }

@@ -2,39 +2,45 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include <taut/geometry/box.h>
+#include <taut/geometry/cell_plan.h>
 #include <taut/geometry/contact.h>
 #include <taut/geometry/text.h>
 #include <taut/geometry/written.h>
-#include <taut/search/detail/leg_contacts.h>
+#include <taut/search/detail/met_pieces.h>
 
 namespace taut {
 
 namespace {
 
-using detail::LegContacts;
+using detail::AllPieces;
+using detail::Pieces;
+using detail::PiecesAlong;
 
 std::string named(const Constraint& c) {
   return (c.is_wall() ? "the wall " : "the outline ") + text(c.a) + " to " + text(c.b);
 }
 
+/// Where the leg crosses the constraint, as a part of the leg. Precondition: it does.
+double crossing(const Segment& leg, const Constraint& c) {
+  const double dx = leg.b.x - leg.a.x, dy = leg.b.y - leg.a.y, ex = c.b.x - c.a.x, ey = c.b.y - c.a.y;
+  const double part = ((c.a.x - leg.a.x) * ey - (c.a.y - leg.a.y) * ex) / (dx * ey - dy * ex);
+  return std::isfinite(part) ? std::clamp(part, 0.0, 1.0) : 0.0;
+}
+
+Point point_on(const Segment& leg, double part) {
+  return {leg.a.x + part * (leg.b.x - leg.a.x), leg.a.y + part * (leg.b.y - leg.a.y)};
+}
+
 bool readable(Point p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::abs(p.x) <= World::kLargest &&
          std::abs(p.y) <= World::kLargest;
-}
-
-bool inside(Point p, const Polygon& polygon) {
-  if (written::side_of_ring(p, polygon.outer) < 0) return false;
-  return std::none_of(polygon.holes.begin(), polygon.holes.end(),
-                      [p](const Ring& hole) { return written::side_of_ring(p, hole) > 0; });
-}
-
-bool inside_any(Point p, const std::vector<Polygon>& polygons) {
-  return std::any_of(polygons.begin(), polygons.end(), [p](const Polygon& polygon) { return inside(p, polygon); });
 }
 
 bool lies_inside(const Box& box, Point p) {
@@ -48,16 +54,19 @@ Point middle_of(const Box& box) {
 /// One check in progress.
 class Verification {
  public:
-  Verification(const Path& path, const FreeSpace& space, const Goal& goal)
-      : path_(path), space_(space), goal_(goal), constraints_(space.constraints()) {}
+  Verification(const Path& path, const FreeSpace& space, const Goal& goal) : path_(path), space_(space), goal_(goal) {}
 
-  Verdict run(Point from) {
+  /// Against all constraints, or where there are cells against those along the path.
+  Verdict run(Point from, bool along) {
     if (!ends_stand(from)) return verdict_;
     lay_legs();
-    const detail::LegTree tree(legs_, constraints_);
-    contacts_ = tree.contacts();
+    if (along)
+      pieces_ = std::make_unique<PiecesAlong>(*space_.cells(), legs_);
+    else
+      pieces_ = std::make_unique<AllPieces>(space_, legs_);
+    const bool followed = follow();
     measure_clearance();
-    if (follow()) verdict_.valid = length_stands();
+    if (followed) verdict_.valid = length_stands();
     return verdict_;
   }
 
@@ -79,17 +88,18 @@ class Verification {
   void measure_clearance();
   bool starts_free(Sectors& sectors);
   bool follow();
-  bool follow_leg(std::size_t leg, Sectors& sectors);
-  bool enters_room(const Sectors& sectors);
+  bool follow_leg(std::size_t leg, const Pieces::Met& met, Sectors& sectors);
+  std::uint32_t first_crossed(std::size_t leg, const Pieces::Met& met);
+  void blame(const Pieces::Met& met, std::uint32_t piece) { verdict_.blocker = met.are_all ? piece : kNone; }
+  bool enters_room(const Sectors& sectors, const Pieces::Met& met);
   bool length_stands();
-  std::string obstruction(const LegPassage& passage) const;
+  static std::string obstruction(const LegPassage& passage, const Pieces::Met& met);
 
   const Path& path_;
   const FreeSpace& space_;
   const Goal& goal_;
-  const std::vector<Constraint>& constraints_;
   std::vector<Segment> legs_;
-  LegContacts contacts_;
+  std::unique_ptr<Pieces> pieces_;
   Verdict verdict_;
 };
 
@@ -121,23 +131,20 @@ void Verification::lay_legs() {
 }
 
 void Verification::measure_clearance() {
-  for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
-    const auto& touching = contacts_.touching[leg];
-    verdict_.nearest =
-        std::min({verdict_.nearest, contacts_.crossed[leg], touching.empty() ? kNone : touching.front()});
-  }
+  verdict_.nearest = pieces_->any_met();
   if (verdict_.nearest != kNone) return;
-  const auto nearest = detail::LegTree(legs_, constraints_).nearest();
+  const auto nearest = pieces_->nearest();
   verdict_.clearance = nearest.distance;
   verdict_.nearest = nearest.constraint;
 }
 
 bool Verification::starts_free(Sectors& sectors) {
   const Point start = path_.points.front();
-  sectors = star_at(start, constraints_, contacts_.touching[0]).free_sectors();
+  const Pieces::Met met = pieces_->met(0);
+  sectors = star_at(start, met.pieces, met.touching).free_sectors();
   if (sectors.empty()) return refuse(0, "the path starts at " + text(start) + ", where obstacles leave no room");
   // Everything after it is reached without crossing a constraint, so only the start is located.
-  if (!inside_any(start, space_.polygons()))
+  if (!pieces_->holds(start))
     return refuse(0, "the path starts at " + text(start) + ", inside an obstacle or outside the world");
   return true;
 }
@@ -145,24 +152,45 @@ bool Verification::starts_free(Sectors& sectors) {
 bool Verification::follow() {
   Sectors sectors;
   if (!starts_free(sectors)) return false;
+  Pieces::Met met;
   for (std::size_t leg = 0; leg < legs_.size(); ++leg)
-    if (!follow_leg(leg, sectors)) return false;
-  return enters_room(sectors);
+    if (met = pieces_->met(leg); !follow_leg(leg, met, sectors)) return false;
+  return enters_room(sectors, met);
 }
 
-bool Verification::follow_leg(std::size_t leg, Sectors& sectors) {
-  if (const auto crossed = contacts_.crossed[leg]; crossed != kNone)
-    return refuse(leg, opening(leg) + "crosses " + named(constraints_[crossed]));
-  LegPassage passage = pass(legs_[leg], sectors, constraints_, contacts_.touching[leg]);
-  if (passage.blocked) return refuse(leg, opening(leg) + obstruction(passage));
+bool Verification::follow_leg(std::size_t leg, const Pieces::Met& met, Sectors& sectors) {
+  if (met.crossed != kNone) {
+    const std::uint32_t crossed = first_crossed(leg, met);
+    blame(met, crossed);
+    return refuse(leg, opening(leg) + "crosses " + named(met.pieces[crossed]));
+  }
+  LegPassage passage = pass(legs_[leg], sectors, met.pieces, met.touching);
+  if (passage.blocked) {
+    verdict_.at = passage.at;
+    if (!passage.pieces.empty()) blame(met, passage.pieces.front());
+    return refuse(leg, opening(leg) + obstruction(passage, met));
+  }
   sectors = std::move(passage.sectors);
   return true;
 }
 
-bool Verification::enters_room(const Sectors& sectors) {
+std::uint32_t Verification::first_crossed(std::size_t leg, const Pieces::Met& met) {
+  std::uint32_t piece = met.crossed;
+  double first = HUGE_VAL;
+  for (std::uint32_t i = met.crossed; i < met.pieces.size(); ++i) {
+    if (contact(legs_[leg], met.pieces[i]) != Contact::cross) continue;
+    const double part = crossing(legs_[leg], met.pieces[i]);
+    if (part < first) piece = i;
+    first = std::min(first, part);
+  }
+  verdict_.at = point_on(legs_[leg], first);
+  return piece;
+}
+
+bool Verification::enters_room(const Sectors& sectors, const Pieces::Met& met) {
   const Point end = path_.points.back();
   if (goal_.point == end) return true;
-  const Star star = star_at(end, constraints_, contacts_.touching.back());
+  const Star star = star_at(end, met.pieces, met.touching);
   for (const Box& box : goal_.room)
     if (box.contains(end) && (lies_inside(box, end) || star.leave(sectors, middle_of(box)) != kNoSide)) return true;
   return refuse(last_leg(),
@@ -176,19 +204,25 @@ bool Verification::length_stands() {
                                 text(exact.value()));
 }
 
-std::string Verification::obstruction(const LegPassage& passage) const {
+std::string Verification::obstruction(const LegPassage& passage, const Pieces::Met& met) {
   const auto& pieces = passage.pieces;
   if (pieces.empty()) return "has no room at " + text(passage.at);
-  if (pieces.size() == 1) return "passes through " + named(constraints_[pieces[0]]) + " at " + text(passage.at);
+  if (pieces.size() == 1) return "passes through " + named(met.pieces[pieces[0]]) + " at " + text(passage.at);
   const std::string more = pieces.size() > 2 ? " and " + std::to_string(pieces.size() - 2) + " more" : "";
-  return "slips through the joint " + text(passage.at) + " of " + named(constraints_[pieces[0]]) + " and " +
-         named(constraints_[pieces[1]]) + more;
+  return "slips through the joint " + text(passage.at) + " of " + named(met.pieces[pieces[0]]) + " and " +
+         named(met.pieces[pieces[1]]) + more;
 }
 
 }  // namespace
 
 Verdict verify(const Path& path, const FreeSpace& space, Point from, const Goal& to) {
-  return Verification(path, space, to).run(from);
+  return Verification(path, space, to).run(from, false);
+}
+
+Verdict verify_along(const Path& path, const FreeSpace& space, Point from, const Goal& to) {
+  if (!space.cells()) return verify(path, space, from, to);
+  const Verdict verdict = Verification(path, space, to).run(from, true);
+  return verdict.valid ? verdict : verify(path, space, from, to);
 }
 
 }  // namespace taut

@@ -1,5 +1,7 @@
 // The check of a path that shares nothing with the planners.
 #pragma once
+
+#include <optional>
 #include <string>
 
 #include <taut/geometry/free_space.h>
@@ -11,8 +13,10 @@ namespace taut {
 struct Verdict {
   bool valid = false;
   /// Empty when valid, else one line: `leg 3, (1, 2) to (4, 2), crosses the wall (3, 0) to (3, 5)`.
-  std::string reason;
-  std::size_t leg = 0;  ///< the first offending leg, from 0
+  std::string reason{};
+  std::size_t leg = 0;            ///< the first offending leg, from 0
+  std::optional<Point> at{};      ///< where on it, to the nearest doubles, where a constraint is in the way
+  std::uint32_t blocker = kNone;  ///< that constraint, the first that the leg comes to
   /// Least distance of the path to an obstacle, to the nearest double: 0 when it touches, infinite when there is no
   /// obstacle.
   double clearance = 0;
@@ -29,5 +33,10 @@ struct Verdict {
 /// outside the world, a claimed length that is not the exact length of the points. Repeated points are allowed. O((n +
 /// k) log k + contacts).
 Verdict verify(const Path& path, const FreeSpace& space, Point from, const Goal& to);
+
+/// The same verdict without `nearest`, for a path just found. Where the space is made of cells, the constraints are read
+/// from those that each leg passes: O(cells along the path), and the space needs no triangles. A path that it refuses
+/// is put before verify(), which names what is in the way.
+Verdict verify_along(const Path& path, const FreeSpace& space, Point from, const Goal& to);
 
 }  // namespace taut

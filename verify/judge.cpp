@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <span>
 #include <sstream>
 
@@ -12,17 +12,21 @@ namespace taut::proof {
 
 namespace {
 
-using Json = nlohmann::json;
-
 constexpr Int kMost = Int{1} << 61;  // of potentials; what is unreached has INT64_MAX
 
-Int within(Int n, Int most) {
-  return -most <= n && n <= most ? n : throw BadInput("a number of the certificate is out of range");
+Int within(Int n, Int least, Int most) {
+  return least <= n && n <= most ? n : throw BadInput("a number of the certificate is out of range");
+}
+
+Wide root(Wide square) {  // rounded down
+  Wide root = static_cast<Wide>(std::sqrt(static_cast<Real>(square)));
+  while (root * root > square) --root;
+  while ((root + 1) * (root + 1) <= square) ++root;
+  return root;
 }
 
 struct Node : Corner {
-  Int low = 0, high = 0;  // of its potential, in 2^-bits of the unit
-  bool is_listed = false;
+  Int low = 0, high = 0, is_listed = false;  // of its potential, in 2^-bits of the unit
 };
 
 struct Box {  // of nodes
@@ -32,60 +36,41 @@ struct Box {  // of nodes
 
 class Potentials {
  public:
-  std::vector<Node> nodes;  // by place
+  std::map<Place, Node> nodes;
+  const int bits;
 
-  Potentials(const World& world, Place start, Place goal, int bits) : world_(world), bits_(bits) {
-    for (const Place p : {start, goal})
-      if (p.x < world.low.x || p.y < world.low.y || p.x > world.high.x || p.y > world.high.y || bits < 0 || bits > 59 ||
-          dot(world.high - world.low, world.high - world.low) >> (118 - 2 * bits) != 0)
-        throw BadInput("start, goal or fraction_bits are out of range");
-    for (const Corner& c : world.corners)
-      if (c.at != start && c.at != goal) nodes.push_back({c});
-    nodes.push_back({Corner{start}});
-    if (goal != start) nodes.push_back({Corner{goal}});
-    std::sort(nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return a.at < b.at; });
+  Potentials(const World& world, Place start, Place goal, int fraction_bits) : bits(fraction_bits), world_(world) {
+    if (bits < 0 || bits > 59 || dot(world.high - world.low, world.high - world.low) >> (118 - 2 * bits) != 0)
+      throw BadInput("fraction_bits are out of range");
+    for (const Corner& c : world.corners) nodes[c.at] = {c};
+    for (const Place p : {start, goal}) nodes[p] = {Corner{p}};
   }
 
-  Node* find(Place p) {
-    const auto node = std::lower_bound(nodes.begin(), nodes.end(), p, [](auto& n, Place q) { return n.at < q; });
-    return node != nodes.end() && node->at == p ? &*node : nullptr;
-  }
-
-  Int distance(Place p, Place q) const {  // rounded down
-    const Wide square = squared(q - p);
-    Int root = static_cast<Int>(std::sqrt(static_cast<long double>(square)));
-    while (Wide{root} * root > square) --root;
-    while (Wide{root + 1} * (root + 1) <= square) ++root;
-    return root;
-  }
+  Int distance(Place p, Place q) const { return static_cast<Int>(root(squared(q - p))); }
 
   // A leg from a listed node that a shortest path could have, while the potentials of its ends differ by more than it
   // is long. Nodes are asked about by boxes of them, a kd-tree.
-  std::optional<std::pair<Place, Place>> refutation() {
-    for (const Node& node : nodes) order_.push_back(&node);
+  std::string refutation() {
+    for (const auto& [p, node] : nodes) order_.push_back(&node);
     boxes_.resize(4 * order_.size());
     build(0, order_);
-    for (const Node& from : nodes) {
+    for (const auto& [p, from] : nodes) {
       blockers_.clear();
-      if (!from.is_listed) continue;
-      if (const Node* const to = open(from, 0, order_)) return std::pair(from.at, to->at);
+      if (const Node* const to = from.is_listed ? open(from, 0, order_) : nullptr)
+        return "nothing stops the leg " + world_.text(p) + "-" + world_.text(to->at) + ", shorter than potentials say";
     }
-    return std::nullopt;
+    return {};
   }
 
  private:
   using Run = std::span<const Node*>;
 
-  Wide squared(Place d) const { return dot(d, d) << (2 * bits_); }
+  Wide squared(Place d) const { return dot(d, d) << (2 * bits); }
 
   void build(std::size_t at, Run run) {
-    Box box{run[0]->at, run[0]->at, run[0]->low, run[0]->high};
-    for (const Node* n : run) {
-      box.min = {std::min(box.min.x, n->at.x), std::min(box.min.y, n->at.y)};
-      box.max = {std::max(box.max.x, n->at.x), std::max(box.max.y, n->at.y)};
-      box.low = std::min(box.low, n->low), box.high = std::max(box.high, n->high);
-    }
-    boxes_[at] = box;
+    Box& box = boxes_[at] = {run[0]->at, run[0]->at, run[0]->low, run[0]->high};
+    for (const Node* n : run)
+      box = {least(box.min, n->at), most(box.max, n->at), std::min(box.low, n->low), std::max(box.high, n->high)};
     if (run.size() == 1) return;
     const bool wide = box.max.x - box.min.x > box.max.y - box.min.y;
     const auto key = [wide](const Node* n) { return wide ? n->at : Place{n->at.y, n->at.x}; };
@@ -135,92 +120,119 @@ class Potentials {
   }
 
   const World& world_;
-  int bits_;
   std::vector<const Node*> order_;
   std::vector<Box> boxes_;
   std::vector<Edge> blockers_;
 };
 
-std::string text(Place p, long double unit) {
-  char out[80];
-  std::snprintf(out, sizeof out, "(%.12Lg, %.12Lg)", unit * p.x, unit * p.y);
-  return out;
-}
-
-// Why the path cannot be followed. It bends only where shortest ones do, around what stands there.
-std::string fault(const std::vector<Place>& path, const World& world, Potentials& nodes, long double unit) {
-  const auto turn = [&](std::size_t i) {
-    return i == 0 || i + 1 == path.size() ? 0 : side(path[i - 1], path[i], path[i + 1]);
-  };
+// Why the path cannot be followed. It bends around corners, and where nothing stands.
+std::string fault(const std::vector<Place>& path, const World& world, const Potentials& potentials) {
+  int turn = 0;  // at u
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const Corner u{path[i], Place{i > 0, 0}}, v{path[i + 1], Place{i + 2 < path.size(), 0}};  // ends have no directions
-    if (u.at == v.at || (i + 2 < path.size() && (!nodes.find(v.at) || turn(i + 1) == 0)))
-      return "the path bends at " + text(v.at, unit) + ", where no shortest one does";
-    if (world.leg(u, v, turn(i), turn(i + 1)) != World::kOpen)
-      return "the path does not get from " + text(u.at, unit) + " to " + text(v.at, unit);
+    const bool ends = i + 2 == path.size();
+    const Corner u{path[i], Place{i > 0, 0}}, v{path[i + 1], Place{!ends, 0}};  // ends have no directions
+    const int next = ends ? 0 : side(u.at, v.at, path[i + 2]);
+    if (u.at == v.at || !(ends || (next != 0 && potentials.nodes.contains(v.at)) || !world.joins(v.at, v.at)))
+      return "the path bends at " + world.text(v.at) + ", on a wall";
+    if (world.leg(u, v, turn, next) != World::kOpen)
+      return "the path does not get from " + world.text(u.at) + " to " + world.text(v.at);
+    turn = next;
   }
   return {};
 }
 
-std::string fingerprint(const std::string& world) {  // FNV-1a over the lines that are no ends
-  std::uint64_t hash = 0xcbf29ce484222325;
-  std::istringstream lines(world);
-  for (std::string line; std::getline(lines, line);)
-    if (!line.starts_with("start ") && !line.starts_with("goal "))
-      for (const char c : line + '\n') hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
-  return digits;
+// Of discs. A path keeps r from an edge if its legs' ends do, and the edge's ends from the legs, and none crosses it.
+bool is_near(Place p, const Edge& e, Int r) {
+  const Place d = e.b - e.a, v = p - e.a, w = p - e.b;
+  if (dot(d, v) <= 0 || dot(d, w) >= 0) return std::min(dot(v, v), dot(w, w)) < Wide{r} * r;
+  Wide square = dot(d, d), away = cross(d, v) * sign(cross(d, v));
+  while (square >> 122 == 0) square *= 4, away *= 2;  // as many digits as there is room for
+  return away < r * (root(square) + 1);
 }
 
-Judgement judged(const std::string& lines, const Json& json) {
+std::string nearness(const std::vector<Place>& path, const World& world, Int r) {
+  for (std::size_t i = 0; i < path.size(); ++i)
+    for (const Edge& e : world.edges) {
+      const Edge leg{path[i], path[std::min(i + 1, path.size() - 1)]};
+      if (is_near(leg.a, e, r) || is_near(leg.b, e, r) || is_near(e.a, leg, r) || is_near(e.b, leg, r))
+        return "the path comes too near to a wall from " + world.text(leg.a) + " to " + world.text(leg.b);
+    }
+  return {};
+}
+
+// Why no closed chain of pieces and gates, links between pieces with squares up to `wide`, is between both ends.
+std::string passage(const std::vector<Place>& chain, const World& world, Place start, Place goal, Wide wide) {
+  bool between = false;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const Place p = chain[i], q = chain[(i + 1) % chain.size()];
+    const bool gate = dot(q - p, q - p) <= wide && world.joins(p, p) && world.joins(q, q);
+    if (!gate && !world.joins(p, q)) return "the chain is open from " + world.text(p) + " to " + world.text(q);
+    for (const Place end : {start, goal}) {
+      if (Edge{p, q}.holds(end)) return "the chain passes through " + world.text(end);
+      between ^= (p.y > end.y) != (q.y > end.y) && (side(p, q, end) > 0) == (q.y > p.y);
+      between |= chain.size() == 1 && 4 * dot(p - end, p - end) <= wide;  // no room for the disc at its end
+    }
+  }
+  return between ? "" : "the chain separates nothing";
+}
+
+Judgement judged(const std::string& lines, const nlohmann::json& json) {
   Judgement said{false, json.at("kind").get<std::string>(), "the certificate is of another world"};
-  const bool none = said.kind == "none";
-  if (json.at("format").get<std::string>() != "taut certificate 1" || (!none && said.kind != "shortest"))
+  const bool none = said.kind == "none", widest = said.kind == "widest";
+  if (json.at("format") != "taut certificate 1" || (!none && !widest && said.kind != "shortest"))
     throw BadInput("the certificate is of another format");
-  if (json.at("world").get<std::string>() != fingerprint(lines)) return said;
   const World world(lines, json.at("scale").get<Int>());
-  const long double unit = world.unit / json.at("scale").get<long double>();
-  std::vector<Place> path;
-  for (const auto& [x, y] : json.at("path").get<std::vector<std::array<Int, 2>>>())
-    path.push_back({within(x, kLargest), within(y, kLargest)});
-  if (path.empty()) throw BadInput("the certificate's path has no points");
-  const int bits = json.at("fraction_bits").get<int>();
-  const Int horizon = within(json.at("horizon").get<Int>(), kMost);
-  Potentials nodes(world, path.front(), path.back(), bits);
-  for (const auto& [x, y, potential] : json.at("potentials").get<std::vector<std::array<Int, 3>>>())
-    if (Node* node = nodes.find({x, y})) {
-      node->low = node->high = within(potential, kMost);
-      node->is_listed = true;
-    }
-  for (Node& node : nodes.nodes)  // between those that are not listed the differences are legs' anyway
-    if (!node.is_listed) {
-      node.high = none ? INT64_MAX : horizon - nodes.distance(node.at, path.back());
-      node.low = node.high - (none ? 0 : 1);
-    }
-  const Node start = *nodes.find(path.front()), goal = *nodes.find(path.back());
-  said.words = none ? "" : fault(path, world, nodes, unit);
-  if (said.words.empty() && (!start.is_listed || goal.is_listed == none)) said.words = "an end is listed, or is not";
-  if (!said.words.empty()) return said;
-  if (const auto leg = nodes.refutation())
-    return {false, said.kind,
-            "nothing stops the leg " + text(leg->first, unit) + "-" + text(leg->second, unit) +
-                (none ? ", which leads out of what is reached" : ", shorter than potentials say")};
-  Wide length = 0;
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) length += nodes.distance(path[i], path[i + 1]) + 1;
-  const long double step = std::ldexp(unit, -bits), long_ = step * static_cast<long double>(length),
-                    less = static_cast<long double>(length - goal.low + start.low) * step;
   char words[200];
-  std::snprintf(words, sizeof words, "no path is shorter than %.9Lf - %.0Le; yours is %.9Lf long", long_, less, long_);
-  return {true, said.kind, none ? "there is no path" : words, static_cast<double>(long_),
-          static_cast<double>(long_ - less)};
+  std::snprintf(words, sizeof words, "%016llx", static_cast<unsigned long long>(world.hash));
+  if (json.at("world") != words) return said;
+  const auto places = [&](const char* name) {
+    std::vector<Place> all;
+    for (const auto& [x, y] : json.at(name).get<std::vector<std::array<Int, 2>>>()) all.push_back({x, y});
+    const auto lies_in = [&](Place p) { return least(p, world.low) == world.low && most(p, world.high) == world.high; };
+    if (all.empty() || !std::all_of(all.begin(), all.end(), lies_in)) throw BadInput("places are out of range");
+    return all;
+  };
+  const std::vector<Place> path = places("path");
+  const Place start = path.front(), goal = path.back();
+  Potentials potentials(world, start, goal, json.value("fraction_bits", 0));
+  said.words = none ? "" : fault(path, world, potentials);
+  if (widest || json.contains("chain")) {
+    const Int keeps = within(json.value("keeps", Int{0}), 0, kLargest),
+              width = within(json.at("width").get<Int>(), 0, kLargest);
+    if (said.words.empty()) said.words = passage(places("chain"), world, start, goal, Wide{width} * width - none);
+    if (said.words.empty() && widest) said.words = nearness(path, world, keeps);
+    if (!said.words.empty()) return said;
+    const Real bound = world.unit * static_cast<Real>(width) / 2, kept = world.unit * static_cast<Real>(keeps);
+    const char* const form = none ? "no disc of radius %.12Lg gets through"
+                                  : "no disc of a radius above %.12Lg gets through; the path keeps %.12Lg";
+    std::snprintf(words, sizeof words, form, bound, kept);
+    return {true, said.kind, words, kept, bound};
+  }
+  const Int horizon = within(json.at("horizon").get<Int>(), -kMost, kMost);
+  for (auto& [p, node] : potentials.nodes)  // between those that are not listed the differences are legs' anyway
+    node.high = none ? INT64_MAX : horizon - potentials.distance(p, goal), node.low = node.high - !none;
+  for (const auto& [x, y, n] : json.at("potentials").get<std::vector<std::array<Int, 3>>>())
+    if (const auto at = potentials.nodes.find({x, y}); at != potentials.nodes.end())
+      at->second.low = at->second.high = within(n, -kMost, kMost), at->second.is_listed = true;
+  const Node &from = potentials.nodes[start], &to = potentials.nodes[goal];
+  if (said.words.empty() && (!from.is_listed || to.is_listed == none)) said.words = "an end is listed, or is not";
+  if (said.words.empty()) said.words = potentials.refutation();
+  if (!said.words.empty()) return said;
+  Wide length = 0;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) length += potentials.distance(path[i], path[i + 1]) + 1;
+  const Real step = std::ldexp(world.unit, -potentials.bits), yours = step * static_cast<Real>(length),
+             bound = yours - step * static_cast<Real>(length - to.low + from.low),
+             slack = std::fmod(yours - bound, 1e-6L);  // of a path that is the shortest all of it
+  std::snprintf(words, sizeof words, "no path is shorter than %.9Lf - %.0Le; yours is %.9Lf long", bound + slack, slack,
+                yours);
+  return {true, said.kind, none ? "there is no path" : words, yours, bound};
 }
 
 }  // namespace
 
 Judgement judge(const std::string& world, const std::string& certificate) try {
-  return judged(world, Json::parse(certificate));
-} catch (const Json::exception& error) {
+  return judged(world, nlohmann::json::parse(certificate));
+} catch (const nlohmann::json::exception& error) {
   throw BadInput(std::string("the certificate cannot be read: ") + error.what());
 }
 

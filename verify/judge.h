@@ -10,9 +10,11 @@ namespace taut::proof {
 
 struct Judgement {
   bool proven = false;
-  std::string kind;   ///< of the certificate: `shortest`, `none`
+  std::string kind;   ///< of the certificate: `shortest`, `none`, `widest`
   std::string words;  ///< `no path is shorter than 97.6 - 9e-11; yours is 97.6 long`; or the leg that refutes it
-  double length = 0, bound = 0;  ///< of `shortest`, in the world's own unit: of the path given; no path is below this
+  /// In the world's own unit. Of `shortest`: how long the path given is; no path is below the bound. Of `widest`: how far
+  /// it keeps from walls; no disc above the bound gets through. Of `none` by a chain the bound is the disc's radius.
+  Real length = 0, bound = 0;
 };
 
 /// `world` is the text that `taut convert --as integers` writes, `certificate` what `taut solve --certificate` does.

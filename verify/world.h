@@ -1,7 +1,7 @@
 // The judge's world: edges of integers, the places where a shortest path can bend, and what stops a straight leg.
 #pragma once
 
-#include <array>
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -11,6 +11,7 @@ namespace taut::proof {
 
 using Int = std::int64_t;
 __extension__ using Wide = __int128;
+using Real = long double;  ///< of nothing but words and guesses
 
 /// A text that cannot be read. what() is one line.
 struct BadInput : std::runtime_error {
@@ -23,6 +24,8 @@ struct Place {
   friend auto operator<=>(Place, Place) = default;
 };
 inline Place operator-(Place p, Place q) { return {p.x - q.x, p.y - q.y}; }
+inline Place least(Place p, Place q) { return {std::min(p.x, q.x), std::min(p.y, q.y)}; }
+inline Place most(Place p, Place q) { return {std::max(p.x, q.x), std::max(p.y, q.y)}; }
 inline Wide cross(Place d, Place e) { return Wide{d.x} * e.y - Wide{d.y} * e.x; }
 inline Wide dot(Place d, Place e) { return Wide{d.x} * e.x + Wide{d.y} * e.y; }
 inline int sign(Wide v) { return (v > 0) - (v < 0); }
@@ -32,6 +35,7 @@ inline int side(Place p, Place q, Place r) { return sign(cross(q - p, r - p)); }
 struct Edge {
   Place a, b;
   bool is_side = false;
+  bool holds(Place p) const { return side(a, b, p) == 0 && dot(a - p, b - p) <= 0; }
 };
 
 /// All that stands at `at` lies within less than half a turn, counter-clockwise from `right` to `left`, so a shortest
@@ -46,11 +50,15 @@ struct Corner {
 struct World {
   std::vector<Edge> edges;
   std::vector<Corner> corners;
-  Place low, high;  ///< the box of all edges
-  long double unit = 0;
+  Place low, high;                          ///< the box of all edges
+  Real unit = 0;                            ///< of the coordinates
+  std::uint64_t hash = 0xcbf29ce484222325;  ///< FNV-1a of all lines but start and goal
 
   /// Of what `taut convert --as integers` writes, coordinates times `scale`. Throws BadInput.
   World(const std::string& text, Int scale);
+
+  std::string text(Place p) const;     ///< `(0.5, 1)`, in the world's own unit
+  bool joins(Place p, Place q) const;  ///< one edge holds both
 
   /// The edge that crosses the leg u v between its ends; else kOpen, or kClosed: pieces that touch each other on the
   /// leg hang together, and some such component closes it on the left and on the right. Where a path turns at an end,

@@ -27,6 +27,9 @@ struct WorldDriveOptions {
   double weight = 1.05;
 };
 
+/// A value of --car. Throws UsageError.
+car::CarShape car_shape_of(const std::string& text);
+
 /// FILE, --car, --from, --to, --weight and those of a world.
 void add_world_drive_options(CommandLine& app, WorldDriveOptions& options);
 

@@ -26,7 +26,9 @@ double number_for(const std::string& option, const std::string& text, const char
 
 constexpr const char* kCar = "length=L,width=W,radius=R, with rear=B and reverse=no where wanted";
 
-car::CarShape car_of(const std::string& text) {
+}  // namespace
+
+car::CarShape car_shape_of(const std::string& text) {
   std::map<std::string, std::string> values;
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t end = std::min(text.find(',', at), text.size()), equals = text.find('=', at);
@@ -61,6 +63,8 @@ car::CarShape car_of(const std::string& text) {
   }
 }
 
+namespace {
+
 DriveEnd end_of(const std::string& option, const std::string& text) {
   static constexpr const char* kWanted = "X,Y or X,Y,DEGREES";
   const std::size_t first = text.find(','), second = first == std::string::npos ? first : text.find(',', first + 1);
@@ -78,7 +82,7 @@ DriveEnd end_of(const std::string& option, const std::string& text) {
 void add_world_drive_options(CommandLine& app, WorldDriveOptions& options) {
   add_world_options(app, options.world);
   app.add_option_function(
-         "--car", [&options](const std::string& text) { options.car = car_of(text); },
+         "--car", [&options](const std::string& text) { options.car = car_shape_of(text); },
          "Drive this car in a world of walls: length=L,width=W,radius=R (of the least turn), rear=B (from the "
          "rear axle, whose middle is guided, to the rear end; default: L/4), reverse=no")
       .type_name("CAR")

@@ -22,6 +22,7 @@
 #include <taut/cli/shards.h>
 #include <taut/cli/solve/batch_answers.h>
 #include <taut/cli/solve/ends_on_walls.h>
+#include <taut/cli/solve/index_option.h>
 #include <taut/cli/solve/packed_answer.h>
 #include <taut/cli/solve/query_asker.h>
 #include <taut/cli/solve/query_blocks.h>
@@ -34,6 +35,7 @@
 #include <taut/io/saved/roadmap_file.h>
 #include <taut/io/saved/shard_file.h>
 #include <taut/io/worlds/query_lines.h>
+#include <taut/search/index.h>
 #include <taut/search/polyanya.h>
 
 namespace taut::cli {
@@ -46,6 +48,7 @@ struct BatchOptions {
   WorldOptions world;
   QueryOptions query;
   CommonOptions common;
+  IndexOptions index;
   std::string queries;
   bool json_lines = false;
   bool path = false;
@@ -62,6 +65,7 @@ void add_options(CommandLine& app, BatchOptions& options) {
       .required();
   add_robot_option(app, options.query.robot);
   add_snap_ends_option(app, options.query.snap_ends);
+  add_index_options(app, options.index);
   app.add_flag("--json-lines", options.json_lines, "Print one JSON object a line instead").group("Output");
   app.add_flag("--path", options.path,
                "The points of each path as well: ` x y x y ...` after the length, `path` in JSON")
@@ -71,9 +75,12 @@ void add_options(CommandLine& app, BatchOptions& options) {
   app.callback([&options] {
     if (options.queries == "-" && options.world.file == "-")
       throw UsageError("FILE and QUERIES cannot both come from standard input");
+    if (options.shards.is_shared() && !options.index.save.empty())
+      throw UsageError("--save-index goes with a run of its own, not with what is shared");
   });
   app.example("taut batch maze.txt queries.txt");
   app.example("taut batch maze.txt queries.txt --json-lines --path");
+  app.example("taut batch maze.txt queries.txt --save-index maze.index");
 }
 
 /// What queries are asked about, and who asks.
@@ -86,7 +93,9 @@ class Ground {
         walls_(input, options.world.read.snap, space_),
         no_path_(space_),
         ground_{space_, walls_, shown_, options.query.snap_ends, wants_nearest(run), options.path},
-        stages_(run.stage("mesh", [&] { return Polyanya(space_); }), options.common.limits.jobs) {}
+        index_(index_of(options.index, space_, run)) {
+    if (!index_) stages_.emplace(run.stage("mesh", [&] { return Polyanya(space_); }), options.common.limits.jobs);
+  }
 
   /// Answers in order, `take`n as soon as each and all before it are there. After each the stages may want to go on to
   /// the next one: the rest is asked again.
@@ -99,20 +108,24 @@ class Ground {
       Parallel how{options_.common.limits.jobs, [&] { return is_due.load(); }, {}};
       how.finished = [&](std::size_t over) {
         for (; done < over && !is_due; ++done) {
-          is_due = stages_.weigh(answers[done]);
+          is_due = stages_ && stages_->weigh(answers[done]);
           take(block[done], answers[done]);
         }
       };
       each_in_parallel(block.size(), how, [&] {
-        return [&, asker = lend(stages_.stage())](std::size_t i) { answers[i] = asker->ask(block[i]); };
+        return [&, asker = lend(stages_ ? stages_->stage() : 0)](std::size_t i) { answers[i] = asker->ask(block[i]); };
       });
       block = block.subspan(done);
-      if (is_due) prepared_ += stages_.go_on();
+      if (is_due) prepared_ += stages_->go_on();
     }
   }
 
-  std::shared_ptr<QueryAsker> lend(std::size_t stage) { return askers_[stage].lend(stages_[stage]); }
-  const SearchStages& stages() const { return stages_; }
+  std::shared_ptr<QueryAsker> lend(std::size_t stage) {
+    return index_ ? askers_[0].lend(*index_) : askers_[stage].lend((*stages_)[stage]);
+  }
+  bool is_settled() const { return !stages_ || stages_->is_settled(); }
+  std::size_t stage_of(std::size_t number) const { return stages_ ? stages_->stage_of(number) : 0; }
+  const std::optional<Index>& index() const { return index_; }
   const Shown& shown() const { return shown_; }
   Seconds prepared() { return std::exchange(prepared_, {}); }  ///< since the last call
 
@@ -128,7 +141,8 @@ class Ground {
   const EndsOnWalls walls_;
   SharedNoPath no_path_;
   const QueryGround ground_;
-  SearchStages stages_;
+  const std::optional<Index> index_;
+  std::optional<SearchStages> stages_;  // without an index
   std::array<QueryAskers, 3> askers_{QueryAskers{ground_, no_path_}, QueryAskers{ground_, no_path_},
                                      QueryAskers{ground_, no_path_}};
   Seconds prepared_;
@@ -140,6 +154,7 @@ class Batch {
       : options_(options),
         run_(run),
         answers_({run.is_talkative(), options.json_lines, options.path, run.wants_json()}) {
+    run.promise(options.index.save);
     run.when_stopped(answers_.last_words());
   }
 
@@ -151,7 +166,7 @@ class Batch {
     Ground ground(options_, input, run_);
     answers_.prepared_in(run_.seconds());
     run_.stage("search", [&] { answer_all(source, input, ground); });
-    return end();
+    return end(ground.index());
   }
 
  private:
@@ -175,12 +190,13 @@ class Batch {
     }
   }
 
-  int end() {
+  int end(const std::optional<Index>& index = {}) {
     note(answers_.totals());
     Answer answer;
     answer.outcome = answers_.outcome();
     answer.reason = answers_.reason();
     if (run_.wants_json()) answer.result = answers_.json();
+    if (index) add_index(options_.index, *index, answer);
     return run_.end(std::move(answer));
   }
 
@@ -211,7 +227,7 @@ class Batch {
   /// The first answers are looked for by everybody: they say what the others are searched on.
   void prepare(std::span<const QueryLine> queries, const Input& input) {
     ground_.emplace(options_, input, run_);
-    for (std::size_t done = 0; done < queries.size() && !ground_->stages().is_settled(); done += kQueriesAnItem)
+    for (std::size_t done = 0; done < queries.size() && !ground_->is_settled(); done += kQueriesAnItem)
       ground_->answer(queries.subspan(done, std::min(kQueriesAnItem, queries.size() - done)), [](auto&&...) {});
   }
 
@@ -220,7 +236,7 @@ class Batch {
       Packer packer;
       std::size_t number = item * kQueriesAnItem;
       for (const QueryLine& query : queries_of(queries, item)) {
-        const std::size_t stage = ground_->stages().stage_of(number++);
+        const std::size_t stage = ground_->stage_of(number++);
         if (!askers[stage]) askers[stage] = ground_->lend(stage);
         pack(askers[stage]->ask(query), packer);
       }

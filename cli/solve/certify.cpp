@@ -1,9 +1,11 @@
 #include <taut/cli/solve/certify.h>
 
 #include <optional>
+#include <utility>
 
 #include <taut/geometry/errors.h>
 #include <taut/geometry/plain_world.h>
+#include <taut/geometry/walled_world.h>
 #include <taut/io/results/path_certificate_text.h>
 #include <taut/io/worlds/write_world.h>
 #include <taut/roadmaps/visibility_graph.h>
@@ -14,22 +16,39 @@ namespace taut::cli {
 
 void add_certificate_option(CommandLine& app, std::string& file) {
   app.add_option("--certificate", file,
-                 "Write a proof of the answer, that no path is shorter or that there is none, for `taut verify`")
+                 "Write a proof of the answer for `taut verify`: that no path is shorter, or none shorter than that; "
+                 "that there is none; that no wider disc gets through")
       .type_name("FILE")
       .group("Output");
 }
 
 void require_certifiable(const SolveOptions& options) {
   if (options.certificate.empty()) return;
-  if (options.query.robot.kind() == Footprint::Kind::disc)
-    throw UsageError("--certificate is for a point or a square, not for a disc");
-  if (options.clearance || options.arcs || options.anytime.wanted || options.world.read.project)
-    throw UsageError(
-        "--certificate does not go with --clearance, --widest, --tradeoff, --arcs, --anytime and --project");
-  if ((options.kind && !options.kind->optimal) || !optimal_everywhere(options.method()))
-    throw UsageError(
-        "--certificate is for the shortest path: with --roadmap polyanya or visibility, by astar or dijkstra");
+  const bool widest = options.clearance && options.clearance->kind == ClearanceQuery::Kind::widest;
+  if ((options.clearance && !widest) || options.arcs || options.anytime.wanted || options.world.read.project)
+    throw UsageError("--certificate does not go with --clearance, --tradeoff, --arcs, --anytime and --project");
 }
+
+namespace {
+
+Certified judged(std::string text, const std::string& world, bool is_judged, Run& run) {
+  Certified answer{std::move(text), "", 0};
+  if (!is_judged) return answer;
+  const proof::Judgement said = run.stage("judge", [&] { return proof::judge(world, answer.text); });
+  answer.words = said.words;
+  answer.bound = static_cast<double>(said.bound);
+  if (!said.proven) answer = {"", "the certificate proves nothing: " + said.words, 0};
+  return answer;
+}
+
+Certified of_disc(const std::optional<DiscCertificate>& certificate, const Gates& gates, Point start, Point goal,
+                  bool is_judged, Run& run) {
+  if (!certificate) return {"", "no certificate: crossings of walls were rounded where the chain of walls is", 0};
+  const std::string text = write_plain_integers(plain_world(gates.space()));
+  return judged(certificate_text(*certificate, text, {start, goal}), text, is_judged, run);
+}
+
+}  // namespace
 
 Certified certified(const FreeSpace& space, const PlanResult& result, bool is_judged, Run& run) {
   const World& world = space.world();
@@ -43,13 +62,26 @@ Certified certified(const FreeSpace& space, const PlanResult& result, bool is_ju
     return result.status == SearchStatus::found ? shortest_certificate(graph, result.path)
                                                 : none_certificate(graph, *result.start, *result.goal.point);
   });
-  if (!certificate) return {"", "no certificate: crossings of walls were rounded where paths bend"};
-  Certified answer{certificate_text(*certificate, text), ""};
-  if (!is_judged) return answer;
-  const proof::Judgement said = run.stage("judge", [&] { return proof::judge(text, answer.text); });
-  answer.words = said.words;
-  if (!said.proven) answer = {"", "the certificate proves nothing: " + said.words};
-  return answer;
+  if (!certificate) return {"", "no certificate: crossings of walls were rounded where paths bend", 0};
+  return judged(certificate_text(*certificate, text), text, is_judged, run);
+}
+
+Certified certified(const ClearanceAnswer& answer, const Gates& gates, bool is_judged, Run& run) {
+  if (!answer.limit || answer.found.empty()) return {"", "no certificate: there is no widest disc", 0};
+  const auto certificate = run.stage("certificate", [&] {
+    return widest_certificate(gates, *answer.limit, answer.start, answer.goal, answer.found.front().path.curves);
+  });
+  return of_disc(certificate, gates, answer.start, answer.goal, is_judged, run);
+}
+
+Certified certified_narrow(const World& world, Point start, Point goal, double radius, bool is_judged, Run& run) {
+  const Gates gates = run.stage("gates", [&] { return Gates(FreeSpace(walled_world(world, {start, goal}))); });
+  const DiscPassage passage = disc_passage(gates, start, goal, radius);
+  if (passage.status != DiscStatus::none)
+    return {"", "no certificate: no chain of walls and gates keeps the disc itself from the goal", 0};
+  const auto certificate =
+      run.stage("certificate", [&] { return narrow_certificate(gates, passage, start, goal, radius); });
+  return of_disc(certificate, gates, start, goal, is_judged, run);
 }
 
 }  // namespace taut::cli

@@ -7,6 +7,7 @@
 #include <taut/cli/solve/solve_options.h>
 #include <taut/geometry/free_space.h>
 #include <taut/io/results/result_json.h>
+#include <taut/search/clearance_planner.h>
 
 namespace taut::cli {
 
@@ -19,7 +20,14 @@ void require_certifiable(const SolveOptions& options);
 struct Certified {
   std::string text;   ///< the file; empty where there is none
   std::string words;  ///< what it proves, or why there is none
+  double bound = 0;   ///< of a shortest path, judged: no path is shorter
 };
+
+/// Of the widest disc between the ends of `answer`, of Kind::widest and found; `gates` are the planner's.
+Certified certified(const ClearanceAnswer& answer, const Gates& gates, bool is_judged, Run& run);
+
+/// That no disc of that radius gets from start to goal, the world's limits being walls.
+Certified certified_narrow(const World& world, Point start, Point goal, double radius, bool is_judged, Run& run);
 
 /// Of what was found in a space of a point, or that nothing was. Throws InputError where the world's numbers or its
 /// goal do not allow one.

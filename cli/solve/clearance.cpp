@@ -12,6 +12,7 @@
 
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/solve/certify.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/walled_world.h>
@@ -84,6 +85,7 @@ class ClearanceSolver {
 
   int solve() {
     run_.promise(options_.svg);
+    run_.promise(options_.certificate);
     promise(run_, options_.files);
     const double clearance = options_.clearance->clearance;  // 0 unless asked for
     const Input input = read_input(options_.world, options_.query, run_, {clearance, true});
@@ -158,14 +160,27 @@ class ClearanceSolver {
     return paths;
   }
 
+  // An answer without the proof that was asked for is unproven.
+  void certify(Answer& answer, const ClearancePlanner& planner) {
+    if (options_.certificate.empty() || answer.outcome == Outcome::unproven) return;
+    Certified proof{"", "no certificate: there is no path, which `taut solve --certificate` proves without --widest",
+                    0};
+    if (answer.outcome == Outcome::found) proof = certified(answer_, planner.gates(), !options_.no_verify, run_);
+    if (!proof.text.empty()) return answer.files.push_back({options_.certificate, std::move(proof.text)});
+    answer.outcome = Outcome::unproven;
+    answer.reason = proof.words;
+  }
+
   int end(const Input& input, const FreeSpace& space, const ClearancePlanner& planner) {
     Answer answer;
     answer.outcome = outcome();
     answer.reason = clearance_reason(answer_, planner.gates());
+    certify(answer, planner);
     if (run_.wants_json()) answer.result = clearance_json(answer_, planner.walled());
     answer.line = answer_.query.kind == Kind::tradeoff && outcome() == Outcome::found
                       ? table(answer_)
                       : input.name + ": " + line(answer.reason, planner.walled()) + "\n";
+    if (answer.outcome == Outcome::unproven) answer.line = input.name + ": " + answer.reason + "\n";
     if (options_.path && outcome() == Outcome::found) answer.listing = path_listing(written_paths(planner).front());
     if (outcome() == Outcome::found) add_path_files(answer.files, options_.files, written_paths(planner));
     answer.stats = stats(input, planner);

@@ -17,7 +17,7 @@ class Question {
   Question(const QueryGround& ground, const FreeSpace& space) : ground_(ground), space_(space) {}
 
   template <typename IsProven>
-  QueryAnswer answer(PolyanyaSearch& search, QueryLine query, IsProven is_proven) const {
+  QueryAnswer answer(QueryFinder& search, QueryLine query, IsProven is_proven) const {
     QueryAnswer answer;
     query.from = ground_.plane(query.from);
     query.to = ground_.plane(query.to);
@@ -44,7 +44,7 @@ class Question {
   }
 
   template <typename IsProven>
-  void find(PolyanyaSearch& search, const QueryLine& query, QueryAnswer& answer, IsProven is_proven) const {
+  void find(QueryFinder& search, const QueryLine& query, QueryAnswer& answer, IsProven is_proven) const {
     const Stopwatch watch(Stopwatch::Of::thread);
     const SearchStatus status = search.find(query.from, query.to);
     answer.cpu = watch.seconds().cpu;
@@ -84,14 +84,14 @@ QueryAnswer QueryAsker::ask(const QueryLine& query) {
 /// A space of their own has the ends where they are.
 QueryAnswer QueryAsker::ask_on_walls(const QueryLine& query) const {
   const FreeSpace space = ground_.walls.space_with(std::vector{query.from, query.to});
-  PolyanyaSearch search{Polyanya(space)};
+  QueryFinder search{Polyanya(space)};
   const NoPath no_path(space);
   return Question(ground_, space).answer(search, query, [&](Point from, Point to) {
     return no_path.holds(from, {to, {}});
   });
 }
 
-std::shared_ptr<QueryAsker> QueryAskers::lend(const Polyanya& polyanya) {
+std::shared_ptr<QueryAsker> QueryAskers::lend_or(const std::function<QueryFinder()>& make) {
   const auto give_back = [this](QueryAsker* asker) {
     const std::lock_guard lock(mutex_);
     idle_.emplace_back(asker);
@@ -104,9 +104,7 @@ std::shared_ptr<QueryAsker> QueryAskers::lend(const Polyanya& polyanya) {
       return {asker.release(), give_back};
     }
   }
-  return {new QueryAsker(ground_, no_path_, polyanya), give_back};
+  return {new QueryAsker(ground_, no_path_, make()), give_back};
 }
-
-void QueryAskers::forget() { idle_.clear(); }
 
 }  // namespace taut::cli

@@ -6,6 +6,7 @@
 
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
+#include <taut/cli/growing_file.h>
 #include <taut/cli/input.h>
 #include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
@@ -17,6 +18,7 @@
 #include <taut/io/pictures/svg.h>
 #include <taut/io/results/roadmap_export.h>
 #include <taut/io/results/roadmap_json.h>
+#include <taut/io/results/visibility_stream.h>
 #include <taut/io/results/voronoi_export.h>
 #include <taut/io/saved/planned_roadmap.h>
 
@@ -34,17 +36,28 @@ struct RoadmapOptions {
   std::string graphml;
   std::string geojson;
   std::string save;
+  std::string stream;
 };
+
+void require_streamable(const RoadmapOptions& options) {
+  if (options.stream.empty()) return;
+  if (!options.kind->rows) throw UsageError("--stream needs --kind visibility or full");
+  for (const std::string& file : {options.svg, options.graphml, options.geojson, options.save})
+    if (!file.empty())
+      throw UsageError("--stream keeps no roadmap that --svg, --graphml, --geojson, --save could show");
+}
 
 void check(const RoadmapOptions& options) {
   if (!options.kind->graph) throw UsageError(fmt::format("--kind {} makes no graph", options.kind->name));
   if (!options.save.empty()) require_savable(*options.kind);
   require_prm_options_fit(options.prm, *options.kind);
+  require_streamable(options);
   require_one_stdout({{"--svg", options.svg},
                       {"--json", options.common.json},
                       {"--graphml", options.graphml},
                       {"--geojson", options.geojson},
-                      {"--save", options.save}});
+                      {"--save", options.save},
+                      {"--stream", options.stream}});
 }
 
 void add_options(CommandLine& app, RoadmapOptions& options) {
@@ -65,8 +78,15 @@ void add_options(CommandLine& app, RoadmapOptions& options) {
       .type_name("FILE")
       .group("Output");
   app.add_option("--save", options.save, "Keep it for `taut solve --load`").type_name("FILE").group("Output");
+  app.add_option(
+         "--stream", options.stream,
+         "Write vertices and edges while they are found, in memory that does not grow with them: lines `v X Y`, "
+         "`e U V`; - is standard output")
+      .type_name("FILE")
+      .group("Output");
   app.callback([&options] { check(options); });
   app.example("taut roadmap maze.txt --kind voronoi --svg diagram.svg");
+  app.example("taut roadmap maze.txt --kind full --stream edges.txt");
   app.example("taut roadmap maze.txt --kind prm --sampler bridge --samples 2000 --json roadmap.json");
 }
 
@@ -103,12 +123,31 @@ std::string graphml_of(const PlannedRoadmap& planned) {
   return planned.diagram ? voronoi_graphml(*planned.diagram) : roadmap_graphml(*planned.roadmap);
 }
 
+int stream(const RoadmapOptions& options, const Input& input, const FreeSpace& space, Run& run) {
+  const RoadmapKind& kind = *options.kind;
+  GrowingFile file(options.stream);
+  std::size_t vertices = 0;
+  const std::uint64_t edges = run.stage("roadmap", [&] {
+    const VisibilityRows rows(space, *kind.rows);
+    vertices = rows.vertices().sectors.size();
+    return stream_visibility(rows, [&](std::string_view piece) { file.add(piece); });
+  });
+  file.finish();
+  Answer answer;
+  answer.line = fmt::format("{}: {}, {}, {}, {}\n", input.name, kind.title, count_text(vertices, "vertex", "vertices"),
+                            count_text(edges, "edge"), cpu_text(run.seconds("roadmap")));
+  answer.result = Json{{"kind", kind.title}, {"vertex_count", vertices}, {"edge_count", edges}};
+  return run.end(std::move(answer));
+}
+
 int run(const RoadmapOptions& options, Run& run) {
   run.source(options.world.file);
-  for (const std::string& file : {options.svg, options.graphml, options.geojson, options.save}) run.promise(file);
+  for (const std::string& file : {options.svg, options.graphml, options.geojson, options.save, options.stream})
+    run.promise(file);
   const RoadmapKind& kind = *options.kind;
   const Input input = read_input(options.world, options.query, run);
   const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world, options.query.robot); });
+  if (!options.stream.empty()) return stream(options, input, space, run);
   const PlannedRoadmap planned = run.stage("roadmap", [&] {
     return kind.build(space, {options.common.seed, input.world.start(), input.world.goal(), options.prm,
                               options.common.limits.seconds.has_value(), prm_progress(options.common.quiet),

@@ -20,6 +20,7 @@
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/rounding.h>
+#include <taut/io/pictures/contours.h>
 #include <taut/io/pictures/svg.h>
 #include <taut/io/results/barrier_words.h>
 #include <taut/io/results/result_json.h>
@@ -51,7 +52,7 @@ class Solver {
     shown_ = Shown(input.notes);
     read_ends(input);
     const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
-    result_.displacement = space.report().displacement;
+    result_.displacement = space.displacement();
     if (path_bound(space) > 0) result_.within = path_bound(space);
     require_free(space, *result_.start, "start", shown_);
     if (result_.goal.point) require_free(space, *result_.goal.point, "goal", shown_);
@@ -205,16 +206,25 @@ class Solver {
 
   void verify_answer(const FreeSpace& space) {
     const Verdict verdict =
-        run_.stage("verify", [&] { return verify(result_.path, space, *result_.start, result_.goal); });
+        run_.stage("verify", [&] { return verify_along(result_.path, space, *result_.start, result_.goal); });
     if (!verdict.valid) throw std::logic_error("the path found does not pass its own check: " + verdict.reason);
     result_.verified = true;
     result_.clearance = verdict.clearance;
   }
 
+  Certified proof_of(const FreeSpace& space) {
+    if (options_.query.robot.kind() != Footprint::Kind::disc)
+      return certified(space, result_, !options_.no_verify, run_);
+    if (answer_.outcome == Outcome::found || !result_.goal.point)
+      return {"", "no certificate: of a disc only that there is no way between two points, and of --widest", 0};
+    return certified_narrow(space.world(), *result_.start, *result_.goal.point, options_.query.robot.radius(),
+                            !options_.no_verify, run_);
+  }
+
   // An answer without the proof that was asked for is unproven.
   void certify(const FreeSpace& space) {
     if (answer_.outcome != Outcome::found && answer_.outcome != Outcome::none) return;
-    certified_ = certified(space, result_, !options_.no_verify, run_);
+    certified_ = proof_of(space);
     if (!certified_.text.empty()) return;
     answer_.outcome = Outcome::unproven;
     answer_.reason = certified_.words;
@@ -241,6 +251,13 @@ class Solver {
     return {.name = result_.roadmap, .points = shown_(result_.path.points), .length = result_.path.length.value()};
   }
 
+  std::string drawing(const FreeSpace& space) {
+    SvgPicture picture = solve_picture(answer_);
+    if (options_.contours > 0)
+      picture.contours = run_.stage("contours", [&] { return contours(space, *result_.start, options_.contours); });
+    return svg(space, picture);
+  }
+
   int end(const FreeSpace& space, const Input& input) {
     Answer answer;
     answer.outcome = answer_.outcome;
@@ -252,7 +269,7 @@ class Solver {
     if (!options_.save.empty())
       answer.files.push_back({options_.save, saved_text(*answer_.kind, answer_.planned, space)});
     if (!certified_.text.empty()) answer.files.push_back({options_.certificate, certified_.text});
-    if (!options_.svg.empty()) answer.files.push_back({options_.svg, svg(space, solve_picture(answer_))});
+    if (!options_.svg.empty()) answer.files.push_back({options_.svg, drawing(space)});
     if (result_.status == SearchStatus::found) add_path_files(answer.files, options_.files, {written_path()});
     return run_.end(std::move(answer));
   }

@@ -129,6 +129,9 @@ void require_consistent(const SolveOptions& options) {
   require_anytime_fits(options.anytime, options.kind, options.method_given());
   if (options.anytime.wanted && (options.shorten || options.arcs || options.clearance))
     throw UsageError("--anytime makes no sense with --shorten, --arcs, --clearance, --widest or --tradeoff");
+  if (options.contours > 0 && options.svg.empty()) throw UsageError("--contours needs --svg");
+  if (options.contours > 0 && (options.clearance || options.arcs))
+    throw UsageError("--contours does not go with --clearance, --widest, --tradeoff and --arcs");
   if (options.load == "-" && options.world.file == "-")
     throw UsageError("FILE and --load cannot both come from standard input");
   require_certifiable(options);
@@ -166,6 +169,16 @@ void add_solve_options(CommandLine& app, SolveOptions& options) {
   add_anytime_options(app, options.anytime);
   add_clearance_options(app, options.clearance);
   add_svg_option(app, options.svg);
+  app.add_option_function(
+         "--contours",
+         [&options](const std::string& text) {
+           options.contours = count_of(text);
+           if (options.contours == 0 || options.contours > 1000)
+             throw UsageError("--contours: '" + text + "' is not one of 1 to 1000");
+         },
+         "With --svg: draw so many lines on which all places are equally far from the start")
+      .type_name("N")
+      .group("Output");
   app.callback([&options] { require_consistent(options); });
   app.example("taut solve maze.txt --svg maze.svg");
   app.example("taut solve maze.txt --from 0.5,0.5 --to 3.5,6.5 --json result.json");

@@ -30,6 +30,7 @@ struct SolveOptions {
   bool arcs = false;
   const RoadmapKind* kind = nullptr;  // when it is given
   std::string svg;
+  std::size_t contours = 0;  // lines of equal distance in the picture
   PathFiles files;
   std::string certificate;
   std::string save;

@@ -5,6 +5,7 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/solve/prm_options.h>
 #include <taut/cli/solve/roadmap_option.h>
+#include <taut/geometry/cell_plan.h>
 #include <taut/search/corner_count.h>
 
 namespace taut::cli {
@@ -48,6 +49,14 @@ std::vector<std::string> facts(const SolveAnswer& answer) {
 std::string search_name(const SolveAnswer& answer, const SolveOptions& options) {
   if (options.anytime.wanted) return "anytime";
   return answer.result.method ? name(*answer.result.method) : answer.kind->name;
+}
+
+std::string space_stat(const FreeSpace& space) {
+  if (!space.is_triangulated()) return fmt::format("{} x {} cells", space.cells()->columns(), space.cells()->rows());
+  const FreeSpaceReport& report = space.report();
+  return fmt::format("{} (union {:.4f} s, triangulation {:.4f} s wall), displacement {:.3g}",
+                     count_text(space.triangulation().triangles.size(), "triangle"), report.seconds_union,
+                     report.seconds_triangulation, report.displacement);
 }
 
 std::string roadmap_stat(const SolveAnswer& answer, const SolveOptions& options) {
@@ -98,12 +107,9 @@ SvgPicture solve_picture(const SolveAnswer& answer) {
 std::vector<std::pair<std::string, std::string>> solve_stats(const SolveAnswer& answer, const SolveOptions& options,
                                                              const FreeSpace& space, const Input& input) {
   const PlanResult& result = answer.result;
-  const FreeSpaceReport& report = space.report();
   return {
       {"read", fmt::format("{}, {}", name(input.notes.format), count_text(input.world.walls().size(), "wall"))},
-      {"space", fmt::format("{} (union {:.4f} s, triangulation {:.4f} s wall), displacement {:.3g}",
-                            count_text(space.triangulation().triangles.size(), "triangle"), report.seconds_union,
-                            report.seconds_triangulation, report.displacement)},
+      {"space", space_stat(space)},
       {"roadmap", roadmap_stat(answer, options)},
       {"search", fmt::format("{} expanded ({})", result.expanded, search_name(answer, options))},
       {"verify", result.verified ? fmt::format("valid, clearance {:.6g}", result.clearance.value_or(0)) : "not done"}};

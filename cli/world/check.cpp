@@ -10,6 +10,7 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
 #include <taut/cli/world/check_report.h>
+#include <taut/cli/world/claimed_length.h>
 #include <taut/cli/world/geographic.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/io/worlds/read_path.h>
@@ -48,7 +49,7 @@ Verdict judge_arcs(const ClaimedPath& claimed, const World& world) {
   const std::vector<Box>& room = world.goal().room;
   if (!world.goal().point && !room.empty() &&
       std::ranges::none_of(room, [&](const Box& box) { return box.contains(path.goal); }))
-    return {false, fmt::format("the path ends at {}, outside the goal room", point_text(path.goal)), 0, 0, kNone};
+    return {.reason = fmt::format("the path ends at {}, outside the goal room", point_text(path.goal))};
   const Gates gates{FreeSpace(world)};
   const ArcVerdict arcs =
       verify_arcs(path, gates, world.start().value_or(path.start), world.goal().point.value_or(path.goal));
@@ -78,31 +79,20 @@ Verdict judge_legs(const ClaimedPath& claimed, const FreeSpace& space) {
   return verdict;
 }
 
-// The claim is a rounded number.
-void compare_length(const ClaimedPath& claimed, const Length& legs, Verdict& verdict) {
-  Interval measured = legs.interval();
-  if (claimed.measured) measured = {*claimed.measured, *claimed.measured};
-  const double slack = (claimed.measured ? 1e-9 : 1e-12) * measured.hi;
-  const bool may_be_longer = claimed.approximate && !claimed.measured;
-  if (measured.lo - slack <= *claimed.length && (may_be_longer || *claimed.length <= measured.hi + slack)) return;
-  verdict.valid = false;
-  verdict.reason = fmt::format("it claims the length {}, but measures {}", *claimed.length,
-                               claimed.measured ? number_text(*claimed.measured) : length_text(legs));
-}
-
 // An end that neither FILE nor an option names is where the path begins or ends.
 Verdict judge(const ClaimedPath& claimed, const FreeSpace& space) {
   const World& world = space.world();
   if (claimed.arcs) return judge_arcs(claimed, world);
   const Path path{claimed.points, Length(claimed.points)};
-  if (path.points.empty()) return {false, "the path has no points", 0, 0, kNone};
+  if (path.points.empty()) return {.reason = "the path has no points"};
   Goal goal = world.goal();
   if (!goal.point && goal.room.empty()) goal.point = path.points.back();
   Verdict verdict = verify(path, space, world.start().value_or(path.points.front()), goal);
   const Footprint& robot = space.footprint();
   if (!verdict.valid && robot.kind() == Footprint::Kind::disc && goal.point && claimed.tolerance < robot.radius() / 2)
     if (const Verdict legs = judge_legs(claimed, space); legs.valid) verdict = legs;
-  if (verdict.valid && claimed.length) compare_length(claimed, path.length, verdict);
+  if (verdict.valid) verdict.reason = false_claim(claimed, path.length);
+  verdict.valid &= verdict.reason.empty();
   return verdict;
 }
 

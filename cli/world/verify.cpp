@@ -10,6 +10,8 @@
 #include <taut/geometry/errors.h>
 #include <taut/geometry/free_space.h>
 #include <taut/geometry/plain_world.h>
+#include <taut/geometry/walled_world.h>
+#include <taut/io/results/path_certificate_text.h>
 #include <taut/io/worlds/write_world.h>
 #include <taut/verify/judge.h>
 
@@ -22,6 +24,7 @@ struct VerifyOptions {
   CommonOptions common;
   std::string certificate;
   Footprint robot;
+  std::string integers;
 };
 
 void add_options(CommandLine& app, VerifyOptions& options) {
@@ -29,9 +32,12 @@ void add_options(CommandLine& app, VerifyOptions& options) {
   add_robot_option(app, options.robot);
   app.add_option("CERTIFICATE", options.certificate, "What `taut solve --certificate` wrote; - is standard input")
       .required();
+  app.add_option("--integers", options.integers, "Write the text of the world that is judged, for other judges")
+      .type_name("FILE")
+      .group("Output");
   app.callback([&options] {
     if (options.robot.kind() == Footprint::Kind::disc)
-      throw UsageError("certificates are for a point or a square, not for a disc");
+      throw UsageError("a disc's certificate says how large it is; leave out --robot");
     if (options.certificate == "-" && options.world.file == "-")
       throw UsageError("FILE and CERTIFICATE cannot both be standard input");
   });
@@ -48,24 +54,31 @@ proof::Judgement judged(const std::string& world, const std::string& certificate
 
 Json result_of(const proof::Judgement& said) {
   Json result{{"kind", said.kind}, {"proven", said.proven}, {"words", said.words}};
-  if (!said.proven || said.kind != "shortest") return result;
-  result["length"] = said.length;
-  result["bound"] = said.bound;
+  if (!said.proven || (said.kind == "none" && said.bound == 0)) return result;
+  if (said.kind == "shortest") result["length"] = static_cast<double>(said.length);
+  if (said.kind == "widest") result["keeps"] = static_cast<double>(said.length);
+  result["bound"] = static_cast<double>(said.bound);
   return result;
 }
 
 int run(const VerifyOptions& options, Run& run) {
   run.source(options.world.file);
+  run.promise(options.integers);
   const Input input = read_input(options.world, run);
+  const std::string name = options.certificate == "-" ? "<stdin>" : options.certificate;
+  const std::string certificate = read_bytes(options.certificate);
   double moved = 0;  // by rounding, where the world is not judged as it was written
   const std::string world = run.stage("integers", [&] {
+    if (const auto ends = disc_ends(certificate)) {
+      const FreeSpace walled(walled_world(input.world, {(*ends)[1], (*ends)[0]}));
+      if (!is_plain(walled.world())) moved = walled.report().displacement;
+      return write_plain_integers(plain_world(walled));
+    }
     if (is_plain(input.world, options.robot)) return write_plain_integers(input.world);
     const FreeSpace space(input.world, options.robot);
     moved = space.report().displacement;
     return write_plain_integers(plain_world(space));
   });
-  const std::string name = options.certificate == "-" ? "<stdin>" : options.certificate;
-  const std::string certificate = read_bytes(options.certificate);
   const proof::Judgement said = run.stage("verify", [&] { return judged(world, certificate, name); });
   Json result = result_of(said);
   result["displacement"] = moved;
@@ -73,7 +86,8 @@ int run(const VerifyOptions& options, Run& run) {
   return run.end({.outcome = said.proven ? Outcome::done : Outcome::invalid,
                   .reason = said.proven ? "" : said.words,
                   .result = std::move(result),
-                  .line = name + (said.proven ? ": proven: " : ": not proven: ") + said.words + rounded + "\n"});
+                  .line = name + (said.proven ? ": proven: " : ": not proven: ") + said.words + rounded + "\n",
+                  .files = {{options.integers, world}}});
 }
 
 }  // namespace

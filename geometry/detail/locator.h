@@ -12,6 +12,7 @@ namespace taut::detail {
 /// O(1) on evenly spread triangles; O(n) at worst. Memory: 4 bytes a cell, about one cell for two triangles.
 class Locator {
  public:
+  Locator() = default;
   explicit Locator(const Triangulation& tri);
 
   Location locate(const Triangulation& tri, Point p) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -79,15 +80,21 @@ struct Incidence {
   bool leaves;
 };
 
+constexpr double kSure = 1e-13;  // of what is multiplied: far above all roundings
+constexpr int kHalvings = 2;
+
 class Union {
  public:
   Union(const std::vector<ConvexPiece>& pieces, const Box& within, std::span<const Point> fixed)
-      : pieces_(pieces), within_(within), fixed_(fixed), unit_(within), index_(boxes(pieces)) {}
+      : pieces_(pieces), within_(within), fixed_(fixed), unit_(within), boxes_(boxes(pieces)), index_(boxes_) {}
 
   Outline run() {
-    for (std::uint32_t p = 0; p < pieces_.size(); ++p)
-      for (std::size_t i = 0, j = pieces_[p].ring.size() - 1; i < pieces_[p].ring.size(); j = i++)
-        expose(p, {pieces_[p].ring[j], pieces_[p].ring[i]});
+    for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
+      const Ring& ring = pieces_[p].ring;
+      find_near(p);
+      for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+        if (const Segment side{ring[j], ring[i]}; !are_hidden(side.a, side.b, kHalvings)) expose(p, side);
+    }
     for (const auto& [place, incidences] : crossings_) settle(place, incidences);
     outline_.crossings = crossings_.size();
     for (const Stretch& s : stretches_)
@@ -108,6 +115,39 @@ class Union {
       result.push_back(box);
     }
     return result;
+  }
+
+  void find_near(std::uint32_t p) {
+    near_.clear();
+    index_.meeting(boxes_[p], [&](std::uint32_t q) {
+      if (q != p) near_.push_back(q);
+    });
+  }
+
+  /// Do the others surely have all from a to b inside? One of them, or one for each half. Where pieces lie thick on one
+  /// another nearly all sides are hidden, and mostly by what hid the side before: that is asked first.
+  bool are_hidden(Point a, Point b, int halvings) {
+    for (std::uint32_t& q : near_)
+      if (surely_holds(q, a) && surely_holds(q, b)) {
+        std::swap(q, near_.front());
+        return true;
+      }
+    if (halvings == 0) return false;
+    const Point middle{a.x + (b.x - a.x) / 2, a.y + (b.y - a.y) / 2};
+    return are_hidden(a, middle, halvings - 1) && are_hidden(middle, b, halvings - 1);
+  }
+
+  /// Also when p is off by some roundings.
+  bool surely_holds(std::uint32_t piece, Point p) const {
+    const Box& box = boxes_[piece];
+    if (p.x <= box.min.x || p.x >= box.max.x || p.y <= box.min.y || p.y >= box.max.y) return false;
+    const Ring& ring = pieces_[piece].ring;
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+      const double x = ring[i].x - ring[j].x, y = ring[i].y - ring[j].y;
+      const double size = std::abs(p.x) + std::abs(p.y) + std::abs(ring[j].x) + std::abs(ring[j].y);
+      if (x * (p.y - ring[j].y) - y * (p.x - ring[j].x) <= kSure * (std::abs(x) + std::abs(y)) * size) return false;
+    }
+    return true;
   }
 
   /// Finds what remains of a side of piece p.
@@ -202,7 +242,9 @@ class Union {
   Box within_;
   std::span<const Point> fixed_;
   DecimalUnit unit_;
+  std::vector<Box> boxes_;
   BoxIndex index_;
+  std::vector<std::uint32_t> near_;  // what may hide the sides of a piece
   std::vector<Span> covered_;
   std::vector<Stretch> stretches_;
   std::map<ExactPoint, std::vector<Incidence>> crossings_;

@@ -32,6 +32,7 @@ class Picture {
     begin();
     out_ += layers_.solid() + layers_.free() + layers_.rooms(what_.goal);
     views();
+    out_ += layers_.lines("contours", what_.contours);
     roadmap();
     out_ += layers_.openings() + layers_.walls() + layers_.lines("separation", what_.separation) +
             layers_.lines("gates", what_.gates);
@@ -70,6 +71,7 @@ class Picture {
     if (!what_.separation.empty()) add("separation");
     if (!what_.gates.empty()) add("gates");
     if (!what_.guides.empty()) add("guides");
+    if (!what_.contours.empty()) add("contours");
     if (!what_.moves.empty()) add("moves");
     if (!what_.views.empty()) add("views");
     if (!what_.discs.empty()) add("discs");

@@ -65,7 +65,8 @@ struct SvgPicture {
   bool milestones = false;                  ///< the roadmap's vertices are dots, also those joined to nothing
   std::vector<SvgDisc> discs{};             ///< the robot, below the path
   std::vector<SvgLabelKey> label_keys{};
-  std::vector<EndMove> moves{};  ///< of start and goal: dashed, from where they were given
+  std::vector<Segment> contours{};  ///< thin lines below the walls (contours.h)
+  std::vector<EndMove> moves{};     ///< of start and goal: dashed, from where they were given
 };
 
 /// The picture as one SVG 1.1 document, north up.
@@ -74,7 +75,7 @@ struct SvgPicture {
 ///     key of what is drawn. Strokes, markers and the number of decimals follow the mean width of a corridor
 ///     (corridor_width), so that 5 x 7 and 300 x 300 cells both read well.
 ///  2. Groups, bottom to top, absent when they have nothing to show: `solid` (where the reference point cannot be),
-///     `free` (polygons with holes), `rooms` (the goal's), `views`, `roadmap`, `milestones`, `openings`, `walls` (as
+///     `free` (polygons with holes), `rooms` (the goal's), `views`, `contours`, `roadmap`, `milestones`, `openings`, `walls` (as
 ///     the world gives them: a line, or a bar as wide as it is thick), `separation`, `gates`, `shades`, `guides`,
 ///     `moves`, `discs`, `path` (a casing and the line), `start`, `goal`, `labels`, `runner`; beside them
 ///     `legend`. Each is a <g> of that class under svg.taut, coloured by the <style> block alone; there are no ids, so

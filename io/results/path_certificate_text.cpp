@@ -1,7 +1,10 @@
 #include <taut/io/results/path_certificate_text.h>
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <span>
+
+#include <taut/geometry/text.h>
 
 namespace taut {
 
@@ -41,13 +44,42 @@ void append(std::string& out, const char* name, const Rows& rows) {
   out += "]";
 }
 
+std::string heading(const char* kind, std::string_view world_text, std::int64_t scale) {
+  std::string out = "{\n\"format\": \"taut certificate 1\",\n\"kind\": \"";
+  out.append(kind).append("\",\n\"world\": \"").append(fingerprint(world_text)).append("\"");
+  return out + ",\n\"scale\": " + std::to_string(scale);
+}
+
 }  // namespace
 
+std::string certificate_text(const DiscCertificate& certificate, std::string_view world_text,
+                             const std::array<Point, 2>& ends) {
+  std::string out = heading(certificate.is_found ? "widest" : "none", world_text, certificate.scale);
+  out += ",\n\"ends\": [[";
+  append(out, ends[0].x);
+  append(out += ", ", ends[0].y);
+  append(out += "], [", ends[1].x);
+  append(out += ", ", ends[1].y);
+  out += "]],\n\"width\": " + std::to_string(certificate.width);
+  if (certificate.is_found) out += ",\n\"keeps\": " + std::to_string(certificate.keeps);
+  append(out, "path", certificate.path);
+  append(out, "chain", certificate.chain);
+  return out + "\n}\n";
+}
+
+std::optional<std::array<Point, 2>> disc_ends(std::string_view certificate) {
+  const auto json = nlohmann::json::parse(certificate, nullptr, false);
+  if (!json.is_object() || !json.contains("chain") || !json.contains("ends")) return std::nullopt;
+  try {
+    const auto ends = json["ends"].get<std::array<std::array<double, 2>, 2>>();
+    return std::array{Point{ends[0][0], ends[0][1]}, Point{ends[1][0], ends[1][1]}};
+  } catch (const nlohmann::json::exception&) {
+    return std::nullopt;
+  }
+}
+
 std::string certificate_text(const PathCertificate& certificate, std::string_view world_text) {
-  std::string out = "{\n\"format\": \"taut certificate 1\",\n\"kind\": ";
-  out += certificate.is_found ? "\"shortest\"" : "\"none\"";
-  out += ",\n\"world\": \"" + fingerprint(world_text) + "\"";
-  out += ",\n\"scale\": " + std::to_string(certificate.scale);
+  std::string out = heading(certificate.is_found ? "shortest" : "none", world_text, certificate.scale);
   out += ",\n\"fraction_bits\": " + std::to_string(certificate.fraction_bits);
   out += ",\n\"horizon\": " + std::to_string(certificate.horizon);
   append(out, "path", certificate.path);

@@ -10,31 +10,19 @@
 #include <vector>
 
 #include <taut/io/saved/detail/fnv.h>
+#include <taut/io/saved/detail/saved_words.h>
 
 namespace taut {
 
 namespace {
 
 using Vertex = Roadmap::Vertex;
+using detail::one_line;
+using detail::robot_text;
 
 constexpr std::string_view kMagic = "taut roadmap ";
 constexpr int kVersion = 1;
 constexpr std::size_t kEndLine = 4 + 32 + 1;  // "end ", digits, line end
-
-std::string robot_text(const Footprint& robot) {
-  if (robot.kind() == Footprint::Kind::point) return "point";
-  if (robot.radius() > 0)
-    return fmt::format("{} {}", robot.kind() == Footprint::Kind::disc ? "disc" : "square", robot.radius());
-  std::string text = "polygon";
-  for (const Point p : robot.ring()) text += fmt::format(" {} {}", p.x, p.y);
-  return text;
-}
-
-std::string one_line(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 0x7f; }, '?');
-  return text;
-}
 
 std::string hash_of(std::string_view bytes) {
   detail::Fnv hash;
@@ -127,17 +115,6 @@ std::string_view checked_body(std::string_view bytes, const std::string& name) {
   return body;
 }
 
-void require_same_world(Reader& reader, const SavedRoadmap& saved, const std::string& name, const FreeSpace& space) {
-  const std::string theirs = reader.value("world"), ours = fingerprint(space.world());
-  if (theirs != ours)
-    throw InputError(name, 0,
-                     fmt::format("was built of {} (fingerprint {}), not of {} (fingerprint {})", saved.source, theirs,
-                                 one_line(space.world().source()), ours));
-  const std::string built_for = reader.value("robot"), robot = robot_text(space.footprint());
-  if (built_for != robot)
-    throw InputError(name, 0, fmt::format("was built for the robot `{}`, not for `{}`", built_for, robot));
-}
-
 }  // namespace
 
 std::string roadmap_file(const SavedRoadmap& saved, const FreeSpace& space) {
@@ -164,7 +141,8 @@ SavedRoadmap read_roadmap_file(std::string_view bytes, const std::string& name, 
   Reader reader(checked_body(bytes, name), name);
   reader.line();
   SavedRoadmap saved{reader.value("kind"), reader.value("how"), reader.value("source"), {}, 0, 0};
-  require_same_world(reader, saved, name, space);
+  const std::string world = reader.value("world"), robot = reader.value("robot");
+  detail::require_same_world(name, space, saved.source, world, robot);
   std::vector<Point> points(reader.count("vertices"));
   saved.first_vertex_line = reader.line_number() + 1;
   for (Point& p : points) p = reader.point();

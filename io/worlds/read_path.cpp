@@ -47,12 +47,13 @@ void take_comment(std::string_view line, ClaimedPath& path) {
 /// Of CSV the columns behind x and y are left out. A path of several begins where the number in front changes.
 class LineReader {
  public:
-  explicit LineReader(const std::string& source) : source_(source) {}
+  LineReader(const std::string& source, Breaks breaks) : source_(source), breaks_(breaks) {}
 
   std::vector<ClaimedPath> read(std::string_view bytes) {
     for (detail::Lines lines(bytes); lines.next();) {
       take_comment(lines.line(), said_);
       const std::string_view line = said(lines);
+      if (breaks_ == Breaks::blank_lines && lines.line().empty()) ended_ = true;
       if (!line.empty() && !is_heading(line)) add(line, {source_, lines.number()});
     }
     if (paths_.empty()) paths_.push_back(said_);
@@ -71,20 +72,24 @@ class LineReader {
     std::vector<double> values;
     detail::Fields fields(line, place);
     for (std::string_view field; fields.next(field);) values.push_back(detail::coordinate(field, place));
-    if (paths_.empty() || (several_ && !values.empty() && values.front() != number_)) {
+    const bool ended = std::exchange(ended_, false) && !table_;
+    if (paths_.empty() || ended || (several_ && !values.empty() && values.front() != number_)) {
       paths_.push_back(said_);
       number_ = values.empty() ? 0 : values.front();
     }
     const std::size_t skip = several_ ? 1 : 0;
-    if (values.size() < 2 + skip || (!table_ && values.size() != 2))
+    const std::size_t most = breaks_ == Breaks::blank_lines ? 3 : 2;
+    if (values.size() < 2 + skip || (!table_ && values.size() > most))
       place.fail("a point is two numbers, not " + std::to_string(values.size()));
     paths_.back().points.push_back({values[skip], values[skip + 1]});
   }
 
   const std::string& source_;
+  Breaks breaks_;
   bool table_ = false, several_ = false;
-  double number_ = 0;  // of the path that is being read
-  ClaimedPath said_;   // what comments say, without points
+  bool ended_ = false;  // by a blank line
+  double number_ = 0;   // of the path that is being read
+  ClaimedPath said_;    // what comments say, without points
   std::vector<ClaimedPath> paths_;
 };
 
@@ -195,7 +200,7 @@ std::string_view first_words(std::string_view bytes) {
 
 }  // namespace
 
-std::vector<ClaimedPath> read_paths(std::string_view bytes, const std::string& source) {
+std::vector<ClaimedPath> read_paths(std::string_view bytes, const std::string& source, Breaks breaks) {
   const std::string_view text = detail::trimmed(detail::stripped(bytes));
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) throw InputError(source, 0, "file is empty");
@@ -204,7 +209,7 @@ std::vector<ClaimedPath> read_paths(std::string_view bytes, const std::string& s
   const std::string_view words = first_words(bytes);
   for (const char* word : {"LINESTRING", "POINT", "COMPOUNDCURVE", "CIRCULARSTRING"})
     if (begins_with(words, word)) return WktReader(source).read(bytes);
-  return LineReader(source).read(bytes);
+  return LineReader(source, breaks).read(bytes);
 }
 
 ClaimedPath read_path(std::string_view bytes, const std::string& source) {

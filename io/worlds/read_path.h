@@ -33,9 +33,13 @@ struct ClaimedPath {
 ///  - text: a point `x y` or `x,y` a line, or CSV below a heading that begins with `x,y`, further columns left out, or
 ///    with `path,x,y`: several.
 /// `#` starts a comment in the last three; `# legs between points of a curve, no farther than T from it` is believed.
+/// With Breaks::blank_lines a blank line in text ends a path, and a third number a line (a heading) is left out: what
+/// OMPL's printAsMatrix prints.
 /// Any number of points. Throws InputError with the line; on a JSON result without a path (its status is not "found")
 /// too. Not empty.
-std::vector<ClaimedPath> read_paths(std::string_view bytes, const std::string& source = {});
+enum class Breaks { none, blank_lines };
+std::vector<ClaimedPath> read_paths(std::string_view bytes, const std::string& source = {},
+                                    Breaks breaks = Breaks::none);
 
 /// The path of a file with one: else InputError.
 ClaimedPath read_path(std::string_view bytes, const std::string& source = {});

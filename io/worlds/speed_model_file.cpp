@@ -6,6 +6,7 @@
 
 #include <taut/geometry/errors.h>
 #include <taut/io/worlds/detail/json_tree.h>
+#include <taut/io/worlds/detail/text_input.h>
 
 namespace taut {
 
@@ -47,7 +48,7 @@ class ModelReader {
     if (object.kind != JsonTree::Kind::object) refuse(object, what + " is not an object {...}");
     for (std::size_t i = 0; i < object.keys.size(); ++i)
       if (std::ranges::find(names, object.keys[i]) == names.end())
-        refuse(object.items[i], "unknown name '" + object.keys[i] + "' in " + what);
+        refuse(object.items[i], "unknown name " + detail::quoted(object.keys[i]) + " in " + what);
   }
 
   void take(const JsonTree& object, const std::string& key, double& value) const {

@@ -128,8 +128,25 @@ bool GateSearch::is_hidden(const View& view) const {
   return !std::all_of(screens_.begin(), screens_.end(), [&](const Screen& s) { return keep(s.x, s.y, s.limit); });
 }
 
-/// Does no wall but those at its ends touch the gate's disc?
 bool GateSearch::is_empty(const FoundGate& gate) const {
+  return gate.to_opening ? is_nearest_to_opening(gate) : is_empty_between_walls(gate);
+}
+
+/// Is no wall nearer to the place on the opening than the gate's?
+bool GateSearch::is_nearest_to_opening(const FoundGate& gate) const {
+  const bool from_opening = !walls_.is_wall_vertex(v_);
+  const Point foot = nearest_foot(gate.shape), centre = from_opening ? p_ : foot;
+  const double radius = std::hypot(foot.x - p_.x, foot.y - p_.y);
+  const double reach = radius + 0x1p-48 * (std::abs(centre.x) + std::abs(centre.y) + radius);
+  bool nearest = true;
+  walls_.walls_meeting(
+      {{centre.x - reach, centre.y - reach}, {centre.x + reach, centre.y + reach}},
+      [&](std::uint32_t c) { nearest = nearest && !nearer_than_gate(gate.shape, from_opening, walls_.segment(c)); });
+  return nearest;
+}
+
+/// Does no wall but those at its ends touch the gate's disc?
+bool GateSearch::is_empty_between_walls(const FoundGate& gate) const {
   const GateShape& shape = gate.shape;
   const Point foot = nearest_foot(shape);
   const double radius = std::hypot(foot.x - p_.x, foot.y - p_.y) / 2;

@@ -47,6 +47,8 @@ class GateSearch {
   bool is_hidden(double x, double y) const;
   bool is_hidden(const View& view) const;
   bool is_empty(const FoundGate& gate) const;
+  bool is_empty_between_walls(const FoundGate& gate) const;
+  bool is_nearest_to_opening(const FoundGate& gate) const;
 
   const WallIndex& walls_;
   std::uint32_t v_ = kNone;

@@ -153,6 +153,26 @@ bool disc_meets(const GateShape& shape, const Segment& wall) {
   return disc_meets_rational(shape, wall);
 }
 
+bool nearer_than_gate(const GateShape& shape, bool to_end, const Segment& wall) {
+  const Point foot = nearest_foot(shape), centre = to_end ? shape.end : foot;
+  const double ax = wall.a.x - centre.x, ay = wall.a.y - centre.y, ux = wall.b.x - wall.a.x, uy = wall.b.y - wall.a.y;
+  const double t = std::clamp(-(ax * ux + ay * uy) / (ux * ux + uy * uy), 0.0, 1.0);
+  const double distance = std::hypot(ax + t * ux, ay + t * uy);
+  const double radius = std::hypot(foot.x - shape.end.x, foot.y - shape.end.y);
+  double size = 0;
+  for (const Point p : {shape.end, foot, wall.a, wall.b}) size = std::max({size, std::abs(p.x), std::abs(p.y)});
+  const double slack = 128 * kEps * size + 1e-290;
+  if (distance > radius + slack) return false;
+  if (distance < radius - slack) return true;
+  const ExactPoint from(wall.a), to(wall.b), q = to_end ? ExactPoint(shape.end) : exact_foot(shape);
+  const mpq_class px = q.x - from.x, py = q.y - from.y, vx = to.x - from.x, vy = to.y - from.y;
+  const mpq_class along = dot(px, py, vx, vy), length = dot(vx, vy, vx, vy), reach = squared_width(shape);
+  if (along <= 0) return dot(px, py, px, py) < reach;
+  if (along >= length) return dot(px - vx, py - vy, px - vx, py - vy) < reach;
+  const mpq_class cross = px * vy - py * vx;
+  return cross * cross < reach * length;
+}
+
 bool disc_entered(const GateShape& shape, Point at, const Segment& wall) {
   const Point away = wall.a == at ? wall.b : wall.a;
   if (shape.exact()) return dot_sign(at, at == shape.end ? shape.facing.a : shape.end, away) > 0;

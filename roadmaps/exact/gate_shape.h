@@ -43,6 +43,9 @@ int side_of_gate(const GateShape& shape, Point p);
 /// Exact.
 bool disc_meets(const GateShape& shape, const Segment& wall);
 
+/// Is `wall` nearer to the gate's foot (to its end, when `to_end`) than the gate is long? Exact.
+bool nearer_than_gate(const GateShape& shape, bool to_end, const Segment& wall);
+
 /// Does `wall`, one end of which is `at`, enter the disc on the gate there? `at` is the gate's end, or its foot when
 /// that is exact. Exact.
 bool disc_entered(const GateShape& shape, Point at, const Segment& wall);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -87,6 +88,13 @@ class PolyanyaEngine {
 
   /// A further way to goal 0, straight from `root` to `end`.
   void add_way(std::uint32_t root, Point end) { improve(root, 0, end); }
+  /// A place in the direction of the inside of the sector that a root turns in; nothing of the start.
+  std::optional<Point> beyond(std::uint32_t root) const {
+    const Root& at = roots_[root];
+    if (at.bend == kNone) return std::nullopt;
+    const Navmesh::Bend& bend = mesh_.bends[at.bend];
+    return Point{3 * at.point.x - bend.right.x - bend.left.x, 3 * at.point.y - bend.right.y - bend.left.y};
+  }
   /// Could a way from this root, `distance` on (rounded), still be the shortest?
   bool may_improve(std::uint32_t root, double distance) const {
     return roots_[root].length + distance - slack_ * 4 - roots_[root].error <= bound_;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include <taut/geometry/cell_plan.h>
 #include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/written.h>
 #include <taut/search/query_ends.h>
@@ -34,21 +35,20 @@ std::vector<Point> meeting_points(const Segment& side, const Constraint& c) {
 
 bool lies_inside(const Box& b, Point p) { return b.min.x < p.x && p.x < b.max.x && b.min.y < p.y && p.y < b.max.y; }
 
-/// Does the free space at p begin in the direction of q?
-bool is_open_towards(const FreeSpace& space, Point p, Point q) {
-  const Triangulation& tri = space.triangulation();
-  const Location at = space.locate(p);
-  if (at.kind == Location::Kind::outside) return false;
-  const auto& corners = tri.triangles[at.triangle];
-  if (at.kind == Location::Kind::vertex) {
-    const auto sectors = tri.sectors_at(corners[at.index]);
-    return std::any_of(sectors.begin(), sectors.end(), [&](const auto& s) { return tri.looks_to(s, q); });
+/// What may meet a side.
+std::vector<Constraint> pieces_near(const FreeSpace& space, const Segment& side) {
+  std::vector<Constraint> pieces;
+  if (const CellPlan* plan = space.cells()) {
+    plan->append_along(side, pieces);
+    return pieces;
   }
-  if (at.kind == Location::Kind::triangle) return true;
-  const Point a = tri.points[corners[Triangulation::ccw(at.index)]],
-              b = tri.points[corners[Triangulation::cw(at.index)]];
-  const std::uint32_t across = tri.neighbours[at.triangle][at.index];
-  return written::orientation(a, b, q) >= 0 || (across != kNone && tri.free[across]);
+  for (const Constraint& c : space.constraints()) {
+    if (std::max(c.a.x, c.b.x) < side.a.x || std::min(c.a.x, c.b.x) > side.b.x || std::max(c.a.y, c.b.y) < side.a.y ||
+        std::min(c.a.y, c.b.y) > side.b.y)
+      continue;
+    pieces.push_back(c);
+  }
+  return pieces;
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ std::optional<GraphSearchResult> answer_at_start(const FreeSpace& space, Point f
     return std::nullopt;
   }
   const auto is_there = [&](const Box& b) {
-    return b.contains(from) && (lies_inside(b, from) || is_open_towards(space, from, middle(b)));
+    return b.contains(from) && (lies_inside(b, from) || space.opens_towards(from, middle(b)));
   };
   if (std::none_of(to.room.begin(), to.room.end(), is_there)) return std::nullopt;
   GraphSearchResult result;
@@ -95,17 +95,14 @@ std::vector<RoomEntry> room_entries(const FreeSpace& space, const std::vector<Bo
   std::vector<RoomEntry> entries;
   for (const RoomSide& side : room_sides(room)) {
     std::vector<Point> points{side.side.a, side.side.b};
-    for (const Constraint& c : space.constraints()) {
-      if (std::max(c.a.x, c.b.x) < side.side.a.x || std::min(c.a.x, c.b.x) > side.side.b.x ||
-          std::max(c.a.y, c.b.y) < side.side.a.y || std::min(c.a.y, c.b.y) > side.side.b.y)
-        continue;
+    for (const Constraint& c : pieces_near(space, side.side)) {
       const std::vector<Point> met = meeting_points(side.side, c);
       points.insert(points.end(), met.begin(), met.end());
     }
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
     for (const Point p : points)
-      if (space.locate(p).kind != Location::Kind::outside) entries.push_back({p, side.inside});
+      if (space.holds(p)) entries.push_back({p, side.inside});
   }
   return entries;
 }

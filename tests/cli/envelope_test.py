@@ -35,6 +35,7 @@ PROOF = (
     '{"format": "taut certificate 1", "kind": "none", "world": "3c575266e5f47952", "scale": 1, "fraction_bits": 0, '
     '"horizon": 0, "path": [[1, 1], [3, 3]], "potentials": [[1, 1, 0]]}\n'
 )
+FLEET = "a 0 1 1\na 2 1 3\nb 0 1 3\nb 2 1 1\n"
 PATH_THROUGH_WALL = "1 1\n3 3\n"
 
 
@@ -43,6 +44,8 @@ def cases(data):
     world = {"room": ROOM, "sealed": SEALED, "slit": SLIT, "slanted": SLANTED, "wrong": WRONG, "queries": QUERIES}
     world["through"] = PATH_THROUGH_WALL
     world["places"] = PLACES
+    world["detour"] = "1 1\n1 3\n"
+    world["fleet"] = FLEET
     world["proof"] = PROOF
     yield "solve room", world, "found"
     yield "solve room --roadmap visibility --algorithm dijkstra", world, "found"
@@ -86,6 +89,12 @@ def cases(data):
     yield "verify room proof", world, "invalid"
     yield "verify room wrong", world, "refused"
     yield "verify wrong proof", world, "refused"
+    yield "audit room places --no-gap", world, "invalid"
+    yield "audit sealed detour", world, "done"
+    yield "audit room through", world, "invalid"
+    yield "audit room fleet --robot disc:0.1", world, "invalid"
+    yield "audit room wrong", world, "refused"
+    yield "audit wrong through", world, "refused"
     yield "roadmap room", world, "done"
     yield "roadmap wrong", world, "refused"
     yield "compare room", world, "found"

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <iterator>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "support/program_test.h"
@@ -94,6 +95,32 @@ TEST_F(Output, FollowsLinks) {
   EXPECT_EQ(run_taut("solve - --svg " + (folder / "link").string(), kRoom).code, 0);
   EXPECT_TRUE(fs::is_symlink(folder / "link"));
   EXPECT_THAT(contents(target), StartsWith("<svg "));
+}
+
+TEST_F(Output, IsRefusedWhereLinksLeadInACircle) {
+  fs::create_symlink("there", folder / "here");
+  fs::create_symlink("here", folder / "there");
+  const Outcome run = run_taut("solve - --svg " + (folder / "here").string(), kRoom);
+  EXPECT_EQ(run.code, 3);
+  EXPECT_THAT(run.err, HasSubstr("here: cannot write: Too many levels of symbolic links"));
+  EXPECT_TRUE(fs::is_symlink(folder / "here"));
+}
+
+TEST_F(Output, ShowsTheBeginningAndTheEndOfALongCulprit) {
+  const Outcome run = run_taut("solve - --snap " + std::string(5000, 'a') + "z", kRoom);
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("aaa...aaa"));
+  EXPECT_THAT(run.err, HasSubstr("az"));
+  EXPECT_LT(run.err.size(), 400U);
+}
+
+TEST_F(Output, CutsALongCulpritBetweenItsLetters) {
+  std::string letters;
+  for (int i = 0; i < 1000; ++i) letters += "\u00e9\u20ac";
+  const Outcome run = run_taut("solve - --snap " + letters, kRoom);
+  EXPECT_EQ(run.code, 2);
+  EXPECT_THAT(run.err, HasSubstr("..."));
+  EXPECT_NO_THROW(static_cast<void>(nlohmann::json(run.err).dump()));  // refuses what is no UTF-8
 }
 
 TEST_F(Output, IsRefusedBeforeTheWorkBeginsWhenItCannotBeMade) {

@@ -169,15 +169,71 @@ def refutation(world, numbers, listed, ends, bits):
     return None
 
 
+def holds(a, b, p):
+    return side(a, b, p) == 0 and dot(p, minus(a, p), b) <= 0
+
+
+def joins(world, p, q):
+    return any(holds(a, b, p) and holds(a, b, q) for a, b, _ in world.edges)
+
+
 def fault(world, path, ends):
     turns = [0, *(side(*path[i - 1:i + 2]) for i in range(1, len(path) - 1)), 0]
     for i in range(len(path) - 1):
         u, v = path[i], path[i + 1]
-        if u == v or (i + 2 < len(path) and (v in ends or v not in world.corners or turns[i + 1] == 0)):
-            return f"the path bends at {v}, where no shortest one does"
+        bends = (turns[i + 1] != 0 and (v in world.corners or v in ends)) or not joins(world, v, v)
+        if u == v or (i + 2 < len(path) and not bends):
+            return f"the path bends at {v}, on a wall"
         if leg(world, world.edges, u, v, ends, (turns[i], turns[i + 1])) is not None:
             return f"the path does not get from {u} to {v}"
     return None
+
+
+def squared(p, a, b=None):
+    """Of the distance of p from the place a, or the segment a b, as a fraction."""
+    d = minus(b, a) if b else (0, 0)
+    along, length = dot(a, d, p), dot((0, 0), d, d)
+    if along <= 0 or along >= length:
+        q = a if along <= 0 else b
+        return Fraction(dot(p, minus(q, p), q))
+    return Fraction(side(a, b, p) ** 2, length)
+
+
+def passage(world, chain, ends, wide):
+    """Why no closed chain of pieces and gates, links with squares up to wide, is between both ends."""
+    between = False
+    for p, q in zip(chain, chain[1:] + chain[:1]):
+        gate = squared(p, q) <= wide and joins(world, p, p) and joins(world, q, q)
+        if not gate and not joins(world, p, q):
+            return f"the chain is open from {p} to {q}"
+        for end in ends:
+            if holds(p, q, end):
+                return f"the chain passes through {end}"
+            between ^= (p[1] > end[1]) != (q[1] > end[1]) and (side(p, q, end) > 0) == (q[1] > p[1])
+            between |= len(chain) == 1 and 4 * squared(end, p) <= wide
+    return None if between else "the chain separates nothing"
+
+
+def nearness(world, path, r):
+    for u, v in zip(path, path[1:] + path[-1:]):
+        for a, b, _ in world.edges:
+            if min(squared(u, a, b), squared(v, a, b), squared(a, u, v), squared(b, u, v)) < r * r:
+                return f"the path comes too near to a wall from {u} to {v}"
+    return None
+
+
+def judge_disc(world, claim, path):
+    widest, width, keeps = claim["kind"] == "widest", claim["width"], claim.get("keeps", 0)
+    if width < 0 or keeps < 0:
+        raise ValueError("out of range")
+    wrong = fault(world, path, {path[0], path[-1]}) if widest else None
+    wrong = wrong or passage(world, [tuple(p) for p in claim["chain"]], (path[0], path[-1]), width**2 - (not widest))
+    wrong = wrong or (nearness(world, path, keeps) if widest else None)
+    unit = world.unit / claim["scale"]
+    proven = f"no disc of radius {float(unit * width / 2)!r} gets through"
+    if widest:
+        proven = f"{proven} if it is larger; the path keeps {float(unit * keeps)!r}"
+    return (None, wrong) if wrong else (proven, None)
 
 
 def fingerprint(text):
@@ -191,12 +247,14 @@ def fingerprint(text):
 
 def judge(text, claim):
     """What is proven and None, or None and what is wrong."""
-    none, bits = claim["kind"] == "none", claim["fraction_bits"]
-    if claim["format"] != "taut certificate 1" or claim["kind"] not in ("none", "shortest") or claim["scale"] < 1:
+    none, bits = claim["kind"] == "none", claim.get("fraction_bits", 0)
+    if claim["format"] != "taut certificate 1" or claim["kind"] not in ("none", "shortest", "widest") or claim["scale"] < 1:
         raise ValueError("another format")
     if claim["world"] != fingerprint(text):
         return None, "the certificate is of another world"
     world, path = World(text, claim["scale"]), [tuple(p) for p in claim["path"]]
+    if claim["kind"] == "widest" or "chain" in claim:
+        return judge_disc(world, claim, path)
     ends = {path[0], path[-1]}
     listed = {(x, y): n for x, y, n in claim["potentials"] if (x, y) in world.corners or (x, y) in ends}
     numbers = {p: (n, n) for p, n in listed.items()}

@@ -49,6 +49,12 @@ bool in_disc(const Rational& p, const Rational& q, Point a, Point b) {
   return inside < 0 || (inside == 0 && !(x == p) && !(x == q));
 }
 
+/// Is a point of a b nearer to q than p is?
+bool is_nearer(const Rational& p, const Rational& q, Point a, Point b) {
+  const Rational to_p = minus(p, q), to_x = minus(nearest(q, a, b), q);
+  return dot(to_x, to_x) < dot(to_p, to_p);
+}
+
 /// (end or foot, foot or end, to_opening), the smaller point first, in doubles.
 using Named = std::set<std::tuple<Point, Point, bool>>;
 
@@ -61,10 +67,14 @@ Named named(const Gates& gates) {
 /// Every end against every constraint, every candidate against every wall.
 Named brute_force(const Gates& gates) {
   const auto& all = gates.space().constraints();
-  const auto is_empty = [&](const Rational& p, const Rational& q) {
+  const auto no_wall = [&](auto is_in_the_way, const Rational& p, const Rational& q) {
     for (std::uint32_t c = 0; c < all.size(); ++c)
-      if (!gates.is_opening(c) && in_disc(p, q, all[c].a, all[c].b)) return false;
+      if (!gates.is_opening(c) && is_in_the_way(p, q, all[c].a, all[c].b)) return false;
     return true;
+  };
+  const auto is_gate = [&](const Rational& p, bool p_is_wall, const Rational& q, bool q_is_wall) {
+    if (p_is_wall && q_is_wall) return no_wall(in_disc, p, q);
+    return p_is_wall ? no_wall(is_nearer, p, q) : no_wall(is_nearer, q, p);
   };
   const auto is_wall_end = [&](Point p) {
     for (std::uint32_t c = 0; c < all.size(); ++c)
@@ -79,7 +89,7 @@ Named brute_force(const Gates& gates) {
         const Point foot{nearest_double(q.x), nearest_double(q.y)};
         const bool foot_is_end = q == rational(all[c].a) || q == rational(all[c].b);
         const bool here = is_wall_end(end), there = foot_is_end ? is_wall_end(foot) : !gates.is_opening(c);
-        if (p == q || (!here && !there) || !is_empty(p, q)) continue;
+        if (p == q || (!here && !there) || !is_gate(p, here, q, there)) continue;
         result.insert({std::min(end, foot), std::max(end, foot), !here || !there});
       }
   return result;

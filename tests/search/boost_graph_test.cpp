@@ -4,6 +4,7 @@
 #include <boost/graph/connected_components.hpp>
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/graph/graph_concepts.hpp>
+#include <boost/graph/kruskal_min_spanning_tree.hpp>
 
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace taut {
 namespace {
 
 BOOST_CONCEPT_ASSERT((boost::VertexListGraphConcept<Roadmap>));
+BOOST_CONCEPT_ASSERT((boost::EdgeListGraphConcept<Roadmap>));
 BOOST_CONCEPT_ASSERT((boost::IncidenceGraphConcept<Roadmap>));
 BOOST_CONCEPT_ASSERT((boost::AdjacencyGraphConcept<Roadmap>));
 
@@ -27,6 +29,28 @@ TEST(BoostGraph, RunsAUsersOwnDijkstraOnARoadmap) {
   EXPECT_EQ(distance[2], 6);
   EXPECT_EQ(predecessor[2], 1u);
   EXPECT_EQ(distance[3], std::numeric_limits<double>::max());
+}
+
+TEST(BoostGraph, ListsEveryEdgeFromBothItsEnds) {
+  using Edges = std::vector<std::pair<Roadmap::Vertex, Roadmap::Vertex>>;
+  const Roadmap map({{0, 0}, {1, 0}, {9, 9}, {2, 0}, {5, 5}}, Edges{{0, 1}, {1, 3}, {0, 3}});
+  const auto [begin, end] = edges(map);
+  const std::vector<RoadmapEdge> all(begin, end);
+  EXPECT_EQ(all, (std::vector<RoadmapEdge>{{0, 1}, {0, 3}, {1, 0}, {1, 3}, {3, 0}, {3, 1}}));
+  EXPECT_EQ(num_edges(map), all.size());
+  const Roadmap empty;
+  EXPECT_TRUE(edges(empty).first == edges(empty).second);
+}
+
+TEST(BoostGraph, RunsKruskalOnARoadmap) {
+  using Edges = std::vector<std::pair<Roadmap::Vertex, Roadmap::Vertex>>;
+  const Roadmap map({{0, 0}, {3, 0}, {3, 4}, {9, 9}}, Edges{{0, 1}, {1, 2}, {0, 2}});
+  std::vector<RoadmapEdge> tree;
+  boost::kruskal_minimum_spanning_tree(map, std::back_inserter(tree));
+  double length = 0;
+  for (const RoadmapEdge& e : tree) length += get(boost::edge_weight, map, e);
+  EXPECT_EQ(tree.size(), 2u);
+  EXPECT_EQ(length, 7);
 }
 
 }  // namespace

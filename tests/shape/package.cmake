@@ -34,6 +34,18 @@ run("configuring the consumer" ${CMAKE_COMMAND} -S ${CONSUMER} -B ${SCRATCH}/bui
 run("building the consumer" ${CMAKE_COMMAND} --build ${SCRATCH}/build)
 run("running the consumer" ${SCRATCH}/build/consumer)
 
+# The project of examples, on the same prefix.
+run("configuring the examples" ${CMAKE_COMMAND} -S ${CONSUMER}/../../examples -B ${SCRATCH}/examples -G ${GENERATOR}
+  -DCMAKE_PREFIX_PATH=${SCRATCH}/prefix -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}"
+  -DCMAKE_BUILD_TYPE=${BUILD_TYPE} -DCMAKE_DISABLE_FIND_PACKAGE_ompl=ON)
+run("building the examples" ${CMAKE_COMMAND} --build ${SCRATCH}/examples)
+set(maze ${CONSUMER}/../../data/maze_25x25.txt)
+run("the example solve" ${SCRATCH}/examples/solve ${maze})
+run("the example batch" sh -c "echo 0.5 0.5 3.5 6.5 | ${SCRATCH}/examples/batch ${maze}")
+run("the example micromouse_robot" ${SCRATCH}/examples/micromouse_robot ${CONSUMER}/../../data/mouse_12.cells)
+run("the example disc" ${SCRATCH}/examples/disc ${maze} 0.2)
+run("the example spanning_tree" ${SCRATCH}/examples/spanning_tree ${maze})
+
 # The same without CMake, as a page of any tutorial has it. Only where the prefix stands is told.
 find_program(PKG_CONFIG NAMES pkg-config pkgconf)
 if(NOT PKG_CONFIG)

@@ -30,6 +30,7 @@ constexpr std::string_view kPalette = R"(
 .taut .discs{fill:#ee5a10;fill-opacity:.16;stroke:#ee5a10;stroke-width:1.5}
 .taut .openings{stroke:#b9bfca}
 .taut .guides,.taut .moves{fill:none;stroke:#7a8494;stroke-width:1.5;stroke-dasharray:6 4}
+.taut .contours{fill:none;stroke:#5b8fd1;stroke-width:0.8}
 .taut .grid{stroke:#d5d8de;fill:none}
 .taut .ruler{stroke:#2c3440;fill:none;stroke-width:1.5}
 .taut .sample{fill:none;stroke-width:3;stroke-linecap:round}
@@ -65,6 +66,7 @@ constexpr std::string_view kPalette = R"(
 .taut .discs{fill:#ff8340;stroke:#ff8340}
 .taut .openings{stroke:#566274}
 .taut .guides,.taut .moves{stroke:#8e98a8}
+.taut .contours{stroke:#4a76ad}
 .taut .grid{stroke:#3c4656}
 .taut .ruler{stroke:#e5e9f0}
 .taut text{fill:#e5e9f0}

@@ -19,6 +19,7 @@ std::string_view label(std::string_view key) {
   if (key == "moves") return "an end, from where it was given";
   if (key == "views") return "in sight";
   if (key == "discs") return "the disc";
+  if (key == "contours") return "equally far from the start";
   if (key == "separation") return "walls between start and goal";
   return key;
 }

@@ -19,6 +19,8 @@ constexpr const char* kRoom = "boundary 0 0 4 4\nstart 0.5 1\ngoal 3.5 1\n2 0 2 
 constexpr const char* kOpen = "boundary 0 0 4 4\nstart 0.5 1\ngoal 3.5 1\n2 0 2 2\n";
 constexpr const char* kSealed = "boundary 0 0 4 4\nstart 0.5 1\ngoal 3.5 1\n2 0 2 4\n";
 
+constexpr const char* kSlit = "boundary 0 0 4 4\nstart 1 1\ngoal 3 3\n2 0 2 1.8\n2 2.2 2 4\n";
+
 class CertificateProgram : public ProgramTest {
  protected:
   std::string proof_of(const std::string& world, int code) const {
@@ -54,8 +56,7 @@ TEST_F(CertificateProgram, NamesTheLegThatRefutesIt) {
   proof["world"] = json::parse(contents(proof_of(kOpen, 0)))["world"];
   const Outcome run = verify(folder.file("other", proof.dump()), kOpen);
   EXPECT_EQ(run.code, 1);
-  EXPECT_THAT(run.out, HasSubstr("not proven: "));
-  EXPECT_THAT(run.out, HasSubstr("(2, 3)"));
+  EXPECT_THAT(run.out, HasSubstr("not proven: nothing stops the leg (0.5, 1)-(2, 2)"));
 }
 
 TEST_F(CertificateProgram, SaysThatItCannotReadAFile) {
@@ -70,12 +71,50 @@ TEST_F(CertificateProgram, RefusesToProveWhatItCannot) {
     EXPECT_FALSE(std::filesystem::exists(in_folder("none")));
     return std::to_string(run.code) + " " + run.err;
   };
-  EXPECT_THAT(refusal("--robot disc:0.1", kRoom), testing::StartsWith("2 "));
-  EXPECT_THAT(refusal("--widest", kRoom), testing::StartsWith("2 "));
-  EXPECT_THAT(refusal("--roadmap prm", kRoom), testing::StartsWith("2 "));
+  EXPECT_THAT(refusal("--robot disc:0.1", kRoom), testing::StartsWith("4 "));
+  EXPECT_THAT(refusal("--clearance 0.1", kRoom), testing::StartsWith("2 "));
+  EXPECT_THAT(refusal("--robot disc:0.1 --arcs", kRoom), testing::StartsWith("2 "));
+  EXPECT_THAT(refusal("--widest", kSealed), testing::StartsWith("4 "));
   EXPECT_THAT(refusal("", "boundary 0 0 4 4\nstart 1 1\ngoal 3 3 4 4\n"), HasSubstr("not for a room"));
   EXPECT_THAT(refusal("", "boundary 0 0 4 4\nstart 1 1\ngoal 3 3\n0 1.0000000000000002 1 0.1\n"),
               HasSubstr("no multiples of one unit"));
+}
+
+TEST_F(CertificateProgram, ProvesWhatDiscsCanDo) {
+  const std::string proof = in_folder("proof");
+  EXPECT_EQ(run_taut("solve - --widest --certificate " + proof, kRoom).code, 0);
+  EXPECT_THAT(verify(proof, kRoom).out,
+              HasSubstr("no disc of a radius above 0.5 gets through; the path keeps 0.4999999"));
+  EXPECT_THAT(verify(proof, kOpen).out, HasSubstr("of another world"));
+  EXPECT_EQ(run_taut("solve - --robot disc:0.25 --certificate " + proof, kSlit).code, 1);
+  const Outcome narrow = run_taut("verify - " + proof + " --json -", kSlit);
+  EXPECT_EQ(narrow.code, 0) << narrow.err;
+  EXPECT_EQ(json::parse(narrow.out)["result"]["bound"], 0.25);
+}
+
+// Start and goal stand on openings.
+TEST_F(CertificateProgram, ProvesTheWidestDiscsOfData) {
+  for (const char* name : {"maze_5x7.txt", "maze_25x25.txt", "islands.wkt"}) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(run_taut("solve " + data_file(name) + " --widest --certificate " + in_folder("proof")).code, 0);
+    const Outcome run = run_taut("verify " + data_file(name) + " " + in_folder("proof") + " --json -");
+    EXPECT_EQ(run.code, 0) << run.err;
+    const json result = json::parse(run.out)["result"];
+    EXPECT_NEAR(result["keeps"], result["bound"], 1e-6);
+  }
+}
+
+TEST_F(CertificateProgram, ProvesHowFarOtherPlannersAreFromTheShortest) {
+  for (const std::string options : {"--roadmap prm", "--roadmap voronoi", "--roadmap cells", "--algorithm bfs"}) {
+    SCOPED_TRACE(options);
+    const std::string proof = in_folder("proof");
+    EXPECT_EQ(run_taut("solve - --certificate " + proof + " " + options, kRoom).code, 0);
+    const Outcome run = run_taut("verify - " + proof + " --json -", kRoom);
+    EXPECT_EQ(run.code, 0) << run.err;
+    const json result = json::parse(run.out)["result"];
+    EXPECT_NEAR(result["bound"], 5, 1e-9);
+    EXPECT_GE(result["length"], 5);
+  }
 }
 
 TEST_F(CertificateProgram, ProvesItOfThickWallsSquaresAndSeveralAreas) {

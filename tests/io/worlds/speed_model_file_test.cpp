@@ -39,5 +39,10 @@ TEST(SpeedModelFile, NamesWhatIsWrongWithAFile) {
   EXPECT_THAT(message(R"({"straight": 4})"), HasSubstr("'straight' is not an object"));
 }
 
+TEST(SpeedModelFile, IsNotRepeatedWhereANameInItIsLong) {
+  const std::string text = "{\"" + std::string(4000, 'x') + "\": 1}";
+  EXPECT_LT(test::refusal_of([&] { read_speed_model(text, "model.json"); }).size(), 100U);
+}
+
 }  // namespace
 }  // namespace taut

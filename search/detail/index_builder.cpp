@@ -1,0 +1,110 @@
+#include <taut/search/detail/index_builder.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <taut/search/detail/index_image.h>
+#include <taut/search/detail/taut_legs.h>
+
+namespace taut::detail {
+
+namespace {
+
+/// The far ends of each bend's sector.
+std::vector<std::uint32_t> bend_places(const VisibilityGraph& graph) {
+  const Triangulation& tri = graph.space().triangulation();
+  std::vector<std::uint32_t> places;
+  for (std::uint32_t v = 0; v < graph.roadmap().vertex_count(); ++v) {
+    const Triangulation::Sector& sector = tri.sectors[graph.sector(v)];
+    places.insert(places.end(), {sector.vertex, sector.right, sector.left});
+  }
+  return places;
+}
+
+/// No two points of the world are farther from each other.
+double extent_of(const Triangulation& tri) {
+  if (tri.points.empty()) return 0;
+  Box box{tri.points[0], tri.points[0]};
+  for (const Point p : tri.points) {
+    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y)};
+    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
+  }
+  return std::hypot(box.max.x - box.min.x, box.max.y - box.min.y);
+}
+
+constexpr std::size_t kSamples = 16;
+constexpr std::size_t kLabelBytes = 12, kSightBytes = 16, kUpBytes = 28;
+
+/// How many bends may have labels in so many bytes: n of them have about 1.3 * n^1.5, those of a core more.
+std::size_t bends_in(std::size_t bytes, double labels_a_bend) {
+  return static_cast<std::size_t>(std::pow(static_cast<double>(bytes) / kLabelBytes / labels_a_bend, 2.0 / 3));
+}
+
+class Builder {
+ public:
+  Builder(const VisibilityGraph& graph, std::size_t memory)
+      : graph_(graph), memory_(memory), places_(IntegerPlaces::of(tri().points)) {
+    hubs_ = hub_graph(graph, TautLegs(graph), places_ ? &*places_ : nullptr);
+    if (places_) sights_ = sight_lists(graph, hubs_, *places_, memory / 2 / kSightBytes);
+    rest_ = memory - (sights_ ? std::min(memory, kSightBytes * sights_->sights.size()) : 0);
+  }
+
+  std::optional<std::vector<std::byte>> image(std::optional<std::size_t> core_size) {
+    if (core_size) return with_core(*core_size);
+    if (hubs_.size() <= bends_in(rest_, 1.6))
+      if (auto all = with_all_labels()) return all;
+    sights_.reset();
+    const std::size_t ups = kUpBytes * 4 * hubs_.size();
+    std::size_t core = bends_in(memory_ > 2 * ups ? memory_ - ups : memory_ / 2, 3.0);
+    for (core = std::min<std::size_t>(core, hubs_.size() / 2); core >= 2; core = core * 3 / 4)
+      if (auto part = with_core(core)) return part;
+    return {};
+  }
+
+ private:
+  const Triangulation& tri() const { return graph_.space().triangulation(); }
+
+  std::optional<std::vector<std::byte>> with_all_labels() const {
+    const std::vector<std::uint32_t> bends = bend_places(graph_);
+    HubTree tree(hubs_, lists(), bends);
+    const auto labels = hub_labels(hubs_, tree, lists(), hub_order(hubs_, tree, kSamples), memory_ / kLabelBytes);
+    return labels ? packed(hubs_, *labels, nullptr) : std::nullopt;
+  }
+
+  std::optional<std::vector<std::byte>> with_core(std::size_t size) const {
+    const BendTurns turns(graph_, places_ ? &*places_ : nullptr);
+    const Contraction below = contraction(hubs_, turns, size);
+    std::vector<std::uint32_t> edge_of;
+    const HubGraph core = core_graph(below, turns, edge_of);
+    HubTree tree(core, nullptr, {});
+    const auto labels = hub_labels(core, tree, nullptr, hub_order(core, tree, kSamples), memory_ / kLabelBytes);
+    const LabelledCore labelled{below, turns, edge_of};
+    return labels ? packed(core, *labels, &labelled) : std::nullopt;
+  }
+
+  std::optional<std::vector<std::byte>> packed(const HubGraph& graph, const HubLabels& labels,
+                                               const LabelledCore* core) const {
+    auto image = index_image(graph, labels, core ? nullptr : lists(), core, space_print(tri()), tri().triangles.size(),
+                             extent_of(tri()));
+    if (image.size() > memory_) return {};
+    return image;
+  }
+
+  const SightLists* lists() const { return sights_ ? &*sights_ : nullptr; }
+
+  const VisibilityGraph& graph_;
+  std::size_t memory_;
+  std::optional<IntegerPlaces> places_;
+  HubGraph hubs_;
+  std::optional<SightLists> sights_;
+  std::size_t rest_ = 0;  // of the memory, beside sights
+};
+
+}  // namespace
+
+std::optional<std::vector<std::byte>> index_bytes(const VisibilityGraph& graph, std::size_t memory,
+                                                  std::optional<std::size_t> core_size) {
+  return Builder(graph, memory).image(core_size);
+}
+
+}  // namespace taut::detail

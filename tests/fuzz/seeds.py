@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+"""Seed corpora for the fuzz targets, made from the project's own examples.
+
+usage: seeds.py DATA FOLDER
+
+FOLDER/TARGET holds the inputs to begin with: files with the bytes in front or behind that say how the target reads them.
+"""
+import random
+import sys
+from pathlib import Path
+
+LARGEST = 20000
+
+# The place of a reader in files_fuzz.cpp, with inputs of its own where data/ has none.
+FILES = [
+    (0, ["0 0\n1 1\n2 3\n", '{"type":"LineString","coordinates":[[0,0],[1,1]]}', "x,y\n0,0\n1,1\n",
+         "header:\n  frame_id: map\nposes:\n- pose:\n    position: {x: 1, y: 2}\n", "LINESTRING(0 0, 1 1)\n"]),
+    (1, ["0 0\n1 1\n", "x,y\n0.5,1\n"]),
+    (2, ["0 0 1 1\n0 0 1 1 1.414214\n0 0 9 9 none\n# remark\n", "version 1\n0\ta.map\t4\t3\t0\t0\t3\t2\t5\n"]),
+    (3, ["version 1\n0\ta.map\t4\t3\t0\t0\t3\t2\t5\n"]),
+    (4, ["type octile\nheight 3\nwidth 4\nmap\n....\n.@@.\n....\n"]),
+    (5, ["N\n3,3\nC\n100\nR\n0,0\nT\n2,2\n2,1\nM\n1,1,1\n1,1,1\n1,1,1\n"]),
+    (6, []),
+    (7, []),
+    (8, ['{"acceleration": 2.5, "deceleration": 3}']),
+    (9, []),
+]
+READ_BY = {".chase": 5, ".map": 4, ".scen": 3, ".json": 8}
+
+
+def write(folder, name, bytes_):
+    folder.mkdir(parents=True, exist_ok=True)
+    if len(bytes_) <= LARGEST:
+        (folder / name).write_bytes(bytes_)
+
+
+def main():
+    data, folder = Path(sys.argv[1]), Path(sys.argv[2])
+    numbers = random.Random(1)
+    for path in sorted(data.rglob("*")):
+        if not path.is_file() or path.suffix == ".md":
+            continue
+        text = path.read_bytes()
+        # FuzzedDataProvider takes what it is asked for from the end: flags, then the format (31: by content).
+        write(folder / "worlds_fuzz", path.name, text + bytes([0, 31]))
+        write(folder / "worlds_fuzz", "mended_" + path.name, text + bytes([4 | 16, 31]))
+        reader = 6 if path.parent.name == "car" else READ_BY.get(path.suffix)
+        if reader is not None:
+            write(folder / "files_fuzz", path.name, bytes([reader]) + text)
+    for reader, texts in FILES:
+        for i, text in enumerate(texts):
+            write(folder / "files_fuzz", f"{reader}_{i}", bytes([reader]) + text.encode())
+    for i in range(50):
+        write(folder / "geometry_fuzz", str(i), numbers.randbytes(numbers.randrange(8, 60)))
+        write(folder / "certificates_fuzz", str(i), numbers.randbytes(numbers.randrange(4, 40)))
+
+
+if __name__ == "__main__":
+    main()
