@@ -31,6 +31,8 @@ QuerySource::QuerySource(const std::string& path) : name_(path == "-" ? "<stdin>
     if (!file_) throw InputError(name_, 0, std::string("cannot be opened: ") + std::strerror(errno));
     in_ = &file_;
   }
+  std::error_code ignored;
+  is_all_there_ = std::filesystem::is_regular_file(path == "-" ? "/dev/stdin" : path, ignored);
   if (in_->peek() == 0x1f) unpack();
 }
 
