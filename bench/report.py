@@ -4,7 +4,9 @@
 report.py RUN.json... [--json ALL.json] [--readme README.md] [--against OLD.json]
 
 RUN.json are outputs of Google Benchmark (--benchmark_out). Cells are CPU times of one call, the median where a bench was
-repeated. --json keeps the figures, --readme puts the tables between its marks, --against says how they changed.
+repeated; of benches that tell their memory there is a table of that, too. --json keeps the figures, --readme puts the
+tables between its marks, --against says how they changed. A run may also be an ALL.json of before: then the tables are
+written from that.
 """
 import argparse
 import json
@@ -13,6 +15,7 @@ import re
 import sys
 
 BEGIN, END = "<!-- figures: written by ./dev bench -->", "<!-- end of figures -->"
+MEMORY = ", memory"
 NANOSECONDS = {"ns": 1, "us": 1e3, "ms": 1e6, "s": 1e9}
 OPTIONS = re.compile(r"/(iterations|repeats|min_time|process_time|real_time|manual_time|threads)(:[^/]*)?")
 
@@ -36,6 +39,16 @@ def figures_of(run):
     return figures
 
 
+def memory_of(run):
+    """{(benchmark, size): peak bytes} of those that tell."""
+    return {(bench["name"].removeprefix("BM_"), ""): bench["memory_bytes"]
+            for bench in run["benchmarks"] if "memory_bytes" in bench}
+
+
+def bytes_text(count):
+    return f"{count / 1e6:.3g} MB" if count < 1e9 else f"{count / 1e9:.3g} GB"
+
+
 def text_of(nanoseconds):
     for unit, size in (("s", 1e9), ("ms", 1e6), ("us", 1e3)):
         if nanoseconds >= size:
@@ -43,15 +56,27 @@ def text_of(nanoseconds):
     return f"{nanoseconds:.3g} ns"
 
 
-def table_of(figures):
+def grouped(figures):
+    """`process/maze512-1` and the like: what is measured becomes the column, what on the row."""
+    if not all(size == "" and name.count("/") == 1 for name, size in figures):
+        return figures
+    return {tuple(name.split("/")): value for (name, _), value in figures.items()}
+
+
+def table_of(figures, text=text_of):
     """Rows are sizes, columns benchmarks, both in the order in which they ran."""
     names = list(dict.fromkeys(name for name, _ in figures))
     sizes = list(dict.fromkeys(size for _, size in figures))
     rows = ["| | " + " | ".join(f"`{name}`" for name in names) + " |", "|---" * (len(names) + 1) + "|"]
     for size in sizes:
-        cells = [text_of(figures[name, size]) if (name, size) in figures else "" for name in names]
+        cells = [text(figures[name, size]) if (name, size) in figures else "" for name in names]
         rows.append(f"| {size} | " + " | ".join(cells) + " |")
     return "\n".join(rows)
+
+
+def table_of_program(program, figures):
+    text = bytes_text if program.endswith(MEMORY) else text_of
+    return f"### {program}\n\n{table_of(grouped(figures) if program.startswith('process') else figures, text)}"
 
 
 def program_of(run, file):
@@ -61,11 +86,28 @@ def program_of(run, file):
 def changes(old, new):
     rows = ["| bench | size | was | is | ratio |", "|---|---|---|---|---|"]
     for program, figures in new.items():
+        text = bytes_text if program.endswith(MEMORY) else text_of
         for (name, size), now in figures.items():
             was = old.get(program, {}).get(f"{name}|{size}")
             if was:
-                rows.append(f"| {program} `{name}` | {size} | {text_of(was)} | {text_of(now)} | {now / was:.2f} |")
+                rows.append(f"| {program} `{name}` | {size} | {text(was)} | {text(now)} | {now / was:.2f} |")
     return "\n".join(rows)
+
+
+def all_of(files):
+    """{program: {(benchmark, size): figure}}, of outputs of benches and of figures that were kept."""
+    figures = {}
+    for file in files:
+        with open(file, encoding="utf-8") as opened:
+            run = json.load(opened)
+        if "benchmarks" not in run:
+            for program, kept in run.items():
+                figures[program] = {tuple(key.rsplit("|", 1)): value for key, value in kept.items()}
+            continue
+        for name, found in ((program_of(run, file), figures_of(run)), (program_of(run, file) + MEMORY, memory_of(run))):
+            if found:
+                figures[name] = found
+    return figures
 
 
 def rewrite(readme, tables):
@@ -84,13 +126,8 @@ def main():
     parser.add_argument("--readme", metavar="README.md")
     parser.add_argument("--against", metavar="OLD.json")
     options = parser.parse_args()
-    all_figures = {}
-    for file in options.runs:
-        with open(file, encoding="utf-8") as opened:
-            run = json.load(opened)
-        if figures := figures_of(run):
-            all_figures[program_of(run, file)] = figures
-    tables = "\n\n".join(f"### {program}\n\n{table_of(figures)}" for program, figures in all_figures.items())
+    all_figures = all_of(options.runs)
+    tables = "\n\n".join(table_of_program(program, figures) for program, figures in all_figures.items())
     flat = {p: {f"{name}|{size}": t for (name, size), t in f.items()} for p, f in all_figures.items()}
     if options.json:
         with open(options.json, "w", encoding="utf-8") as file:
@@ -105,4 +142,7 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except BrokenPipeError:
+        sys.exit(1)

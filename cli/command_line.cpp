@@ -254,6 +254,21 @@ CommandLine CommandLine::add_subcommand(const char* name, const char* descriptio
 
 bool CommandLine::is_chosen() const { return app_->parsed(); }
 
+std::string CommandLine::given_except(const std::vector<std::string>& names) const {
+  std::vector<std::string> all;
+  for (const CLI::Option* option : app_->get_options()) {
+    const std::string name = option->get_name();
+    if (option->count() == 0 || option->get_positional() || std::count(names.begin(), names.end(), name) > 0) continue;
+    std::string text = name;
+    for (const std::string& value : option->results()) text += " " + value;
+    all.push_back(text + ";");
+  }
+  std::sort(all.begin(), all.end());
+  std::string text;
+  for (const std::string& one : all) text += one;
+  return text;
+}
+
 DescribedCommand CommandLine::described() const { return cli::described(*app_, ""); }
 
 std::string CommandLine::full_name() const {

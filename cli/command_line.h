@@ -80,6 +80,9 @@ class CommandLine {
   /// A paragraph of --help: a line for each name.
   void explain(const std::string& title, const std::vector<Choice>& choices);
 
+  /// The options that were given, without operands and these, each with its values, in an order of their own:
+  /// `--robot disc:0.2;--seed 7;`.
+  std::string given_except(const std::vector<std::string>& names) const;
   std::size_t count(const std::string& name) const;
   bool has_subcommand() const;  ///< did one follow?
   void optional_subcommand();

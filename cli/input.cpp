@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <taut/cli/messages.h>
+#include <taut/cli/ranks.h>
 #include <taut/cli/world/foreign.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/results/snap_json.h>
@@ -19,7 +20,7 @@ ReadOptions reading_of(const std::string& file, ReadOptions read) {
 }
 
 World read_world_of(const std::string& file, const ReadOptions& options, ReadNotes& notes) {
-  const std::string bytes = read_bytes(file);
+  const std::string bytes = bytes_for_all(file);
   const ReadOptions read = reading_of(file, options);
   return read_own(bytes, read.source, {FileKind::world}, [&] { return read_world(bytes, read, &notes); });
 }

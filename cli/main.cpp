@@ -24,6 +24,7 @@
 #include <taut/cli/config_file.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
+#include <taut/cli/ranks.h>
 #include <taut/cli/run.h>
 #include <taut/cli/stop.h>
 #include <taut/cli/version.h>
@@ -164,6 +165,11 @@ int help(CommandLine& line, std::vector<std::string> words) {
 }
 
 int run(const Command& command) {
+  try {
+    if (command.common->ranks) join_ranks(*command.common);
+  } catch (const UsageError& error) {
+    return wrong_usage(command.line->app(), error.what());
+  }
   Run run(command.line->full_name().substr(std::string_view("taut ").size()), *command.common);
   start_watch(command.common->limits);
   try {
@@ -253,5 +259,7 @@ int guarded(int argc, char** argv) noexcept {
 
 int main(int argc, char** argv) {
   std::set_terminate(taut::cli::end_badly);
-  return taut::cli::guarded(argc, argv);
+  const int code = taut::cli::guarded(argc, argv);
+  taut::cli::leave_ranks(code);
+  return code;
 }

@@ -36,6 +36,7 @@ struct CommonOptions {
   std::string json;    ///< the envelope's file; `-` is stdout, empty is nothing
   bool stats = false;  ///< what each stage took, on stderr
   bool quiet = false;  ///< no line on stdout
+  bool ranks = false;  ///< --mpi
 };
 
 // Each adds its options, in a group of their own in --help. A value that cannot be read is a UsageError

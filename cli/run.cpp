@@ -144,6 +144,8 @@ Seconds Run::seconds(const char* stage) const {
   return {};
 }
 
+const std::string& Run::command() const { return shared_->envelope.command; }
+
 Seconds Run::seconds() const { return shared_->watch.seconds(); }
 
 bool Run::is_talkative() const { return !options_.quiet && !is_stdout_taken_; }

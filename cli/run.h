@@ -61,6 +61,7 @@ class Run {
   Seconds seconds(const char* stage) const;
   Seconds seconds() const;  ///< since the run began
 
+  const std::string& command() const;  ///< as in the envelope
   const CommonOptions& options() const { return options_; }
   bool wants_json() const { return !options_.json.empty(); }
   /// Does the line go to standard output?

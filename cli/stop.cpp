@@ -19,6 +19,7 @@
 
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
+#include <taut/geometry/parallel.h>
 
 namespace taut::cli {
 
@@ -133,13 +134,15 @@ void limit_memory(std::size_t bytes) {
 }  // namespace
 
 void start_watch(const Limits& limits) {
-  mallopt(M_ARENA_MAX, 1);  // a second heap would reserve 128 MB of address space
+  if (limits.memory) mallopt(M_ARENA_MAX, 1);  // a second heap would reserve 128 MB of address space
   if (limits.seconds) {
     shared().deadline = in_seconds(*limits.seconds);
     shared().deadline_reason = fmt::format("--max-seconds {}", *limits.seconds);
   }
   start_thread();
-  if (limits.memory) limit_memory(*limits.memory);
+  if (!limits.memory) return;
+  if (limits.jobs > 1) start_threads(limits.jobs);  // later there may be no memory for their stacks
+  limit_memory(*limits.memory);
 }
 
 void begin_stage(const char* stage) noexcept { shared().stage = stage; }

@@ -21,6 +21,7 @@ enum ExitCode : int {
 struct Limits {
   std::optional<double> seconds;      ///< wall clock, from start_watch()
   std::optional<std::size_t> memory;  ///< bytes of address space
+  unsigned jobs = 1;                  ///< threads that share the work
 };
 
 /// What ended the program.

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <chrono>
-#include <condition_variable>
-#include <exception>
 #include <limits>
-#include <thread>
 
+#include <taut/geometry/parallel.h>
 #include <taut/search/query_ends.h>
 
 namespace taut::python {
@@ -24,54 +22,15 @@ std::vector<Point> all_of(Point from, std::span<const Point> goals) {
   return ends;
 }
 
-/// Runs `work(block)` for all blocks, each once, on several threads; the calling one only waits and asks `is_over`.
-class Crew {
- public:
-  Crew(std::size_t blocks, std::function<bool()> is_over) : blocks_(blocks), is_over_(std::move(is_over)) {}
-
-  template <class Begin>
-  void run(unsigned threads, const Begin& begin) {
-    std::vector<std::jthread> crew;
-    at_work_ = threads;
-    for (unsigned i = 0; i < threads; ++i) crew.emplace_back([&] { work(begin); });
-    wait();
-    crew.clear();
-    if (failure_) std::rethrow_exception(failure_);
-  }
-
- private:
-  template <class Begin>
-  void work(const Begin& begin) {
-    try {
-      auto do_block = begin();
-      for (std::size_t block; (block = next_++) < blocks_;) do_block(block);
-    } catch (...) {
-      const std::scoped_lock lock(mutex_);
-      failure_ = std::current_exception();
-      next_ = blocks_;
-    }
-    const std::scoped_lock lock(mutex_);
-    --at_work_;
-    done_.notify_one();
-  }
-
-  void wait() {
-    std::unique_lock lock(mutex_);
-    while (!done_.wait_for(lock, std::chrono::milliseconds(100), [&] { return at_work_ == 0; })) {
-      lock.unlock();
-      if (is_over_()) next_ = blocks_;
-      lock.lock();
-    }
-  }
-
-  std::size_t blocks_;
-  std::function<bool()> is_over_;
-  std::atomic<std::size_t> next_ = 0;
-  std::mutex mutex_;
-  std::condition_variable done_;
-  std::exception_ptr failure_;
-  unsigned at_work_ = 0;
-};
+/// Threads that ask `is_over` about ten times a second: asking takes Python's lock.
+Parallel crew(unsigned threads, const std::function<bool()>& is_over) {
+  using Clock = std::chrono::steady_clock;
+  return {threads, [is_over, asked = Clock::now()]() mutable {
+            if (Clock::now() - asked < std::chrono::milliseconds(100)) return false;
+            asked = Clock::now();
+            return is_over();
+          }};
+}
 
 }  // namespace
 
@@ -197,13 +156,11 @@ std::vector<double> Asker::distances(std::span<const Point> starts, std::span<co
   const auto other = knowing(ends);
   const Asker& asked = other ? *other : *this;
   std::vector<double> lengths(starts.size() * goals.size(), kNoNumber);
-  const auto begin = [&] {
-    return [&, loan = std::make_unique<Loan>(asked)](std::size_t row) {
+  each_in_parallel(goals.empty() ? 0 : starts.size(), crew(threads, is_over), [&] {
+    return [&, loan = std::make_shared<Loan>(asked)](std::size_t row) {
       asked.measure(loan->search(), starts[row], goals, &lengths[row * goals.size()]);
     };
-  };
-  const std::size_t rows = goals.empty() ? 0 : starts.size();
-  Crew(rows, is_over).run(static_cast<unsigned>(std::min<std::size_t>(threads, rows)), begin);
+  });
   return lengths;
 }
 
@@ -226,18 +183,12 @@ Answers Asker::find_many(std::span<const Ends> queries, bool with_paths, unsigne
   answers.status.assign(n, static_cast<std::uint8_t>(QueryStatus::unproven));
   answers.length.assign(n, kNoNumber);
   std::vector<std::vector<Point>> paths(with_paths ? n : 0);
-  const auto begin = [&] {
-    return [&, loan = std::make_unique<Loan>(*this)](std::size_t block) {
+  each_in_parallel(blocks, crew(threads, is_over), [&] {
+    return [&, loan = std::make_shared<Loan>(*this)](std::size_t block) {
       for (std::size_t i = block * kBlock; i < std::min(n, (block + 1) * kBlock); ++i)
         answer(loan->search(), queries[i], i, answers, with_paths ? &paths[i] : nullptr);
     };
-  };
-  if (blocks <= 1 || threads == 1) {
-    auto do_block = begin();
-    for (std::size_t block = 0; block < blocks && (block % 16 != 15 || !is_over()); ++block) do_block(block);
-  } else {
-    Crew(blocks, is_over).run(static_cast<unsigned>(std::min<std::size_t>(threads, blocks)), begin);
-  }
+  });
   if (!with_paths) return answers;
   answers.offsets.assign(1, 0);
   for (const std::vector<Point>& path : paths) {

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
-#include <thread>
-
+#include <taut/geometry/parallel.h>
 #include <taut/python/asker.h>
 #include <taut/search/shortest_path.h>
 
@@ -45,7 +44,7 @@ auto interruptible(const Work& work) {
   return result;
 }
 
-unsigned thread_count(unsigned asked) { return asked > 0 ? asked : std::max(1u, std::thread::hardware_concurrency()); }
+unsigned thread_count(unsigned asked) { return asked > 0 ? asked : core_count(); }
 
 Answers many(const Asker& asker, const py::object& given, bool with_paths, unsigned threads) {
   const std::vector<Ends> queries = queries_of(given);

@@ -1,6 +1,7 @@
 #include <taut/roadmaps/visibility_graph.h>
 
 #include <algorithm>
+#include <utility>
 
 #include <taut/geometry/expects.h>
 #include <taut/geometry/ray_walk.h>
@@ -142,14 +143,14 @@ std::vector<bool> bending_vertices(const Tri& tri) {
 
 }  // namespace
 
-VisibilityGraph::VisibilityGraph(FreeSpace space, VisibilityKind kind)
-    : VisibilityGraph(VisibilityRows(space, kind), kind) {}
+VisibilityGraph::VisibilityGraph(FreeSpace space, VisibilityKind kind, unsigned jobs)
+    : VisibilityGraph(VisibilityRows(space, kind), kind, jobs) {}
 
-VisibilityGraph::VisibilityGraph(const VisibilityRows& rows, VisibilityKind kind)
+VisibilityGraph::VisibilityGraph(const VisibilityRows& rows, VisibilityKind kind, unsigned jobs)
     : space_(rows.space()),
       kind_(kind),
       vertices_(rows.vertices()),
-      roadmap_(roadmap_of(rows)),
+      roadmap_(roadmap_of(rows, jobs)),
       bends_(bending_vertices(space_.triangulation())) {}
 
 VisibilityGraph::VisibilityGraph(FreeSpace space, VisibilityKind kind, Roadmap roadmap)

@@ -1,9 +1,11 @@
 #include <taut/roadmaps/visibility_rows.h>
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <variant>
 
+#include <taut/geometry/parallel.h>
 #include <taut/roadmaps/detail/sight.h>
 
 namespace taut {
@@ -91,26 +93,38 @@ std::span<const Vertex> VisibilityRows::Finder::row(Vertex v) {
 
 namespace {
 
-/// The edges as they are found, by left end.
+/// The edges as they are found, by left end: one list for each block of vertices, all in one for one thread.
 struct FoundEdges {
-  explicit FoundEdges(const VisibilityRows& rows) : lengths(rows.vertices().sectors.size()) {
-    VisibilityRows::Finder finder(rows);
-    for (Vertex v = 0; v < lengths.size(); ++v) {
-      const auto row = finder.row(v);
+  FoundEdges(const VisibilityRows& rows, unsigned jobs)
+      : lengths(rows.vertices().sectors.size()), block(block_length(lengths.size(), jobs, 32)) {
+    others.resize((lengths.size() + block - 1) / block);
+    each_in_parallel(others.size(), {jobs}, [&] {
+      auto finder = std::make_shared<VisibilityRows::Finder>(rows);
+      return [this, finder](std::size_t i) { find(*finder, i); };
+    });
+  }
+
+  void find(VisibilityRows::Finder& finder, std::size_t i) {
+    const std::size_t last = std::min(lengths.size(), (i + 1) * block);
+    for (std::size_t v = i * block; v < last; ++v) {
+      const auto row = finder.row(static_cast<Vertex>(v));
       lengths[v] = static_cast<std::uint32_t>(row.size());
-      others.insert(others.end(), row.begin(), row.end());
+      others[i].insert(others[i].end(), row.begin(), row.end());
     }
   }
 
   template <class Visit>
   void each(Visit visit) const {
-    auto other = others.begin();
-    for (Vertex v = 0; v < lengths.size(); ++v)
-      for (std::uint32_t i = 0; i < lengths[v]; ++i, ++other) visit(std::min(v, *other), std::max(v, *other));
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      auto other = others[i].begin();
+      for (auto v = static_cast<Vertex>(i * block); v < std::min(lengths.size(), (i + 1) * block); ++v)
+        for (std::uint32_t k = 0; k < lengths[v]; ++k, ++other) visit(std::min(v, *other), std::max(v, *other));
+    }
   }
 
   std::vector<std::uint32_t> lengths;
-  std::vector<Vertex> others;
+  std::size_t block;
+  std::vector<std::vector<Vertex>> others;
 };
 
 /// Compressed rows while they are filled.
@@ -139,9 +153,9 @@ Rows neighbours_above(const FoundEdges& found, std::vector<std::uint64_t>& degre
 
 }  // namespace
 
-Roadmap roadmap_of(const VisibilityRows& rows) {
+Roadmap roadmap_of(const VisibilityRows& rows, unsigned jobs) {
   std::vector<std::uint64_t> degrees(rows.vertices().sectors.size());
-  const Rows above = neighbours_above(FoundEdges(rows), degrees);
+  const Rows above = neighbours_above(FoundEdges(rows, jobs), degrees);
   // Vertices that put themselves into their neighbours' rows in order leave ascending rows behind: first those below
   // each vertex, and then, out of these, those above it.
   Rows all(std::move(degrees));

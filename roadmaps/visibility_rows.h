@@ -71,7 +71,7 @@ class VisibilityRows {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// All of it, in compressed rows.
-Roadmap roadmap_of(const VisibilityRows& rows);
+/// All of it, in compressed rows, found by `jobs` threads: the same for any number.
+Roadmap roadmap_of(const VisibilityRows& rows, unsigned jobs = 1);
 
 }  // namespace taut

@@ -85,7 +85,8 @@ struct VoronoiJunction {
 /// 100 x 100 maze.
 class VoronoiRoadmap {
  public:
-  explicit VoronoiRoadmap(const FreeSpace& space);
+  /// Curves are shaped by `jobs` threads, the calling one among them; the diagram is the same for any number.
+  explicit VoronoiRoadmap(const FreeSpace& space, unsigned jobs = 1);
 
   const FreeSpace& space() const;
   const std::vector<VoronoiSite>& sites() const;

@@ -14,8 +14,8 @@ namespace {
 
 // What `work` gives; its time goes to `seconds`.
 template <typename Work>
-auto timed(Seconds& seconds, Work work) {
-  const Stopwatch watch;
+auto timed(Stopwatch::Of of, Seconds& seconds, Work work) {
+  const Stopwatch watch(of);
   auto result = work();
   seconds = watch.seconds();
   return result;
@@ -28,8 +28,10 @@ PlannerRun run_once(const Planner& planner, const RoadmapKind& kind, const FreeS
   PlannerRun run;
   request.from = from;
   request.to = to;
-  const PlannedRoadmap planned = timed(run.build, [&] { return kind.build(space, request); });
-  GraphSearchResult found = timed(run.query, [&] { return planned.search(from, to, planner.algorithm); });
+  // Others may plan beside; what shares its own work among threads counts them all.
+  const auto of = request.jobs > 1 ? Stopwatch::Of::process : Stopwatch::Of::thread;
+  const PlannedRoadmap planned = timed(of, run.build, [&] { return kind.build(space, request); });
+  GraphSearchResult found = timed(of, run.query, [&] { return planned.search(from, to, planner.algorithm); });
   run.roadmap = planned.roadmap;
   run.counts = planned.counts;
   run.vertices = planned.roadmap->vertex_count();

@@ -101,10 +101,10 @@ Polyanya Polyanya::with_landmarks(std::size_t count) const {
   return made;
 }
 
-Polyanya Polyanya::with_graph() const {
+Polyanya Polyanya::with_graph(unsigned jobs) const {
   TAUT_EXPECTS(!cells_);
   Polyanya made = *this;
-  made.bends_ = std::make_shared<const detail::BendGraph>(space_, *mesh_);
+  made.bends_ = std::make_shared<const detail::BendGraph>(space_, *mesh_, jobs);
   return made;
 }
 

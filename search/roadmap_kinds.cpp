@@ -38,8 +38,9 @@ RoadmapKind visibility(const char* name, const char* title, const char* what, Vi
           what,
           true,
           false,
-          [kind](const FreeSpace& space, const BuildRequest&) {
-            return planned(std::make_shared<const VisibilityGraph>(space, kind), search_visibility, visibility_query);
+          [kind](const FreeSpace& space, const BuildRequest& request) {
+            return planned(std::make_shared<const VisibilityGraph>(space, kind, request.jobs), search_visibility,
+                           visibility_query);
           },
           RoadmapKind::Keeping::rebuilt,
           false,
@@ -136,9 +137,9 @@ RoadmapKind voronoi() {
           "the middles between walls: paths keep as far away as they can",
           false,
           false,
-          [](const FreeSpace& space, const BuildRequest&) {
+          [](const FreeSpace& space, const BuildRequest& request) {
             const double tolerance = corridor_width(space) * kArcTolerance;
-            const auto map = std::make_shared<const VoronoiRoadmap>(space);
+            const auto map = std::make_shared<const VoronoiRoadmap>(space, request.jobs);
             PlannedRoadmap planned{std::make_shared<const Roadmap>(voronoi_legs(*map, tolerance)),
                                    [map, tolerance](Point from, const Goal& to, GraphMethod) {
                                      return voronoi_search(*map, from, to, tolerance);

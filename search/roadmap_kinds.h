@@ -37,6 +37,7 @@ struct BuildRequest {
   PrmRequest prm{};
   bool is_limited = false;  ///< somebody else ends it in time: a PRM need not give up by itself
   std::function<bool(const PrmProgress&)> progress{};
+  unsigned jobs = 1;  ///< threads that visibility graphs and diagrams may take
 };
 
 struct RoadmapKind {

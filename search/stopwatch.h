@@ -19,10 +19,15 @@ struct Seconds {
 /// Runs from the moment it is made. Asking costs under a microsecond.
 class Stopwatch {
  public:
-  Stopwatch();
+  /// Whose CPU time: of the whole process, or of the thread that made it, which then has to be the one that asks: what
+  /// one item of a loop took that others share.
+  enum class Of { process, thread };
+
+  explicit Stopwatch(Of of = Of::process);
   Seconds seconds() const;
 
  private:
+  Of of_;
   Seconds begin_;
 };
 

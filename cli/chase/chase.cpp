@@ -65,7 +65,7 @@ void add_options(CommandLine& app, ChaseOptions& options) {
       .type_name("S")
       .range(0, 1'000'000)
       .group("Rules");
-  add_chase_rule_options(app, options.rules);
+  add_chase_rule_options(app, options.rules, options.common.limits);
   add_svg_option(app, options.svg);
   add_animate_option(app, options.animation, "Write a moving picture (SVG)");
   app.add_flag("--path", options.path, "Print where the robot is at each second: `SECOND X,Y`").group("Output");
@@ -85,6 +85,7 @@ void add_options(CommandLine& app, ChaseOptions& options) {
 
 ChaseRequest request_of(const ChaseOptions& options) {
   ChaseRequest request = options.rules.request(*options.pursuer);
+  request.jobs = options.common.limits.jobs;
   if (options.online) request.horizon = options.horizon.value_or(0);
   return request;
 }

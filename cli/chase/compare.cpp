@@ -25,7 +25,7 @@ struct ChaseCompareOptions {
 
 void add_compare_options(CommandLine& app, ChaseCompareOptions& options) {
   app.add_option("MAP", options.files, "Cost maps").required();
-  add_chase_rule_options(app, options.rules);
+  add_chase_rule_options(app, options.rules, options.common.limits);
   app.add_option("--csv", options.csv,
                  "Write the rows as a table: map, planner, caught (1 or 0), time, moves, cost, ...")
       .type_name("FILE")
@@ -62,7 +62,9 @@ class Comparison {
  private:
   Outcome add(const ChaseMap& map, const NamedPursuer& pursuer) {
     const double before = run_.seconds("chase").cpu;
-    const ChaseRun chase = run_.stage("chase", [&] { return run_chase(map, rules_.request(pursuer)); });
+    ChaseRequest request = rules_.request(pursuer);
+    request.jobs = run_.options().limits.jobs;
+    const ChaseRun chase = run_.stage("chase", [&] { return run_chase(map, request); });
     const double cpu = run_.seconds("chase").cpu - before;
     Json json = checked_json(map, chase);
     const Outcome outcome = chase.is_caught()     ? Outcome::found

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include <taut/cli/jobs.h>
 #include <taut/cli/options.h>
 #include <taut/cli/world/foreign.h>
 #include <taut/io/results/chase_json.h>
@@ -36,7 +37,7 @@ ChaseRequest ChaseRuleOptions::request(const NamedPursuer& pursuer) const {
   return request;
 }
 
-void add_chase_rule_options(CommandLine& app, ChaseRuleOptions& rules) {
+void add_chase_rule_options(CommandLine& app, ChaseRuleOptions& rules, Limits& limits) {
   app.add_option_function(
          "--clock", [&rules](const std::string& text) { rules.clock = clock_of(text); },
          "The second of the target's first entry: zero (default) or one, the other scoring program's")
@@ -61,6 +62,8 @@ void add_chase_rule_options(CommandLine& app, ChaseRuleOptions& rules) {
       .type_name("S")
       .range(0, 1'000'000)
       .group("Rules");
+  limits.jobs = 2;
+  add_jobs_option(app, limits);
 }
 
 void explain_chase_planners(CommandLine& app) {

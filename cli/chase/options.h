@@ -5,6 +5,7 @@
 #include <string>
 
 #include <taut/cli/command_line.h>
+#include <taut/cli/stop.h>
 #include <taut/io/results/json.h>
 #include <taut/robots/pursuit/chase_run.h>
 
@@ -21,8 +22,8 @@ struct ChaseRuleOptions {
   pursuit::ChaseRequest request(const pursuit::NamedPursuer& pursuer) const;
 };
 
-/// --clock, --free-planning, --plan-seconds, --weight, --ahead.
-void add_chase_rule_options(CommandLine& app, ChaseRuleOptions& rules);
+/// --clock, --free-planning, --plan-seconds, --weight, --ahead, and --jobs, of exact: two threads unless it is given.
+void add_chase_rule_options(CommandLine& app, ChaseRuleOptions& rules, Limits& limits);
 
 /// A line for each planner, for --help.
 void explain_chase_planners(CommandLine& app);

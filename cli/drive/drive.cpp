@@ -4,6 +4,7 @@
 
 #include <taut/cli/command.h>
 #include <taut/cli/drive/map.h>
+#include <taut/cli/jobs.h>
 #include <taut/cli/run.h>
 #include <taut/io/worlds/read_world.h>
 
@@ -65,6 +66,7 @@ void require_consistent(const CommandLine& app, const DriveOptions& options) {
     throw UsageError("--policy is for --planner policy");
   if (options.controls && options.common.json.empty()) throw UsageError("--controls needs --json");
   if (options.output.draws() && options.all) throw UsageError("--svg draws one drive: give --sample I");
+  if (app.count("--jobs") > 0 && !options.all) throw UsageError("--jobs shares the samples of --all among threads");
   if (options.show_values && !options.output.draws()) throw UsageError("--show-values needs --svg");
 }
 
@@ -88,6 +90,7 @@ void add_options(CommandLine& app, DriveOptions& options) {
   add_world_drive_options(app, options.world);
   app.add_option("--sample", options.sample, "Drive this sample of the file (default: its first)").type_name("I");
   app.add_flag("--all", options.all, "Drive all samples of the file");
+  add_jobs_option(app, options.common.limits);
   app.add_option("--open", options.bits, "Drive with these roadblocks open, as 101 for A and C").type_name("BITS");
   app.add_option_function(
          "--planner", [&options](const std::string& word) { choose_planner(word, options); },

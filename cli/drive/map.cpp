@@ -12,9 +12,11 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/parallel.h>
 #include <taut/io/pictures/drive_svg.h>
 #include <taut/io/worlds/roadblock_map.h>
 #include <taut/robots/roadblocks/value_planner.h>
+#include <taut/search/stopwatch.h>
 
 namespace taut::cli {
 
@@ -37,12 +39,12 @@ std::vector<roadblocks::Sample> chosen_samples(const DriveOptions& options, cons
 /// Takes the time of another driver's decisions.
 class TimedDriver : public roadblocks::Driver {
  public:
-  TimedDriver(std::unique_ptr<roadblocks::Driver> driver, const Run& run) : driver_(std::move(driver)), run_(run) {}
+  explicit TimedDriver(std::unique_ptr<roadblocks::Driver> driver) : driver_(std::move(driver)) {}
 
   std::optional<double> next(const roadblocks::ObservedMap& map, const roadblocks::Pose& pose) override {
-    const double begin = run_.seconds().cpu;
+    const Stopwatch watch(Stopwatch::Of::thread);
     const std::optional<double> control = driver_->next(map, pose);
-    const double ms = 1000 * (run_.seconds().cpu - begin);
+    const double ms = 1000 * watch.seconds().cpu;
     if (asked_++ == 0)
       first_ = ms;
     else
@@ -57,7 +59,6 @@ class TimedDriver : public roadblocks::Driver {
 
  private:
   std::unique_ptr<roadblocks::Driver> driver_;
-  const Run& run_;
   int asked_ = 0;
   double first_ = 0, slowest_later_ = 0;
 };
@@ -100,7 +101,7 @@ bool has_policy(const DriveOptions& options) {
   return !options.peer && options.planner == roadblocks::DriverKind::policy;
 }
 
-/// What the drives of a map share.
+/// What the drives of one thread share.
 struct Garage {
   Garage(const roadblocks::Course& course, const DriveOptions& options) : planner(course, options.walls) {
     if (has_policy(options)) policy.emplace(planner, options.aim);
@@ -119,8 +120,8 @@ std::unique_ptr<roadblocks::Driver> driver_for(const roadblocks::Sample& sample,
 }
 
 RoadblockDrive driven(const roadblocks::Sample& sample, const roadblocks::Course& course, Garage& garage,
-                      const DriveOptions& options, const Run& run) {
-  TimedDriver driver(driver_for(sample, course, garage, options), run);
+                      const DriveOptions& options) {
+  TimedDriver driver(driver_for(sample, course, garage, options));
   roadblocks::Drive drive = roadblocks::drive(course, sample.open, driver, options.walls);
   outcome_of(drive.outcome);
   const auto policy_exact = has_policy(options) ? std::optional(driver.exact()) : std::nullopt;
@@ -161,6 +162,22 @@ class Logbook {
   Json samples_ = Json::array();
 };
 
+/// What is driven, in the order of the samples, is kept.
+void drive_all(const std::vector<roadblocks::Sample>& samples, const roadblocks::Course& course,
+               const DriveOptions& options, Logbook& logbook, Run& run) {
+  std::vector<RoadblockDrive> drives(samples.size());
+  Keeping keeping;
+  std::size_t noted = 0;
+  const auto note_until = [&](std::size_t over) {
+    for (; noted < over; ++noted) logbook.add(std::move(drives[noted]));
+    keeping.tell([&] { run.so_far(logbook.json(), logbook.table()); });
+  };
+  each_in_parallel(samples.size(), {options.common.limits.jobs, {}, note_until}, [&] {
+    auto garage = std::make_shared<Garage>(course, options);
+    return [&, garage](std::size_t i) { drives[i] = driven(samples[i], course, *garage, options); };
+  });
+}
+
 }  // namespace
 
 std::string planner_name(const DriveOptions& options) {
@@ -174,13 +191,8 @@ int drive_on_map(const DriveOptions& options, std::string_view bytes, const std:
     roadblocks::require_start_free(read.course, options.walls, source);
     return read;
   });
-  Garage garage(map.course, options);
   Logbook logbook(options, map.course);
-  Keeping keeping;
-  for (const roadblocks::Sample& sample : chosen_samples(options, map, source)) {
-    logbook.add(run.stage("drive", [&] { return driven(sample, map.course, garage, options, run); }));
-    keeping.tell([&] { run.so_far(logbook.json(), logbook.table()); });
-  }
+  run.stage("drive", [&] { drive_all(chosen_samples(options, map, source), map.course, options, logbook, run); });
   Answer answer = logbook.answer();
   const DriveOutput& output = options.output;
   if (!output.svg.empty())

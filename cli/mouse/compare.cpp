@@ -2,12 +2,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <utility>
 
 #include <taut/cli/command_line.h>
+#include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/mouse/mouse.h>
 #include <taut/cli/run.h>
+#include <taut/geometry/parallel.h>
 #include <taut/io/results/mouse_json.h>
+#include <taut/search/stopwatch.h>
 
 namespace taut::cli {
 
@@ -41,6 +46,7 @@ void add_options(CommandLine& app, CompareOptions& options) {
       .type_name("LIST")
       .group("Robot");
   add_max_steps_option(app, options.max_steps);
+  add_jobs_option(app, options.common.limits);
   explain_explorers(app);
   app.example("taut mouse compare mazes/*.maz --explorers flood,score --json scores.json");
 }
@@ -84,24 +90,58 @@ std::string table(const Contest& contest) {
   return out;
 }
 
-void run_all(const CompareOptions& options, const std::vector<GridMaze>& mazes, Contest& contest, Run& run) {
-  const std::size_t all = contest.explorers.size() * mazes.size();
-  std::size_t done = 0;
-  Keeping keeping;
-  for (const Explorer explorer : contest.explorers) {
-    contest.scores.emplace_back();
-    contest.seconds.push_back(0);
-    for (std::size_t i = 0; i < mazes.size(); ++i) {
-      if (!options.common.quiet)
-        progress(fmt::format("{} of {}: {} in {}", ++done, all, name(explorer), title_of(contest.mazes[i])));
-      const double begin = run.seconds().cpu;
-      contest.scores.back().push_back(score_of(explorer, mazes[i], options.max_steps, options.common.seed));
-      contest.seconds.back() += run.seconds().cpu - begin;
-      keeping.tell([&] { run.so_far(mouse_contest_json(contest, options.common.seed), table(contest)); });
-    }
+/// Every explorer in every maze; what is finished, in their order, is kept.
+class Trials {
+ public:
+  Trials(const CompareOptions& options, const std::vector<GridMaze>& mazes, Contest& contest, Run& run)
+      : options_(options),
+        mazes_(mazes),
+        contest_(contest),
+        run_(run),
+        trials_(mazes.size() * options.explorers.size()) {}
+
+  void run_all() {
+    const Parallel how{options_.common.limits.jobs, {}, [this](std::size_t over) { note_until(over); }};
+    each_in_parallel(trials_.size(), how, [this](std::size_t i) {
+      if (!options_.common.quiet)
+        progress(fmt::format("{} of {}: {} in {}", ++begun_, trials_.size(), name(explorer(i)),
+                             title_of(contest_.mazes[i % mazes_.size()])));
+      const Stopwatch watch(Stopwatch::Of::thread);
+      trials_[i].score = score_of(explorer(i), mazes_[i % mazes_.size()], options_.max_steps, options_.common.seed);
+      trials_[i].seconds = watch.seconds().cpu;
+    });
+    end_progress();
   }
-  end_progress();
-}
+
+ private:
+  struct Trial {
+    micromouse::Score score;
+    double seconds = 0;
+  };
+
+  Explorer explorer(std::size_t i) const { return options_.explorers[i / mazes_.size()]; }
+
+  void note_until(std::size_t over) {
+    for (; noted_ < over; ++noted_) {
+      if (noted_ % mazes_.size() == 0) {
+        contest_.scores.emplace_back();
+        contest_.seconds.push_back(0);
+      }
+      contest_.scores.back().push_back(std::move(trials_[noted_].score));
+      contest_.seconds.back() += trials_[noted_].seconds;
+    }
+    keeping_.tell([this] { run_.so_far(mouse_contest_json(contest_, options_.common.seed), table(contest_)); });
+  }
+
+  const CompareOptions& options_;
+  const std::vector<GridMaze>& mazes_;
+  Contest& contest_;
+  Run& run_;
+  std::vector<Trial> trials_;  // by explorer, then maze
+  std::atomic<std::size_t> begun_{0};
+  std::size_t noted_ = 0;
+  Keeping keeping_;
+};
 
 int run(const CompareOptions& options, Run& run) {
   run.sources(options.files);
@@ -112,7 +152,7 @@ int run(const CompareOptions& options, Run& run) {
     return run.end({.outcome = Outcome::none,
                     .reason = "no maze has a way from its start to its goal",
                     .result = mouse_contest_json(contest, options.common.seed)});
-  run.stage("run", [&] { run_all(options, mazes, contest, run); });
+  run.stage("run", [&] { Trials(options, mazes, contest, run).run_all(); });
   return run.end({.result = mouse_contest_json(contest, options.common.seed), .line = table(contest)});
 }
 

@@ -2,44 +2,47 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <atomic>
+#include <exception>
+#include <functional>
 #include <iostream>
-#include <new>
+#include <memory>
 #include <optional>
+#include <span>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
 #include <taut/cli/input.h>
+#include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
+#include <taut/cli/shards.h>
 #include <taut/cli/solve/batch_answers.h>
-#include <taut/cli/solve/batch_proofs.h>
 #include <taut/cli/solve/ends_on_walls.h>
 #include <taut/cli/solve/index_option.h>
-#include <taut/cli/solve/query_source.h>
+#include <taut/cli/solve/packed_answer.h>
+#include <taut/cli/solve/query_asker.h>
+#include <taut/cli/solve/query_blocks.h>
+#include <taut/cli/solve/search_stages.h>
 #include <taut/cli/world/geographic.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
+#include <taut/geometry/parallel.h>
+#include <taut/io/saved/packed.h>
+#include <taut/io/saved/roadmap_file.h>
+#include <taut/io/saved/shard_file.h>
 #include <taut/io/worlds/query_lines.h>
 #include <taut/search/index.h>
-#include <taut/search/no_path.h>
 #include <taut/search/polyanya.h>
-#include <taut/search/stopwatch.h>
 
 namespace taut::cli {
 
 namespace {
 
-// The graph, and then landmarks, are made once the searches have looked at about as much as making them takes, if paths
-// wind: where they are hardly longer than straight lines a corner has many legs, and landmarks say nothing that
-// those lines do not.
-constexpr std::size_t kConesABend = 16;
-constexpr std::size_t kNodesABend = 16;
-constexpr double kWinding = 1.1;
-constexpr std::size_t kManyBends = 20000;
+constexpr std::size_t kQueriesAnItem = 256;  // of shards
 
 struct BatchOptions {
   WorldOptions world;
@@ -49,7 +52,7 @@ struct BatchOptions {
   std::string queries;
   bool json_lines = false;
   bool path = false;
-  std::string certificate;
+  ShardOptions shards;
 };
 
 void add_options(CommandLine& app, BatchOptions& options) {
@@ -67,41 +70,82 @@ void add_options(CommandLine& app, BatchOptions& options) {
   app.add_flag("--path", options.path,
                "The points of each path as well: ` x y x y ...` after the length, `path` in JSON")
       .group("Output");
-  app.add_option("--certificate", options.certificate, "Write a proof of every answer, in one file for `taut verify`")
-      .type_name("FILE")
-      .group("Output");
+  add_jobs_option(app, options.common.limits);
+  add_shard_options(app, options.shards, options.common);
   app.callback([&options] {
-    if (!options.certificate.empty() &&
-        (options.query.robot.kind() == Footprint::Kind::disc || options.world.read.project))
-      throw UsageError("--certificate does not go with --robot disc:R and --project");
     if (options.queries == "-" && options.world.file == "-")
       throw UsageError("FILE and QUERIES cannot both come from standard input");
+    if (options.shards.is_shared() && !options.index.save.empty())
+      throw UsageError("--save-index goes with a run of its own, not with what is shared");
   });
   app.example("taut batch maze.txt queries.txt");
   app.example("taut batch maze.txt queries.txt --json-lines --path");
   app.example("taut batch maze.txt queries.txt --save-index maze.index");
 }
 
-/// One query after the other, by cones and bends or by an index.
-class Finder {
+/// What queries are asked about, and who asks.
+class Ground {
  public:
-  explicit Finder(const Polyanya& polyanya) : search_(PolyanyaSearch(polyanya)) {}
-  explicit Finder(const Index& index) : search_(IndexSearch(index)) {}
+  Ground(const BatchOptions& options, const Input& input, Run& run)
+      : options_(options),
+        shown_(input.notes),
+        space_(run.stage("space", [&] { return FreeSpace(input.world, options.query.robot); })),
+        walls_(input, options.world.read.snap, space_),
+        no_path_(space_),
+        ground_{space_, walls_, shown_, options.query.snap_ends, wants_nearest(run), options.path},
+        index_(index_of(options.index, space_, run)) {
+    if (!index_) stages_.emplace(run.stage("mesh", [&] { return Polyanya(space_); }), options.common.limits.jobs);
+  }
 
-  SearchStatus find(Point from, Point to) {
-    return std::visit([&](auto& search) { return search.find(from, to); }, search_);
+  /// Answers in order, `take`n as soon as each and all before it are there. After each the stages may want to go on to
+  /// the next one: the rest is asked again.
+  template <typename Take>
+  void answer(std::span<const QueryLine> block, Take take) {
+    while (!block.empty()) {
+      std::vector<QueryAnswer> answers(block.size());
+      std::size_t done = 0;
+      std::atomic<bool> is_due{false};
+      Parallel how{options_.common.limits.jobs, [&] { return is_due.load(); }, {}};
+      how.finished = [&](std::size_t over) {
+        for (; done < over && !is_due; ++done) {
+          is_due = stages_ && stages_->weigh(answers[done]);
+          take(block[done], answers[done]);
+        }
+      };
+      each_in_parallel(block.size(), how, [&] {
+        return [&, asker = lend(stages_ ? stages_->stage() : 0)](std::size_t i) { answers[i] = asker->ask(block[i]); };
+      });
+      block = block.subspan(done);
+      if (is_due) prepared_ += stages_->go_on();
+    }
   }
-  const std::vector<Point>& points() const {
-    return std::visit([](const auto& search) -> const std::vector<Point>& { return search.points(); }, search_);
+
+  std::shared_ptr<QueryAsker> lend(std::size_t stage) {
+    return index_ ? askers_[0].lend(*index_) : askers_[stage].lend((*stages_)[stage]);
   }
-  /// 0 of an index.
-  std::size_t expanded() const {
-    const auto* const cones = std::get_if<PolyanyaSearch>(&search_);
-    return cones ? cones->expanded() : 0;
-  }
+  bool is_settled() const { return !stages_ || stages_->is_settled(); }
+  std::size_t stage_of(std::size_t number) const { return stages_ ? stages_->stage_of(number) : 0; }
+  const std::optional<Index>& index() const { return index_; }
+  const Shown& shown() const { return shown_; }
+  Seconds prepared() { return std::exchange(prepared_, {}); }  ///< since the last call
 
  private:
-  std::variant<PolyanyaSearch, IndexSearch> search_;
+  /// Whoever joins shards may want it though this one does not.
+  bool wants_nearest(const Run& run) const {
+    return options_.query.snap_ends || options_.json_lines || run.wants_json() || options_.shards.is_shared();
+  }
+
+  const BatchOptions& options_;
+  const Shown shown_;
+  const FreeSpace space_;
+  const EndsOnWalls walls_;
+  SharedNoPath no_path_;
+  const QueryGround ground_;
+  const std::optional<Index> index_;
+  std::optional<SearchStages> stages_;  // without an index
+  std::array<QueryAskers, 3> askers_{QueryAskers{ground_, no_path_}, QueryAskers{ground_, no_path_},
+                                     QueryAskers{ground_, no_path_}};
+  Seconds prepared_;
 };
 
 class Batch {
@@ -116,167 +160,99 @@ class Batch {
 
   int work() {
     std::ios::sync_with_stdio(false);
-    run_.promise(options_.certificate);
     QuerySource source(options_.queries);
     const Input input = read_input(options_.world, run_);
-    shown_ = Shown(input.notes);
-    const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
-    const std::optional<Index> index = index_of(options_.index, space, run_);
-    if (!index) polyanya_ = run_.stage("mesh", [&] { return Polyanya(space); });
-    const NoPath no_path(space);
-    if (!options_.certificate.empty()) proofs_.emplace(space);
+    if (options_.shards.is_shared()) return share(source, input);
+    Ground ground(options_, input, run_);
     answers_.prepared_in(run_.seconds());
-    Finder search = index ? Finder(*index) : Finder(*polyanya_);
-    run_.stage("search", [&] { answer_all(source, input, space, search, no_path); });
+    run_.stage("search", [&] { answer_all(source, input, ground); });
+    return end(ground.index());
+  }
+
+ private:
+  void answer_all(QuerySource& source, const Input& input, Ground& ground) {
+    QueryBlocks blocks(source, input, ground.shown(), options_.common.limits.jobs);
+    for (bool more = true; more;) {
+      std::vector<QueryLine> block;
+      std::exception_ptr wrong;
+      try {
+        more = blocks.next(block);
+      } catch (const InputError&) {  // a line that is wrong does not take the answers before it along
+        wrong = std::current_exception();
+      }
+      ground.answer(block, [&](const QueryLine& query, const QueryAnswer& answer) {
+        answers_.add(query, answer, source.name());
+        answers_.flush(false);
+      });
+      answers_.prepared_in(ground.prepared());
+      answers_.flush(!more || wrong || source.may_wait());
+      if (wrong) std::rethrow_exception(wrong);
+    }
+  }
+
+  int end(const std::optional<Index>& index = {}) {
     note(answers_.totals());
     Answer answer;
     answer.outcome = answers_.outcome();
     answer.reason = answers_.reason();
     if (run_.wants_json()) answer.result = answers_.json();
     if (index) add_index(options_.index, *index, answer);
-    if (proofs_) add_proofs(answer);
     return run_.end(std::move(answer));
   }
 
- private:
-  void answer_all(QuerySource& source, const Input& input, const FreeSpace& space, Finder& search,
-                  const NoPath& no_path) {
-    const EndsOnWalls walls(input, options_.world.read.snap, space);
-    QueryReader reader(source.name());
-    std::string line;
-    for (int number = 1; source.next(line); ++number) {
-      const std::optional<QueryLine> query = read(reader, line, number, source, input);
-      if (!query) continue;
-      const bool on_walls = walls.concern(plane(query->from)) || walls.concern(plane(query->to));
-      answers_.add(*query, on_walls ? ask_on_walls(walls, *query) : ask(space, search, no_path, *query), source.name());
-      answers_.flush(source.may_wait());
-      if (polyanya_) prepare(*polyanya_, search);
-    }
+  int share(QuerySource& source, const Input& input) {
+    const Shown shown(input.notes);
+    QueryBlocks blocks(source, input, shown, 1);
+    std::vector<QueryLine> queries;
+    while (blocks.next(queries)) continue;
+    const Items items = items_of(queries, input);
+    if (options_.shards.shard > 0)
+      return run_.end(run_.stage("search", [&] { return do_shard(options_.shards, items, run_); }));
+    take_all(options_.shards, items, run_, [&](std::size_t item, std::string_view bytes) {
+      Unpacker unpacker(bytes, fmt::format("item {} of the shards", item));
+      for (const QueryLine& query : queries_of(queries, item))
+        answers_.add(query, unpacked_answer(unpacker), source.name());
+      answers_.flush(false);
+    });
     answers_.flush(true);
+    return end();
   }
 
-  void add_proofs(Answer& answer) const {
-    answer.files.push_back({options_.certificate, proofs_->text()});
-    if (proofs_->missing() == 0 || exit_code(answer.outcome) != 0) return;
-    answer.outcome = Outcome::unproven;
-    answer.reason = count_text(proofs_->missing(), "answer") + " without a certificate";
+  Items items_of(std::span<const QueryLine> queries, const Input& input) {
+    const std::string texts[] = {TAUT_VERSION, options_.shards.how, fingerprint(input.world), text_of(queries)};
+    return {mark_of(texts), (queries.size() + kQueriesAnItem - 1) / kQueriesAnItem,
+            [this, queries, &input] { prepare(queries, input); }, [this, queries] { return worker(queries); }};
   }
 
-  /// --project: queries are longitude and latitude.
-  Point plane(Point p) const { return shown_ ? shown_.geographic()->metres(p) : p; }
-
-  void show(QueryAnswer& answer) const {
-    if (!shown_) return;
-    answer.points = shown_(std::move(answer.points));
-    answer.moves = shown_(std::move(answer.moves));
-    if (answer.nearest) answer.nearest = shown_(*answer.nearest);
+  /// The first answers are looked for by everybody: they say what the others are searched on.
+  void prepare(std::span<const QueryLine> queries, const Input& input) {
+    ground_.emplace(options_, input, run_);
+    for (std::size_t done = 0; done < queries.size() && !ground_->is_settled(); done += kQueriesAnItem)
+      ground_->answer(queries.subspan(done, std::min(kQueriesAnItem, queries.size() - done)), [](auto&&...) {});
   }
 
-  // A line that is wrong does not take the answers before it along.
-  std::optional<QueryLine> read(QueryReader& reader, const std::string& line, int number, const QuerySource& source,
-                                const Input& input) {
-    try {
-      const std::optional<QueryLine> query = reader.read(line, number);
-      const Box box = input.world.box();
-      if (query && query->map != Point{} && query->map != box.max)
-        throw InputError(source.name(), number,
-                         fmt::format("is for a map of {} x {} cells, {} has {} x {}", query->map.x, query->map.y,
-                                     input.name, box.max.x, box.max.y));
-      if (query && shown_)
-        for (const Point p : {query->from, query->to})
-          shown_.geographic()->require_end(p, fmt::format("line {} of the queries: end", number));
-      return query;
-    } catch (const InputError&) {
-      answers_.flush(true);
-      throw;
-    }
+  std::function<std::string(std::size_t)> worker(std::span<const QueryLine> queries) {
+    return [this, queries, askers = std::array<std::shared_ptr<QueryAsker>, 3>()](std::size_t item) mutable {
+      Packer packer;
+      std::size_t number = item * kQueriesAnItem;
+      for (const QueryLine& query : queries_of(queries, item)) {
+        const std::size_t stage = ground_->stage_of(number++);
+        if (!askers[stage]) askers[stage] = ground_->lend(stage);
+        pack(askers[stage]->ask(query), packer);
+      }
+      return std::move(packer).bytes();
+    };
   }
 
-  /// A space of their own has the ends where they are.
-  QueryAnswer ask_on_walls(const EndsOnWalls& walls, const QueryLine& query) {
-    const FreeSpace space = walls.space_with(std::vector{query.from, query.to});
-    Finder search{Polyanya(space)};
-    return ask(space, search, NoPath(space), query);
-  }
-
-  /// Where there is no memory for it, go on as before.
-  void prepare(Polyanya& polyanya, Finder& search) {
-    const std::size_t bends = polyanya.mesh().bends.size();
-    const bool graph = !polyanya.has_graph() && nodes_ > kConesABend * bends;
-    const bool landmarks = polyanya.has_graph() && !polyanya.has_landmarks() && nodes_ > kNodesABend * bends;
-    if (is_full_ || (!graph && !landmarks) || !(lengths_ > kWinding * straight_)) return;
-    const Stopwatch watch;
-    try {
-      Polyanya made = graph ? polyanya.with_graph() : polyanya.with_landmarks(bends > kManyBends ? 16 : 8);
-      search = Finder(made);
-      polyanya = std::move(made);
-    } catch (const std::bad_alloc&) {
-      is_full_ = true;
-    }
-    nodes_ = 0;
-    answers_.prepared_in(watch.seconds());
-  }
-
-  /// Is p a place for the robot, or moved to one by --snap-ends?
-  bool settle(const FreeSpace& space, const char* role, Point& p, QueryAnswer& answer) const {
-    if (space.locate(p).kind != Location::Kind::outside) return true;
-    std::optional<FreePlace> nearest;
-    if (options_.query.snap_ends || options_.json_lines || run_.wants_json()) nearest = nearest_free(space, p);
-    if (nearest && options_.query.snap_ends && nearest->distance <= *options_.query.snap_ends) {
-      answer.moves.push_back({role, p, *nearest});
-      p = nearest->point;
-      return true;
-    }
-    answer.status = QueryAnswer::Status::blocked;
-    answer.blocked = role;
-    answer.nearest = nearest;
-    return false;
-  }
-
-  /// A start or goal in a wall is an answer here, no reason to stop.
-  QueryAnswer ask(const FreeSpace& space, Finder& search, const NoPath& no_path, QueryLine query) {
-    query.from = plane(query.from);
-    query.to = plane(query.to);
-    QueryAnswer answer = ask_in_plane(space, search, no_path, query);
-    show(answer);
-    return answer;
-  }
-
-  QueryAnswer ask_in_plane(const FreeSpace& space, Finder& search, const NoPath& no_path, QueryLine query) {
-    QueryAnswer answer;
-    if (!settle(space, "start", query.from, answer) || !settle(space, "goal", query.to, answer)) return answer;
-    const Stopwatch watch;
-    const SearchStatus status = search.find(query.from, query.to);
-    answer.cpu = watch.seconds().cpu;
-    if (status != SearchStatus::found) {
-      if (!no_path.holds(query.from, {query.to, {}})) answer.status = QueryAnswer::Status::unproven;
-      if (proofs_ && answer.status == QueryAnswer::Status::none)
-        proofs_->add(query.line, std::nullopt, query.from, query.to);
-      return answer;
-    }
-    answer.status = QueryAnswer::Status::found;
-    answer.length = Length(search.points()).value();
-    if (proofs_) {
-      Path path{{search.points().begin(), search.points().end()}, {}};
-      path.length = Length(path.points);
-      proofs_->add(query.line, path, query.from, query.to);
-    }
-    if (options_.path) answer.points.assign(search.points().begin(), search.points().end());
-    nodes_ += search.expanded();
-    lengths_ += answer.length;
-    straight_ += std::hypot(query.to.x - query.from.x, query.to.y - query.from.y);
-    return answer;
+  static std::span<const QueryLine> queries_of(std::span<const QueryLine> queries, std::size_t item) {
+    const std::size_t first = item * kQueriesAnItem;
+    return queries.subspan(first, std::min(kQueriesAnItem, queries.size() - first));
   }
 
   const BatchOptions& options_;
   Run& run_;
   BatchAnswers answers_;
-  std::optional<BatchProofs> proofs_;
-  Shown shown_{ReadNotes{}};
-  std::optional<Polyanya> polyanya_;  // without an index
-  bool is_full_ = false;              // there was no memory
-  std::size_t nodes_ = 0;
-  double lengths_ = 0, straight_ = 0;
+  std::optional<Ground> ground_;  // of shards
 };
 
 int run(const BatchOptions& options, Run& run) {

@@ -21,6 +21,8 @@ struct QueryAnswer {
   Status status = Status::none;  ///< none: proven; blocked: an end is no free place
   double length = 0;
   double cpu = 0;                      ///< seconds of the search
+  std::size_t nodes = 0;               ///< that it looked at
+  double straight = 0;                 ///< the distance of the ends
   const char* blocked = "";            ///< "start" or "goal"
   std::optional<FreePlace> nearest{};  ///< to the blocked end, where it is wanted
   std::vector<EndMove> moves{};        ///< --snap-ends

@@ -13,14 +13,21 @@
 #include <taut/cli/command.h>
 #include <taut/cli/command_line.h>
 #include <taut/cli/input.h>
+#include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/ranks.h>
 #include <taut/cli/run.h>
+#include <taut/cli/shards.h>
 #include <taut/cli/solve/ends_on_walls.h>
+#include <taut/cli/solve/matrix_shards.h>
 #include <taut/cli/world/geographic.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/rounding.h>
 #include <taut/io/results/matrix_file.h>
+#include <taut/io/saved/packed.h>
+#include <taut/io/saved/roadmap_file.h>
+#include <taut/io/saved/shard_file.h>
 #include <taut/io/worlds/read_points.h>
 #include <taut/search/distance_matrix.h>
 #include <taut/search/no_path.h>
@@ -36,6 +43,7 @@ struct MatrixOptions {
   std::string points;
   std::string output;
   std::optional<MatrixFormat> format;
+  ShardOptions shards;
 };
 
 void add_options(CommandLine& app, MatrixOptions& options) {
@@ -61,6 +69,8 @@ void add_options(CommandLine& app, MatrixOptions& options) {
          "What to write, whatever the file's name: csv, npy, raw")
       .type_name("NAME")
       .group("Output");
+  add_jobs_option(app, options.common.limits);
+  add_shard_options(app, options.shards, options.common);
   app.callback([&options] {
     if (options.points == "-" && options.world.file == "-")
       throw UsageError("FILE and POINTS cannot both come from standard input");
@@ -134,21 +144,14 @@ class Matrix {
     read_places();
     FreeSpace space = run_.stage("space", [&] { return space_of(input); });
     settle(space);
-    const VisibilityGraph graph = run_.stage("graph", [&] { return VisibilityGraph(space); });
+    if (options_.shards.shard > 0) return run_.end(do_shard(options_.shards, items(input, space), run_));
     const auto lengths = std::make_shared<Lengths>(places_.size());
     run_.when_stopped([lengths, json = run_.wants_json(), csv = prints()]() -> std::pair<Json, std::string> {
       const std::size_t rows = lengths->rows;
       return {json ? json_of(*lengths, rows, true) : Json(),
               csv ? matrix_bytes(lengths->first(rows), lengths->size, MatrixFormat::csv) : ""};
     });
-    run_.stage("search", [&] {
-      const bool is_doubted = space.footprint().kind() == Footprint::Kind::disc || rounding_bound(space) > 0;
-      distance_matrix(graph, places_, lengths->values, [&](std::size_t rows) {
-        if (!is_doubted) lengths->rows = rows;
-      });
-      if (is_doubted) doubt(*lengths, space);
-      lengths->rows = lengths->size;
-    });
+    measure(input, space, *lengths);
     return end(input, *lengths);
   }
 
@@ -158,7 +161,7 @@ class Matrix {
   void read_places() {
     run_.stage("read", [&] {
       const std::string name = options_.points == "-" ? "<stdin>" : options_.points;
-      for (const ReadPoint& point : read_points(read_bytes(options_.points), name)) {
+      for (const ReadPoint& point : read_points(bytes_for_all(options_.points), name)) {
         if (shown_) shown_.geographic()->require_end(point.point, fmt::format("{}:{}: point", name, point.line));
         points_.push_back(point);
         given_.push_back(point.point);
@@ -190,6 +193,42 @@ class Matrix {
       places_[i] = nearest->point;
     }
     if (!moves.empty()) run_.add_to_result("moved_ends", end_moves_json(shown_(moves)));
+  }
+
+  /// What results depend on.
+  std::string work_mark(const Input& input) const {
+    Packer packer;
+    for (const Point p : given_) packer.put(p);
+    const std::string texts[] = {TAUT_VERSION, options_.shards.how, fingerprint(input.world),
+                                 std::move(packer).bytes()};
+    return mark_of(texts);
+  }
+
+  /// The graph is made by who measures.
+  Items items(const Input& input, const FreeSpace& space) {
+    return matrix_items(places_.size(), work_mark(input), [this, &space] {
+      graph_.emplace(graph_of(space));
+      return DistanceRows(*graph_, places_, options_.common.limits.jobs);
+    });
+  }
+
+  void measure(const Input& input, const FreeSpace& space, Lengths& lengths) {
+    const bool is_doubted = space.footprint().kind() == Footprint::Kind::disc || rounding_bound(space) > 0;
+    if (options_.shards.is_shared()) {
+      take_matrix(options_.shards, items(input, space), run_, lengths.values, lengths.size);
+    } else {
+      const VisibilityGraph graph = graph_of(space);
+      const auto finished = [&](std::size_t rows) { lengths.rows = is_doubted ? 0 : rows; };
+      run_.stage("search",
+                 [&] { distance_matrix(graph, places_, lengths.values, finished, options_.common.limits.jobs); });
+    }
+    if (is_doubted) run_.stage("search", [&] { doubt(lengths, space); });
+    lengths.rows = lengths.size;
+  }
+
+  VisibilityGraph graph_of(const FreeSpace& space) {
+    return run_.stage("graph",
+                      [&] { return VisibilityGraph(space, VisibilityKind::reduced, options_.common.limits.jobs); });
   }
 
   /// Where nothing proves that there is no path the length is no number.
@@ -239,8 +278,9 @@ class Matrix {
   Run& run_;
   Shown shown_{ReadNotes{}};
   std::vector<ReadPoint> points_;
-  std::vector<Point> given_;   // as they are written
-  std::vector<Point> places_;  // of the plane, where --snap-ends put them
+  std::vector<Point> given_;              // as they are written
+  std::optional<VisibilityGraph> graph_;  // of shards
+  std::vector<Point> places_;             // of the plane, where --snap-ends put them
 };
 
 int run(const MatrixOptions& options, Run& run) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include <taut/cli/ranks.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/worlds/gzip.h>
 
@@ -21,12 +22,17 @@ void require_file(const std::string& path) {
 }  // namespace
 
 QuerySource::QuerySource(const std::string& path) : name_(path == "-" ? "<stdin>" : path) {
-  if (path != "-") {
+  if (are_ranks_joined()) {
+    unpacked_.str(bytes_for_all(path));
+    in_ = &unpacked_;
+  } else if (path != "-") {
     require_file(path);
     file_.open(path, std::ios::binary);
     if (!file_) throw InputError(name_, 0, std::string("cannot be opened: ") + std::strerror(errno));
     in_ = &file_;
   }
+  std::error_code ignored;
+  is_all_there_ = std::filesystem::is_regular_file(path == "-" ? "/dev/stdin" : path, ignored);
   if (in_->peek() == 0x1f) unpack();
 }
 
@@ -39,6 +45,7 @@ bool QuerySource::next(std::string& line) {
 void QuerySource::unpack() {
   std::ostringstream all;
   all << in_->rdbuf();
+  unpacked_.clear();
   unpacked_.str(gunzip(all.str(), name_));
   in_ = &unpacked_;
 }

@@ -17,8 +17,8 @@ class QuerySource {
   const std::string& name() const { return name_; }
   /// Throws InputError where it cannot be read.
   bool next(std::string& line);
-  /// Is there no whole line yet, so that the next one has to be waited for?
-  bool may_wait() const { return in_->rdbuf()->in_avail() <= 0; }
+  /// Is there no whole line yet, so that the next one has to be waited for? Never in a file that is all there.
+  bool may_wait() const { return !is_all_there_ && in_->rdbuf()->in_avail() <= 0; }
 
  private:
   void unpack();
@@ -27,6 +27,7 @@ class QuerySource {
   std::ifstream file_;
   std::istringstream unpacked_;
   std::istream* in_ = &std::cin;
+  bool is_all_there_ = false;
 };
 
 }  // namespace taut::cli

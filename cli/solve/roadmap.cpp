@@ -8,6 +8,7 @@
 #include <taut/cli/command_line.h>
 #include <taut/cli/growing_file.h>
 #include <taut/cli/input.h>
+#include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
 #include <taut/cli/solve/prm_options.h>
@@ -68,6 +69,7 @@ void add_options(CommandLine& app, RoadmapOptions& options) {
       .group("");
   app.renamed("--roadmap", "--kind");
   add_prm_options(app, options.prm, false);
+  add_jobs_option(app, options.common.limits);
   add_svg_option(app, options.svg);
   app.add_option("--graphml", options.graphml, "Write it as GraphML; - is standard output")
       .type_name("FILE")
@@ -148,7 +150,8 @@ int run(const RoadmapOptions& options, Run& run) {
   if (!options.stream.empty()) return stream(options, input, space, run);
   const PlannedRoadmap planned = run.stage("roadmap", [&] {
     return kind.build(space, {options.common.seed, input.world.start(), input.world.goal(), options.prm,
-                              options.common.limits.seconds.has_value(), prm_progress(options.common.quiet)});
+                              options.common.limits.seconds.has_value(), prm_progress(options.common.quiet),
+                              options.common.limits.jobs});
   });
   end_progress();
   Answer answer;

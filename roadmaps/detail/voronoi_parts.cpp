@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
+#include <taut/geometry/parallel.h>
 #include <taut/geometry/segment_distance.h>
 #include <taut/roadmaps/detail/voronoi_diagram.h>
 
@@ -74,7 +76,9 @@ void find_foot(VoronoiEdge& e, const Segment& site, Point end, const VoronoiPoin
   e.foot = first == last ? 0.5 : std::clamp(first / (first - last), 0.0, 1.0);
 }
 
-VoronoiEdge shaped(const VoronoiDiagram& diagram, const VoronoiDiagram::Edge& raw) {
+/// From the lower end: which one the diagram has first depends on addresses, and the other direction rounds otherwise.
+VoronoiEdge shaped(const VoronoiDiagram& diagram, VoronoiDiagram::Edge raw) {
+  if (diagram.vertices[raw.to].at < diagram.vertices[raw.from].at) std::swap(raw.from, raw.to);
   const VoronoiPoint &p = diagram.vertices[raw.from], &q = diagram.vertices[raw.to];
   const Segment &s = diagram.sites[raw.sites[0]], &t = diagram.sites[raw.sites[1]];  // pieces come before ends
   VoronoiEdge e;
@@ -184,14 +188,26 @@ EdgeRows rows(const std::vector<VoronoiEdge>& edges, std::size_t count, Hold hol
   return result;
 }
 
+/// Those in free space, in the order in which the diagram has them.
+std::vector<VoronoiEdge> free_edges(const FreeSpace& space, const VoronoiDiagram& diagram, unsigned jobs) {
+  FreeParts free(space, diagram);
+  std::vector<std::uint32_t> chosen;
+  for (std::uint32_t e = 0; e < diagram.edges.size(); ++e)
+    if (free.contain(diagram.edges[e].from)) chosen.push_back(e);
+  std::vector<VoronoiEdge> edges(chosen.size());
+  const std::size_t length = block_length(chosen.size(), jobs, 256);
+  each_in_parallel((chosen.size() + length - 1) / length, {jobs}, [&](std::size_t block) {
+    for (std::size_t i = block * length; i < std::min(chosen.size(), (block + 1) * length); ++i)
+      edges[i] = shaped(diagram, diagram.edges[chosen[i]]);
+  });
+  return edges;
+}
+
 }  // namespace
 
-VoronoiParts voronoi_parts(const FreeSpace& space) {
+VoronoiParts voronoi_parts(const FreeSpace& space, unsigned jobs) {
   const VoronoiDiagram diagram = voronoi_diagram(space.constraints());
-  VoronoiParts parts{space, sites_of(space, diagram), {}, {}, {}, {}, {}};
-  FreeParts free(space, diagram);
-  for (const auto& raw : diagram.edges)
-    if (free.contain(raw.from)) parts.edges.push_back(shaped(diagram, raw));
+  VoronoiParts parts{space, sites_of(space, diagram), {}, free_edges(space, diagram, jobs), {}, {}, {}};
   const std::vector<std::uint32_t> order = vertex_order(diagram, parts.edges);
   for (const std::uint32_t v : order) {
     const VoronoiPoint& p = diagram.vertices[v];

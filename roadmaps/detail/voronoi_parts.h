@@ -35,7 +35,8 @@ struct VoronoiParts {
   Bezier curve(const VoronoiEdge& e) const { return {vertices[e.from].at, e.control, vertices[e.to].at}; }
 };
 
-VoronoiParts voronoi_parts(const FreeSpace& space);
+/// Curves are shaped by `jobs` threads.
+VoronoiParts voronoi_parts(const FreeSpace& space, unsigned jobs = 1);
 
 }  // namespace detail
 

@@ -49,6 +49,7 @@ std::string_view ChaseRequest::planner_name() const {
 PlanLimits ChaseRequest::limits() const {
   PlanLimits limits;
   limits.seconds = plan_seconds;
+  limits.jobs = jobs;
   return limits;
 }
 
@@ -103,7 +104,9 @@ ChaseRun run_online(const ChaseMap& map, const ChaseRequest& request) {
                     [&](CellIndex at, int now) { return pursuer.next(at, unfolding.at(now)); });
   run.plans = pursuer.plans();
   const Chase chase = chase_of(map, request.clock);
-  run.plan = exact_plan(chase);
+  PlanLimits limits;
+  limits.jobs = request.jobs;
+  run.plan = exact_plan(chase, limits);
   run.fault = fault_in(run, chase);
   return run;
 }

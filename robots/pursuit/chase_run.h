@@ -33,6 +33,7 @@ struct ChaseRequest {
   std::optional<int> horizon;  ///< online: the seconds of the trajectory that are seen ahead; nobody plans on all of it
   std::optional<int> ahead;    ///< heading: a HeadingPursuer moves, nobody plans
   std::uint32_t weight = 3;    ///< of the planner `weighted`, 1 to 1000
+  unsigned jobs = 1;           ///< PlanLimits::jobs
 
   /// The planner's; `online`, `ahead` or, where it heads for the end, `fixed`.
   std::string_view planner_name() const;

@@ -49,6 +49,7 @@ class Planning {
  public:
   Planning(const Chase& chase, const PlanLimits& limits) : limits_(limits) {
     work_.chase = &chase;
+    work_.jobs = limits.jobs;
     if (limits.stopped || limits.seconds > 0) work_.stopped = [this] { return is_stopped(); };
   }
 

@@ -21,7 +21,8 @@ namespace taut::pursuit {
 /// meeting's bound is too slow for it, u < lo makes moves dearer and raises that bound. Only
 /// for meetings that this does not settle a search with two criteria (reduced cost, moves) is run, pruned by the latest
 /// departure in time and by the cost to meet, for u = lo and for a second, Lagrangian u. Two searches run side by side:
-/// the two breadth-first ones it begins with, two values of u for the first range, then two ranges at a time.
+/// the two breadth-first ones it begins with, two values of u for the first range, then two ranges at a time;
+/// by two threads where PlanLimits::jobs allows them.
 /// Precondition: chase.from is free.
 ChasePlan exact_plan(const Chase& chase, const PlanLimits& limits = {}, PlanEffort* effort = nullptr);
 

@@ -58,9 +58,10 @@ struct PlanEffort {
 struct PlanLimits {
   double seconds = 0;                    ///< 0: as long as it takes. A first plan may come later
   std::size_t most_labels = 30'000'000;  ///< about 50 bytes each at worst
-  std::function<bool()> stopped{};       ///< asked every few thousand steps, from two threads at once
+  std::function<bool()> stopped{};       ///< asked every few thousand steps; with jobs from two threads at once
   /// Called with each plan that is better than the one before, proven or not, and again when its bound is.
   std::function<void(const ChasePlan&)> better{};
+  unsigned jobs = 1;  ///< threads that the exact planner may take on large maps: it has work for two
 };
 
 /// Why nobody can meet the target, for ChasePlan::reason: the trajectory lies in obstacles, apart from the robot, or

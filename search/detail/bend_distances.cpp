@@ -5,7 +5,12 @@
 namespace taut::detail {
 
 BendDistances::BendDistances(const VisibilityGraph& graph)
-    : legs_(graph), at_(legs_.vertex_count(), kFar), via_(at_.size(), kPlace), open_(kBuckets) {
+
+    : shared_(std::make_shared<const TautLegs>(graph)),
+      legs_(*shared_),
+      at_(legs_.vertex_count(), kFar),
+      via_(at_.size(), kPlace),
+      open_(kBuckets) {
   for (std::size_t e = 0; e < legs_.size(); ++e) {
     longest_ = std::max(longest_, legs_[e].length);
     mean_ += legs_[e].length / static_cast<double>(legs_.size());

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace taut::detail {
 
 /// Dijkstra's algorithm along taut legs, from one place after the other in the same memory. Lengths are sums of two
 /// doubles and compared as such where doubles do not tell; a vertex that turns out to be nearer is taken up again, so
-/// order decides nothing.
+/// order decides nothing. A copy, for another thread, shares the legs.
 class BendDistances {
  public:
   explicit BendDistances(const VisibilityGraph& graph);
@@ -45,7 +46,8 @@ class BendDistances {
   void push(const Open& open);
   bool take(Open& next);
 
-  TautLegs legs_;
+  std::shared_ptr<const TautLegs> shared_;
+  const TautLegs& legs_;  // those
   std::vector<twofold::Pair> at_;
   std::vector<std::size_t> via_;  // by vertex: the leg that it was reached by
 

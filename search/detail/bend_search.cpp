@@ -19,7 +19,8 @@ constexpr auto kLater = [](const auto& a, const auto& b) { return a.bound > b.bo
 
 }  // namespace
 
-BendGraph::BendGraph(const FreeSpace& space, const Navmesh& mesh) : graph(space), legs(graph) {
+BendGraph::BendGraph(const FreeSpace& space, const Navmesh& mesh, unsigned jobs)
+    : graph(space, VisibilityKind::reduced, jobs), legs(graph) {
   std::vector<std::uint32_t> bend_of(space.triangulation().sectors.size(), kNone);
   for (std::uint32_t b = 0; b < mesh.bends.size(); ++b) bend_of[mesh.bends[b].sector] = b;
   mesh_bend.reserve(graph.roadmap().vertex_count());

@@ -17,8 +17,8 @@ namespace taut::detail {
 
 /// A reduced visibility graph, arranged for queries. Immutable.
 struct BendGraph {
-  /// `mesh` is of the same space.
-  BendGraph(const FreeSpace& space, const Navmesh& mesh);
+  /// `mesh` is of the same space; `jobs` threads make the graph.
+  BendGraph(const FreeSpace& space, const Navmesh& mesh, unsigned jobs = 1);
 
   VisibilityGraph graph;
   TautLegs legs;

@@ -100,5 +100,32 @@ TEST(DistanceMatrix, HasTheLengthsOfSinglePathsInAMazeWithLoops) {
   }
 }
 
+std::vector<Point> points_in(int count) {
+  std::vector<Point> points;
+  for (int i = 0; i < count; ++i) points.push_back({1 + (i * 7 % 18) / 2.0, 1 + (i * 11 % 17) / 2.0});
+  return points;
+}
+
+TEST(DistanceMatrix, IsTheSameForAnyNumberOfThreads) {
+  const SmallWorld world{.walls = {{{5, 0}, {5, 4}}, {{2, 6}, {9, 7}}}};
+  const std::vector<Point> points = points_in(50);
+  const std::vector<double> one = distance_matrix(world.space(), points);
+  EXPECT_EQ(distance_matrix(world.space(), points, 2), one);
+  EXPECT_EQ(distance_matrix(world.space(), points, 7), one);
+}
+
+TEST(DistanceRows, PutTogetherInAnyOrderAreTheMatrix) {
+  const SmallWorld world{.walls = {{{5, 0}, {5, 4}}, {{2, 6}, {9, 7}}}};
+  const std::vector<Point> points = points_in(21);  // two groups of eight and one of five
+  const VisibilityGraph graph(world.space());
+  const DistanceRows rows(graph, points);
+  ASSERT_EQ(rows.groups(), 3U);
+  const auto measure = rows.worker();
+  std::vector<double> whole(points.size() * points.size());
+  for (const std::size_t group : {1, 2, 0}) put_rows(group, measure(group), whole, points.size());
+  EXPECT_EQ(whole, distance_matrix(world.space(), points));
+  EXPECT_EQ(measure(2).size(), 5U + 4 + 3 + 2 + 1) << "from the diagonal on";
+}
+
 }  // namespace
 }  // namespace taut

@@ -121,6 +121,22 @@ TEST(Layers, KeepEachLibraryInItsPlace) {
   EXPECT_THAT(matches(R"(#\s*include\s*<boost/graph/)", {"geometry"}), IsEmpty()) << "geometry knows no graph";
 }
 
+// The program's thread that waits for signals is the only other one.
+TEST(Layers, ShareLoopsInOneWay) {
+  const auto elsewhere = [](std::vector<std::string> places) {
+    std::erase_if(places, [](const std::string& place) {
+      return place.starts_with("geometry/parallel.cpp:") || place.starts_with("geometry/detail/crew.cpp:") ||
+             place.starts_with("cli/stop.cpp:");
+    });
+    return places;
+  };
+  EXPECT_THAT(elsewhere(matches(R"(#\s*include\s*<((oneapi/)?tbb/|tbb\.h|thread>|pthread\.h|future>|omp\.h))", kAll)),
+              IsEmpty())
+      << "taut/geometry/parallel.h shares loops";
+  EXPECT_THAT(matches(R"(#\s*include\s*<(oneapi/)?tbb)", kAll),
+              testing::Each(testing::StartsWith("geometry/detail/crew.cpp:")));
+}
+
 // So small that somebody can read all of it: lines that are code.
 TEST(Layers, KeepTheJudgeOfCertificatesSmallAndFreeOfLibrariesThatPlan) {
   EXPECT_THAT(matches(R"(#\s*include\s*<(CGAL|gmp|boost/graph|boost/geometry|Eigen|oneapi|tbb))", {"verify"}),

@@ -40,6 +40,7 @@ struct SearchStopped {
 struct Workspace {
   const Chase* chase = nullptr;
   std::function<bool()> stopped{};  ///< asked from two threads
+  unsigned jobs = 1;
   std::vector<std::ptrdiff_t> steps{};
   std::vector<int> hops{};    ///< hops_from the robot
   std::vector<int> latest{};  ///< latest_departures for all meetings, -1 where the robot comes later than that
