@@ -16,6 +16,8 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
 #include <taut/cli/solve/batch_answers.h>
+#include <taut/cli/solve/batch_discs.h>
+#include <taut/cli/solve/batch_options.h>
 #include <taut/cli/solve/ends_on_walls.h>
 #include <taut/cli/solve/index_option.h>
 #include <taut/cli/solve/query_source.h>
@@ -40,16 +42,6 @@ constexpr std::size_t kNodesABend = 16;
 constexpr double kWinding = 1.1;
 constexpr std::size_t kManyBends = 20000;
 
-struct BatchOptions {
-  WorldOptions world;
-  QueryOptions query;
-  CommonOptions common;
-  IndexOptions index;
-  std::string queries;
-  bool json_lines = false;
-  bool path = false;
-};
-
 void add_options(CommandLine& app, BatchOptions& options) {
   add_world_options(app, options.world);
   app.add_option(
@@ -65,13 +57,20 @@ void add_options(CommandLine& app, BatchOptions& options) {
   app.add_flag("--path", options.path,
                "The points of each path as well: ` x y x y ...` after the length, `path` in JSON")
       .group("Output");
+  app.add_flag("--widest", options.widest,
+               "The radius of the largest disc that gets from start to goal, instead of the path's length");
+  app.add_flag("--arcs", options.arcs,
+               "The shortest paths of discs, with arcs around corners: lines `sx sy gx gy r [length]`")
+      .excludes("--widest");
   app.callback([&options] {
+    if (options.widest || options.arcs) require_disc_options(options);
     if (options.queries == "-" && options.world.file == "-")
       throw UsageError("FILE and QUERIES cannot both come from standard input");
   });
   app.example("taut batch maze.txt queries.txt");
   app.example("taut batch maze.txt queries.txt --json-lines --path");
   app.example("taut batch maze.txt queries.txt --save-index maze.index");
+  app.example("taut batch maze.txt queries.txt --widest");
 }
 
 /// One query after the other, by cones and bends or by an index.
@@ -255,6 +254,7 @@ class Batch {
 
 int run(const BatchOptions& options, Run& run) {
   run.sources({options.world.file, options.queries});
+  if (options.widest || options.arcs) return answer_disc_queries(options, run);
   return Batch(options, run).work();
 }
 
