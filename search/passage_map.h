@@ -31,8 +31,8 @@ struct PassageRaster {
 /// `cells` along the longer side of the world's box. Precondition: cells > 0.
 PassageRaster passage_raster(const PassageIndex& index, Point start, std::size_t cells);
 
-/// radii[i * n + j]: of the largest disc that gets from points[i] to points[j]; 0 where none does. On the diagonal: that
-/// can be at points[i]. Symmetric.
+/// radii[i * n + j]: of the largest disc that gets from points[i] to points[j]; 0 where none does. On the diagonal:
+/// that can be at points[i]. Symmetric.
 std::vector<double> passage_matrix(const PassageIndex& index, std::span<const Point> points);
 
 }  // namespace taut

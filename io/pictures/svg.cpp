@@ -78,7 +78,11 @@ class Picture {
     if (!what_.views.empty()) add("views");
     if (!what_.fills.empty()) {
       std::vector<std::string> colours;
-      for (int i = 0; i <= 8; ++i) colours.push_back(flood_colour(i / 8.0));
+      const double one = what_.fills.front().shade;
+      const bool alike =
+          std::all_of(what_.fills.begin(), what_.fills.end(), [&](const SvgFill& fill) { return fill.shade == one; });
+      if (alike) colours.push_back(flood_colour(one));
+      for (int i = 0; i <= 8 && !alike; ++i) colours.push_back(flood_colour(i / 8.0));
       keys.push_back({"fills", what_.fill_label, detail::SvgKey::Sample::scale, std::move(colours)});
     }
     if (!what_.discs.empty()) add("discs");

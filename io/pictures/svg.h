@@ -83,9 +83,9 @@ struct SvgPicture {
 ///     key of what is drawn. Strokes, markers and the number of decimals follow the mean width of a corridor
 ///     (corridor_width), so that 5 x 7 and 300 x 300 cells both read well.
 ///  2. Groups, bottom to top, absent when they have nothing to show: `solid` (where the reference point cannot be),
-///     `free` (polygons with holes), `rooms` (the goal's), `views`, `contours`, `roadmap`, `milestones`, `openings`, `walls` (as
-///     `free` (polygons with holes), `fills`, `rooms` (the goal's), `views`, `roadmap`, `milestones`, `openings`, `walls` (as
-///     the world gives them: a line, or a bar as wide as it is thick), `separation`, `gates`, `shades`, `guides`,
+///     `free` (polygons with holes), `fills`, `rooms` (the goal's), `views`, `contours`, `roadmap`, `milestones`,
+///     `openings`, `walls` (as the world gives them: a line, or a bar as wide as it is thick), `separation`, `gates`,
+///     `shades`, `guides`,
 ///     `moves`, `discs`, `path` (a casing and the line), `start`, `goal`, `labels`, `runner`; beside them
 ///     `legend`. Each is a <g> of that class under svg.taut, coloured by the <style> block alone; there are no ids, so
 ///     pictures can share a page. Colours follow `prefers-color-scheme`.
