@@ -73,8 +73,8 @@ struct SvgPicture {
   std::vector<SvgLabelKey> label_keys{};
   std::vector<Segment> contours{};  ///< thin lines below the walls (contours.h)
   std::vector<EndMove> moves{};     ///< of start and goal: dashed, from where they were given
-  std::vector<SvgFill> fills{};  ///< above the free space, below all else
-  std::string fill_label{};      ///< what their colours mean, for the key
+  std::vector<SvgFill> fills{};     ///< above the free space, below all else
+  std::string fill_label{};         ///< what their colours mean, for the key
 };
 
 /// The picture as one SVG 1.1 document, north up.
