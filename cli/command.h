@@ -27,6 +27,7 @@ Command audit_command(CommandLine& app);
 Command roadmap_command(CommandLine& app);
 Command compare_command(CommandLine& app);
 Command passage_command(CommandLine& app);
+Command reach_command(CommandLine& app);
 Command generate_command(CommandLine& app);
 Command convert_command(CommandLine& app);
 Command space_command(CommandLine& app);

@@ -115,6 +115,7 @@ std::vector<Command> all_commands(CommandLine& app) {
   commands.push_back(roadmap_command(app));
   commands.push_back(compare_command(app));
   commands.push_back(passage_command(app));
+  commands.push_back(reach_command(app));
   commands.push_back(generate_command(app));
   commands.push_back(convert_command(app));
   commands.push_back(space_command(app));

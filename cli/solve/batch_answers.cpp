@@ -44,7 +44,8 @@ Json json_of(const QueryLine& query, const QueryAnswer& answer, bool with_path) 
     row["nearest"] = answer.nearest->point;
     row["distance"] = answer.nearest->distance;
   }
-  if (answer.status == Status::found) row["length"] = answer.length;
+  if (answer.status == Status::found) row[answer.measure] = answer.length;
+  if (!answer.limit.empty()) row["limit"] = answer.limit;
   if (query.expects && answer.status != Status::unproven) {
     row["expected"] = query.expected ? Json(*query.expected) : Json("none");
     row["matches"] = matches(query, answer);

@@ -20,6 +20,8 @@ struct QueryAnswer {
   enum class Status : std::uint8_t { found, none, blocked, unproven };
   Status status = Status::none;  ///< none: proven; blocked: an end is no free place
   double length = 0;
+  const char* measure = "length";      ///< what `length` is
+  std::string limit{};                 ///< what keeps it from being larger, where that was asked
   double cpu = 0;                      ///< seconds of the search
   std::size_t nodes = 0;               ///< that it looked at
   double straight = 0;                 ///< the distance of the ends
@@ -54,7 +56,7 @@ class BatchAnswers {
   /// `3 queries, 0 without an answer, 2 compared, 1 mismatch; 12.5 us CPU a query, 0.004 s CPU to prepare`
   std::string totals() const;
   /// {queries, unanswered, unproven, compared, mismatches, seconds_a_query, seconds_to_prepare (both CPU), answers:
-  /// [{line, status, blocked, nearest, distance, length, expected, matches, path, moved_ends}, ...]}
+  /// [{line, status, blocked, nearest, distance, length (or radius, limit), expected, matches, path, moved_ends}, ...]}
   Json json() const;
 
   /// For Run::when_stopped: the result, and what is not yet printed; says the totals.

@@ -8,6 +8,7 @@
 #include <taut/io/pictures/svg_front.h>
 #include <taut/io/results/barrier_words.h>
 #include <taut/io/results/words.h>
+#include <taut/search/passage_map.h>
 
 namespace taut {
 
@@ -101,6 +102,21 @@ std::string passage_svg(const Passage& passage, const FreeSpace& space, const st
   picture.separation = passage.barrier.walls;
   picture.gates = passage.barrier.gate_segments();
   return svg(space, picture);
+}
+
+std::string passage_map_svg(const PassageIndex& index, Point start, const std::string& title,
+                            const std::vector<EndMove>& moves) {
+  SvgPicture picture;
+  picture.title = title;
+  picture.start = start;
+  picture.moves = moves;
+  const std::vector<PassageFace> faces = passage_map(index, start);
+  const double most = faces.empty() ? 0 : faces.front().radius, least = faces.empty() ? 0 : faces.back().radius;
+  for (const PassageFace& face : faces)
+    picture.fills.push_back({face.outline, most > least ? (face.radius - least) / (most - least) : 1});
+  picture.facts = {count_text(faces.size(), "face") + " between walls and gates"};
+  picture.fill_label = fmt::format("the largest disc that gets there: radius {:.6g} to {:.6g}", least, most);
+  return svg(index.gates().space(), picture);
 }
 
 }  // namespace taut

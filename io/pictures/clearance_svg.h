@@ -6,6 +6,7 @@
 #include <taut/io/results/end_moves.h>
 #include <taut/search/clearance_planner.h>
 #include <taut/search/passage.h>
+#include <taut/search/passage_index.h>
 
 namespace taut {
 
@@ -17,5 +18,9 @@ std::string clearance_svg(const ClearanceAnswer& answer, const FreeSpace& space,
 /// svg() with the walls and gates that stop the disc, or any larger one.
 std::string passage_svg(const Passage& passage, const FreeSpace& space, const std::string& title,
                         const std::vector<EndMove>& moves = {});
+
+/// svg() with the faces of passage_map, each in the colour of the largest disc that gets into it.
+std::string passage_map_svg(const PassageIndex& index, Point start, const std::string& title,
+                            const std::vector<EndMove>& moves = {});
 
 }  // namespace taut

@@ -30,7 +30,9 @@ class Picture {
 
   std::string draw() {
     begin();
-    out_ += layers_.solid() + layers_.free() + layers_.rooms(what_.goal);
+    out_ += layers_.solid() + layers_.free();
+    fills();
+    out_ += layers_.rooms(what_.goal);
     views();
     out_ += layers_.lines("contours", what_.contours);
     roadmap();
@@ -74,6 +76,15 @@ class Picture {
     if (!what_.contours.empty()) add("contours");
     if (!what_.moves.empty()) add("moves");
     if (!what_.views.empty()) add("views");
+    if (!what_.fills.empty()) {
+      std::vector<std::string> colours;
+      const double one = what_.fills.front().shade;
+      const bool alike =
+          std::all_of(what_.fills.begin(), what_.fills.end(), [&](const SvgFill& fill) { return fill.shade == one; });
+      if (alike) colours.push_back(flood_colour(one));
+      for (int i = 0; i <= 8 && !alike; ++i) colours.push_back(flood_colour(i / 8.0));
+      keys.push_back({"fills", what_.fill_label, detail::SvgKey::Sample::scale, std::move(colours)});
+    }
     if (!what_.discs.empty()) add("discs");
     if (roadmap_is_drawn() || diagram_is_drawn()) add("roadmap");
     if (milestones_are_drawn()) add("milestones");
@@ -110,6 +121,20 @@ class Picture {
     if (what_.path && !what_.path->points.empty()) return what_.path->points.back();
     if (!what_.curves.empty()) return what_.curves.back().to;
     return std::nullopt;
+  }
+
+  /// A path a colour; neighbours of one colour leave no seam.
+  void fills() {
+    constexpr int kColours = 64;
+    std::vector<SvgPath> paths(kColours, SvgPath(scale_));
+    for (const SvgFill& fill : what_.fills)
+      paths[std::clamp(static_cast<int>(fill.shade * kColours), 0, kColours - 1)].ring(fill.ring);
+    if (what_.fills.empty()) return;
+    out_ += "<g class=\"fills\">";
+    for (int i = 0; i < kColours; ++i)
+      if (!paths[i].empty())
+        out_ += fmt::format("<path d=\"{}\" fill=\"{}\"/>", paths[i].text(), flood_colour((i + 0.5) / kColours));
+    out_ += "</g>\n";
   }
 
   void views() {

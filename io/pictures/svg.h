@@ -44,6 +44,12 @@ struct SvgView {
   double at = 0;  ///< when, as a part of the path's length
 };
 
+/// A part of the plane in a colour of its own (flood_colour).
+struct SvgFill {
+  Ring ring;
+  double shade = 0;
+};
+
 /// What to draw besides the free space. Pointers may be null and are only read during the call.
 struct SvgPicture {
   std::string title{};               ///< first line of the legend, usually the file's name
@@ -67,6 +73,8 @@ struct SvgPicture {
   std::vector<SvgLabelKey> label_keys{};
   std::vector<Segment> contours{};  ///< thin lines below the walls (contours.h)
   std::vector<EndMove> moves{};     ///< of start and goal: dashed, from where they were given
+  std::vector<SvgFill> fills{};     ///< above the free space, below all else
+  std::string fill_label{};         ///< what their colours mean, for the key
 };
 
 /// The picture as one SVG 1.1 document, north up.
@@ -75,8 +83,9 @@ struct SvgPicture {
 ///     key of what is drawn. Strokes, markers and the number of decimals follow the mean width of a corridor
 ///     (corridor_width), so that 5 x 7 and 300 x 300 cells both read well.
 ///  2. Groups, bottom to top, absent when they have nothing to show: `solid` (where the reference point cannot be),
-///     `free` (polygons with holes), `rooms` (the goal's), `views`, `contours`, `roadmap`, `milestones`, `openings`, `walls` (as
-///     the world gives them: a line, or a bar as wide as it is thick), `separation`, `gates`, `shades`, `guides`,
+///     `free` (polygons with holes), `fills`, `rooms` (the goal's), `views`, `contours`, `roadmap`, `milestones`,
+///     `openings`, `walls` (as the world gives them: a line, or a bar as wide as it is thick), `separation`, `gates`,
+///     `shades`, `guides`,
 ///     `moves`, `discs`, `path` (a casing and the line), `start`, `goal`, `labels`, `runner`; beside them
 ///     `legend`. Each is a <g> of that class under svg.taut, coloured by the <style> block alone; there are no ids, so
 ///     pictures can share a page. Colours follow `prefers-color-scheme`.

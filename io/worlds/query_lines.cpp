@@ -8,25 +8,40 @@
 
 namespace taut {
 
-std::optional<QueryLine> query_line(std::string_view line, const std::string& source, int number) {
-  const detail::SourceLine place{source, number};
+namespace {
+
+std::optional<QueryLine> parsed(std::string_view line, const detail::SourceLine& place, int number, bool has_radius) {
   if (number == 1) line = detail::stripped(line);
   line = detail::trimmed(line.substr(0, line.find('#')));
   if (line.empty()) return std::nullopt;
   detail::Fields fields(line, place);
-  std::array<double, 4> v{};
+  std::array<double, 5> v{};
   std::string_view field;
-  for (double& value : v) {
-    if (!fields.next(field)) place.fail("too few numbers; a query is sx sy gx gy, and the length when it is known");
-    value = detail::coordinate(field, place);
+  for (std::size_t i = 0; i < (has_radius ? 5 : 4); ++i) {
+    if (!fields.next(field))
+      place.fail(has_radius ? "too few numbers; a query is sx sy gx gy r, and the length when it is known"
+                            : "too few numbers; a query is sx sy gx gy, and the length when it is known");
+    v[i] = detail::coordinate(field, place);
   }
   QueryLine query{{v[0], v[1]}, {v[2], v[3]}, false, std::nullopt, number};
+  query.radius = v[4];
+  if (has_radius && !(query.radius > 0)) place.fail("the radius " + std::string(field) + " is not above 0");
   if (!fields.next(field)) return query;
   query.expects = true;
   if (field != "none") query.expected = detail::coordinate(field, place);
   if (query.expected && *query.expected < 0) place.fail("the length " + std::string(field) + " is negative");
   if (fields.next(field)) place.fail(detail::quoted(field) + " follows the length");
   return query;
+}
+
+}  // namespace
+
+std::optional<QueryLine> query_line(std::string_view line, const std::string& source, int number) {
+  return parsed(line, {source, number}, number, false);
+}
+
+std::optional<QueryLine> disc_query_line(std::string_view line, const std::string& source, int number) {
+  return parsed(line, {source, number}, number, true);
 }
 
 namespace {

@@ -30,6 +30,7 @@ ROADS = (
     "samples 1\n1\n"
 )
 QUERIES = "1 1 3 3\n"
+DISC_QUERIES = "1 1 3 3 0.2\n1 1 3 3 0.3\n"
 PLACES = "x,y\n1,1\n3,3\n"
 PROOF = (
     '{"format": "taut certificate 1", "kind": "none", "world": "3c575266e5f47952", "scale": 1, "fraction_bits": 0, '
@@ -47,6 +48,7 @@ def cases(data):
     world["detour"] = "1 1\n1 3\n"
     world["fleet"] = FLEET
     world["proof"] = PROOF
+    world["discs"] = DISC_QUERIES
     yield "solve room", world, "found"
     yield "solve room --roadmap visibility --algorithm dijkstra", world, "found"
     yield "solve room --algorithm bfs", world, "found"
@@ -70,6 +72,10 @@ def cases(data):
     yield "solve room --from 9,9", world, "refused"
     yield "batch room queries", world, "done"
     yield "batch wrong queries", world, "refused"
+    yield "batch room queries --widest", world, "done"
+    yield "batch sealed queries --widest", world, "none"
+    yield "batch room discs --arcs", world, "done"
+    yield "batch room queries --arcs", world, "refused"
     yield "matrix room places", world, "done"
     yield "matrix room places -o out --as npy", world, "done"
     yield "matrix sealed places", world, "none"
@@ -79,6 +85,13 @@ def cases(data):
     yield "passage room", world, "found"
     yield "passage slit --robot disc:0.2", world, "none"
     yield "passage wrong", world, "refused"
+    yield "passage room --matrix places", world, "done"
+    yield "passage room --matrix queries", world, "refused"
+    yield "passage room --map map.csv", world, "done"
+    yield "passage wrong --map map.csv", world, "refused"
+    yield "reach room --robot disc:0.2", world, "done"
+    yield "reach room --robot disc:1.2", world, "refused"
+    yield "reach wrong --robot disc:0.2", world, "refused"
     yield "check room", world, "done"
     yield "check room --path through", world, "invalid"
     yield "check wrong", world, "refused"
@@ -145,7 +158,7 @@ def cases(data):
 
 
 def words_of(command, files, folder):
-    return [os.path.join(folder, w) if w in files or w == "out" else w for w in command.split()]
+    return [os.path.join(folder, w) if w in files or w in ("out", "map.csv") else w for w in command.split()]
 
 
 def fill(folder, files):

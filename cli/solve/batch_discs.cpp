@@ -1,0 +1,177 @@
+#include <taut/cli/solve/batch_discs.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <iostream>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <taut/cli/input.h>
+#include <taut/cli/messages.h>
+#include <taut/cli/solve/batch_answers.h>
+#include <taut/cli/solve/query_source.h>
+#include <taut/cli/world/geographic.h>
+#include <taut/geometry/errors.h>
+#include <taut/io/results/barrier_words.h>
+#include <taut/io/worlds/query_lines.h>
+#include <taut/search/arc_search.h>
+#include <taut/search/passage_index.h>
+#include <taut/search/stopwatch.h>
+
+namespace taut::cli {
+
+namespace {
+
+using Status = QueryAnswer::Status;
+
+/// The graphs of the radii asked about last: people have a few sizes and use them again and again.
+class TangentGraphs {
+ public:
+  explicit TangentGraphs(const FreeSpace& space) : space_(space) {}
+
+  const TangentGraph& of(double r) {
+    auto at = std::find_if(graphs_.begin(), graphs_.end(), [&](const TangentGraph& g) { return g.radius() == r; });
+    if (at == graphs_.end()) {
+      if (graphs_.size() == kKept) graphs_.erase(graphs_.begin());
+      graphs_.emplace_back(space_, r);
+      ++made_;
+      at = graphs_.end() - 1;
+    }
+    std::rotate(at, at + 1, graphs_.end());
+    return graphs_.back();
+  }
+  std::size_t made() const { return made_; }
+
+ private:
+  static constexpr std::size_t kKept = 16;
+
+  FreeSpace space_;
+  std::vector<TangentGraph> graphs_;  // the one used last behind
+  std::size_t made_ = 0;
+};
+
+class DiscBatch {
+ public:
+  DiscBatch(const BatchOptions& options, Run& run)
+      : options_(options), run_(run), answers_({run.is_talkative(), options.json_lines, false, run.wants_json()}) {
+    run.when_stopped(answers_.last_words());
+  }
+
+  int work() {
+    std::ios::sync_with_stdio(false);
+    QuerySource source(options_.queries);
+    const Input input = read_input(options_.world, run_);
+    shown_ = Shown(input.notes);
+    const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world); });
+    options_.widest ? answer_widest(space, source) : answer_arcs(space, source);
+    note(answers_.totals());
+    Answer answer;
+    answer.outcome = answers_.outcome();
+    answer.reason = answers_.reason();
+    if (run_.wants_json()) answer.result = answers_.json();
+    return run_.end(std::move(answer));
+  }
+
+ private:
+  void answer_widest(const FreeSpace& space, QuerySource& source) {
+    const PassageIndex index = run_.stage("index", [&] { return PassageIndex(space); });
+    answers_.prepared_in(run_.seconds());
+    run_.stage("search", [&] { answer_all(source, [&](const QueryLine& query) { return widest(index, query); }); });
+  }
+
+  void answer_arcs(const FreeSpace& space, QuerySource& source) {
+    TangentGraphs graphs(space);
+    answers_.prepared_in(run_.seconds());
+    run_.stage("search", [&] { answer_all(source, [&](const QueryLine& query) { return arcs(graphs, query); }); });
+  }
+
+  void answer_all(QuerySource& source, const std::function<QueryAnswer(const QueryLine&)>& ask) {
+    std::string line;
+    for (int number = 1; source.next(line); ++number) {
+      std::optional<QueryLine> query = read(line, source.name(), number);
+      if (!query) continue;
+      query->from = plane(query->from);
+      query->to = plane(query->to);
+      answers_.add(*query, ask(*query), source.name());
+      answers_.flush(source.may_wait());
+    }
+    answers_.flush(true);
+  }
+
+  // A line that is wrong does not take the answers before it along.
+  std::optional<QueryLine> read(const std::string& line, const std::string& name, int number) {
+    try {
+      return options_.arcs ? disc_query_line(line, name, number) : query_line(line, name, number);
+    } catch (const InputError&) {
+      answers_.flush(true);
+      throw;
+    }
+  }
+
+  Point plane(Point p) const { return shown_ ? shown_.geographic()->metres(p) : p; }
+
+  static QueryAnswer blocked(const char* end) {
+    QueryAnswer answer;
+    answer.status = Status::blocked;
+    answer.blocked = end;
+    return answer;
+  }
+
+  QueryAnswer widest(const PassageIndex& index, const QueryLine& query) const {
+    const Stopwatch watch;
+    const PassagePlace s = index.place(query.from), g = index.place(query.to);
+    if (s.outside || g.outside) return blocked(s.outside ? "start" : "goal");
+    const auto found = index.widest(s, g);
+    QueryAnswer answer;
+    answer.measure = "radius";
+    answer.cpu = watch.seconds().cpu;
+    if (!found) return answer;
+    answer.status = Status::found;
+    answer.length = found->radius;
+    if (options_.json_lines || run_.wants_json())
+      answer.limit = limit_text(index.gates(), *found, query.from, query.to);
+    return answer;
+  }
+
+  QueryAnswer arcs(TangentGraphs& graphs, const QueryLine& query) {
+    const std::size_t made = graphs.made();
+    Stopwatch watch;
+    const TangentGraph& graph = graphs.of(query.radius);
+    if (graphs.made() > made) answers_.prepared_in(watch.seconds());
+    watch = Stopwatch();
+    const ArcSearchResult result = arc_search(graph, query.from, query.to);
+    if (result.status == DiscStatus::start_blocked) return blocked("start");
+    if (result.status == DiscStatus::goal_blocked) return blocked("goal");
+    QueryAnswer answer;
+    answer.cpu = watch.seconds().cpu;
+    if (result.status == DiscStatus::none) return answer;
+    answer.status = Status::found;
+    answer.length = result.path.value();
+    return answer;
+  }
+
+  const BatchOptions& options_;
+  Run& run_;
+  BatchAnswers answers_;
+  Shown shown_{ReadNotes{}};
+};
+
+}  // namespace
+
+void require_disc_options(const BatchOptions& options) {
+  const char* mode = options.widest ? "--widest" : "--arcs";
+  if (options.query.robot.kind() != Footprint::Kind::point)
+    throw UsageError(fmt::format("--robot: {}",
+                                 options.widest ? "--widest is of all discs" : "with --arcs each line has its radius"));
+  if (options.query.snap_ends) throw UsageError(fmt::format("--snap-ends does not go with {}", mode));
+  if (options.index.wanted() || !options.index.save.empty())
+    throw UsageError(fmt::format("--index does not go with {}: it has one of its own", mode));
+  if (options.path) throw UsageError(fmt::format("--path does not go with {}", mode));
+}
+
+int answer_disc_queries(const BatchOptions& options, Run& run) { return DiscBatch(options, run).work(); }
+
+}  // namespace taut::cli
