@@ -7,7 +7,6 @@
 #include <new>
 #include <optional>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <taut/cli/command.h>
@@ -17,15 +16,15 @@
 #include <taut/cli/run.h>
 #include <taut/cli/solve/batch_answers.h>
 #include <taut/cli/solve/ends_on_walls.h>
+#include <taut/cli/solve/finder.h>
 #include <taut/cli/solve/index_option.h>
 #include <taut/cli/solve/query_source.h>
+#include <taut/cli/solve/wall_lines.h>
 #include <taut/cli/world/geographic.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/worlds/query_lines.h>
-#include <taut/search/index.h>
 #include <taut/search/no_path.h>
-#include <taut/search/polyanya.h>
 #include <taut/search/stopwatch.h>
 
 namespace taut::cli {
@@ -52,11 +51,13 @@ struct BatchOptions {
 
 void add_options(CommandLine& app, BatchOptions& options) {
   add_world_options(app, options.world);
-  app.add_option(
-         "QUERIES", options.queries,
-         "Lines `sx sy gx gy [length]`, `#` starts a comment; - is standard input. Where a length is given, or "
-         "`none`, it is compared to 1e-6. Or a MovingAI scenario file between corners of cells, as the any-angle "
-         "sets have it; compared as far as its digits go")
+  app.add_option("QUERIES", options.queries,
+                 "Lines `sx sy gx gy [length]`, `#` starts a comment; - is standard input. Where a length is given, or "
+                 "`none`, it is compared to 1e-6. `+wall x1 y1 x2 y2` adds a wall for the queries after it, `-wall x1 "
+                 "y1 x2 y2` "
+                 "takes a wall, or a stretch of one, away. Or a MovingAI scenario file between corners of cells, as "
+                 "the any-angle "
+                 "sets have it; compared as far as its digits go")
       .required();
   add_robot_option(app, options.query.robot);
   add_snap_ends_option(app, options.query.snap_ends);
@@ -73,28 +74,6 @@ void add_options(CommandLine& app, BatchOptions& options) {
   app.example("taut batch maze.txt queries.txt --json-lines --path");
   app.example("taut batch maze.txt queries.txt --save-index maze.index");
 }
-
-/// One query after the other, by cones and bends or by an index.
-class Finder {
- public:
-  explicit Finder(const Polyanya& polyanya) : search_(PolyanyaSearch(polyanya)) {}
-  explicit Finder(const Index& index) : search_(IndexSearch(index)) {}
-
-  SearchStatus find(Point from, Point to) {
-    return std::visit([&](auto& search) { return search.find(from, to); }, search_);
-  }
-  const std::vector<Point>& points() const {
-    return std::visit([](const auto& search) -> const std::vector<Point>& { return search.points(); }, search_);
-  }
-  /// 0 of an index.
-  std::size_t expanded() const {
-    const auto* const cones = std::get_if<PolyanyaSearch>(&search_);
-    return cones ? cones->expanded() : 0;
-  }
-
- private:
-  std::variant<PolyanyaSearch, IndexSearch> search_;
-};
 
 class Batch {
  public:
@@ -116,6 +95,7 @@ class Batch {
     if (!index) polyanya_ = run_.stage("mesh", [&] { return Polyanya(space); });
     const NoPath no_path(space);
     answers_.prepared_in(run_.seconds());
+    index_ = index;
     Finder search = index ? Finder(*index) : Finder(*polyanya_);
     run_.stage("search", [&] { answer_all(source, input, space, search, no_path); });
     note(answers_.totals());
@@ -134,12 +114,14 @@ class Batch {
     QueryReader reader(source.name());
     std::string line;
     for (int number = 1; source.next(line); ++number) {
+      if (change(line, number, source, space, search)) continue;
       const std::optional<QueryLine> query = read(reader, line, number, source, input);
       if (!query) continue;
-      const bool on_walls = walls.concern(plane(query->from)) || walls.concern(plane(query->to));
+      const bool on_walls =
+          !search.changing() && (walls.concern(plane(query->from)) || walls.concern(plane(query->to)));
       answers_.add(*query, on_walls ? ask_on_walls(walls, *query) : ask(space, search, no_path, *query), source.name());
       answers_.flush(source.may_wait());
-      if (polyanya_) prepare(*polyanya_, search);
+      if (polyanya_ && !search.changing()) prepare(*polyanya_, search);
     }
     answers_.flush(true);
   }
@@ -168,6 +150,29 @@ class Batch {
         for (const Point p : {query->from, query->to})
           shown_.geographic()->require_end(p, fmt::format("line {} of the queries: end", number));
       return query;
+    } catch (const InputError&) {
+      answers_.flush(true);
+      throw;
+    }
+  }
+
+  /// Is it a line that adds a wall or takes one away? Then done.
+  bool change(const std::string& line, int number, const QuerySource& source, const FreeSpace& space, Finder& search) {
+    try {
+      const std::optional<WallLine> wall = wall_line(line, source.name(), number);
+      if (!wall) return false;
+      if (!search.changing()) search = Finder(index_ ? ChangingWorld(*index_) : ChangingWorld(space));
+      ChangingWorld& world = *search.changing();
+      const bool had_index = world.has_index();
+      const Segment at{plane(wall->wall.a), plane(wall->wall.b)};
+      if (wall->adds)
+        world.add({at.a, at.b, 0, number});
+      else if (!world.remove(at))
+        throw InputError(source.name(), number, "no wall stands there from the one end to the other");
+      if (had_index && !world.has_index())
+        note(fmt::format("{}:{}: the index is stale from here on: a wall that it knows is taken away", source.name(),
+                         number));
+      return true;
     } catch (const InputError&) {
       answers_.flush(true);
       throw;
@@ -224,14 +229,23 @@ class Batch {
     return answer;
   }
 
+  /// Walls without thickness leave a point all its places.
+  const FreeSpace& places(const FreeSpace& space, Finder& search) const {
+    const auto is_thick = [](const Wall& wall) { return wall.thickness > 0; };
+    const bool is_same = !search.changing() || (space.footprint().kind() == Footprint::Kind::point &&
+                                                std::ranges::none_of(space.world().walls(), is_thick));
+    return is_same ? space : search.changing()->space();
+  }
+
   QueryAnswer ask_in_plane(const FreeSpace& space, Finder& search, const NoPath& no_path, QueryLine query) {
     QueryAnswer answer;
-    if (!settle(space, "start", query.from, answer) || !settle(space, "goal", query.to, answer)) return answer;
+    for (const auto& [role, end] : {std::pair("start", &query.from), std::pair("goal", &query.to)})
+      if (!settle(places(space, search), role, *end, answer)) return answer;
     const Stopwatch watch;
     const SearchStatus status = search.find(query.from, query.to);
     answer.cpu = watch.seconds().cpu;
     if (status != SearchStatus::found) {
-      if (!no_path.holds(query.from, {query.to, {}})) answer.status = QueryAnswer::Status::unproven;
+      if (!search.proves_none(no_path, query.from, query.to)) answer.status = QueryAnswer::Status::unproven;
       return answer;
     }
     answer.status = QueryAnswer::Status::found;
@@ -248,7 +262,8 @@ class Batch {
   BatchAnswers answers_;
   Shown shown_{ReadNotes{}};
   std::optional<Polyanya> polyanya_;  // without an index
-  bool is_full_ = false;              // there was no memory
+  std::optional<Index> index_;
+  bool is_full_ = false;  // there was no memory
   std::size_t nodes_ = 0;
   double lengths_ = 0, straight_ = 0;
 };

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
 
 #include <taut/search/detail/index_image.h>
 #include <taut/search/detail/taut_legs.h>
@@ -30,6 +34,29 @@ double extent_of(const Triangulation& tri) {
     box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y)};
   }
   return std::hypot(box.max.x - box.min.x, box.max.y - box.min.y);
+}
+
+/// No shortest path between two vertices is longer: twice the longest one from one vertex of each component.
+double longest_way(const HubGraph& graph) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::vector<double> at(graph.size(), kFar);
+  std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>, std::greater<>>
+      open;
+  double longest = 0;
+  for (std::uint32_t root = 0; root < graph.size(); ++root) {
+    if (at[root] != kFar) continue;
+    open.emplace(at[root] = 0, root);
+    while (!open.empty()) {
+      const auto [length, v] = open.top();
+      open.pop();
+      if (length != at[v]) continue;
+      longest = std::max(longest, length);
+      for (std::uint32_t e = graph.first[v]; e < graph.first[v + 1]; ++e)
+        if (const double further = length + graph.edges[e].length; further < at[graph.edges[e].to])
+          open.emplace(at[graph.edges[e].to] = further, graph.edges[e].to);
+    }
+  }
+  return 2 * longest;
 }
 
 constexpr std::size_t kSamples = 16;
@@ -84,8 +111,10 @@ class Builder {
 
   std::optional<std::vector<std::byte>> packed(const HubGraph& graph, const HubLabels& labels,
                                                const LabelledCore* core) const {
+    // What a climb to the core adds to labels.
+    const double climb = core ? longest_way(hubs_) : 0;
     auto image = index_image(graph, labels, core ? nullptr : lists(), core, space_print(tri()), tri().triangles.size(),
-                             extent_of(tri()));
+                             climb + extent_of(tri()));
     if (image.size() > memory_) return {};
     return image;
   }

@@ -112,7 +112,7 @@ struct LabelledCore {
   const std::vector<std::uint32_t>& edge_of;  ///< of core_graph
 };
 
-/// `extent`: no leg is longer. Sights may be absent; without a core all bends are labelled, their graph's vertices.
+/// `extent`: nothing that is added to a label is longer. Sights may be absent; without a core all bends are labelled, their graph's vertices.
 std::vector<std::byte> index_image(const HubGraph& graph, const HubLabels& labels, const SightLists* sights,
                                    const LabelledCore* core, std::uint64_t space, std::size_t triangles, double extent);
 

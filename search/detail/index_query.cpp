@@ -140,6 +140,7 @@ void IndexQuery::climb(End& end) const {
   const double per_length = parts_.image.header().per_length;
   for (const std::uint32_t bend : end.climb.reached()) {
     if (parts_.bends[bend].begin == parts_.bends[bend].end) continue;
+    if (end.climb.length(bend) * per_length > kFar / 2) continue;  // longer than any shortest path
     if (end.runs.size() == end.count) end.runs.emplace_back();
     const IndexClimb::Range range = end.climb.labels_behind(bend);
     const auto length = static_cast<std::uint32_t>(end.climb.length(bend) * per_length + 0.5);
