@@ -39,7 +39,8 @@ struct HubLabels {
 std::vector<std::uint32_t> hub_order(const HubGraph& graph, HubTree& tree, std::size_t samples);
 
 /// Pruned landmark labels (Akiba, Iwata, Yoshida, "Fast exact shortest-path distance queries on large networks by
-/// pruned landmark labeling", 2013), without those that no shortest path needs. Nothing where there would be more than `most`.
+/// pruned landmark labeling", 2013), without those that no shortest path needs. Nothing where there would be more than
+/// `most`.
 std::optional<HubLabels> hub_labels(const HubGraph& graph, HubTree& tree, const SightLists* sights,
                                     std::vector<std::uint32_t> order, std::size_t most);
 
