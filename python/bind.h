@@ -101,6 +101,7 @@ void bind_reading(py::module_& m);
 void bind_free_spaces(py::module_& m);
 void bind_paths(py::module_& m);
 void bind_polyanya(py::module_& m);
+void bind_indexes(py::module_& m);
 void bind_roadmaps(py::module_& m);
 void bind_planners(py::module_& m);
 void bind_discs(py::module_& m);

@@ -12,6 +12,7 @@ PYBIND11_MODULE(_taut, m) {
   taut::python::bind_free_spaces(m);
   taut::python::bind_paths(m);
   taut::python::bind_polyanya(m);
+  taut::python::bind_indexes(m);
   taut::python::bind_roadmaps(m);
   taut::python::bind_planners(m);
   taut::python::bind_discs(m);

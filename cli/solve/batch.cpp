@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <exception>
 #include <functional>
 #include <iostream>
@@ -21,22 +20,19 @@
 #include <taut/cli/run.h>
 #include <taut/cli/shards.h>
 #include <taut/cli/solve/batch_answers.h>
-#include <taut/cli/solve/ends_on_walls.h>
+#include <taut/cli/solve/batch_discs.h>
+#include <taut/cli/solve/batch_ground.h>
+#include <taut/cli/solve/batch_options.h>
+#include <taut/cli/solve/batch_proofs.h>
 #include <taut/cli/solve/index_option.h>
 #include <taut/cli/solve/packed_answer.h>
-#include <taut/cli/solve/query_asker.h>
 #include <taut/cli/solve/query_blocks.h>
-#include <taut/cli/solve/search_stages.h>
-#include <taut/cli/world/geographic.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
-#include <taut/geometry/parallel.h>
 #include <taut/io/saved/packed.h>
 #include <taut/io/saved/roadmap_file.h>
 #include <taut/io/saved/shard_file.h>
 #include <taut/io/worlds/query_lines.h>
-#include <taut/search/index.h>
-#include <taut/search/polyanya.h>
 
 namespace taut::cli {
 
@@ -44,24 +40,21 @@ namespace {
 
 constexpr std::size_t kQueriesAnItem = 256;  // of shards
 
-struct BatchOptions {
-  WorldOptions world;
-  QueryOptions query;
-  CommonOptions common;
-  IndexOptions index;
-  std::string queries;
-  bool json_lines = false;
-  bool path = false;
-  ShardOptions shards;
-};
+void require_certificate_options(const BatchOptions& options) {
+  if (options.query.robot.kind() == Footprint::Kind::disc || options.world.read.project)
+    throw UsageError("--certificate does not go with --robot disc:R and --project");
+  if (options.shards.is_shared()) throw UsageError("--certificate goes with a run of its own, not with what is shared");
+}
 
 void add_options(CommandLine& app, BatchOptions& options) {
   add_world_options(app, options.world);
   app.add_option(
          "QUERIES", options.queries,
          "Lines `sx sy gx gy [length]`, `#` starts a comment; - is standard input. Where a length is given, or "
-         "`none`, it is compared to 1e-6. Or a MovingAI scenario file between corners of cells, as the any-angle "
-         "sets have it; compared as far as its digits go")
+         "`none`, it is compared to 1e-6. `+wall x1 y1 x2 y2` adds a wall for the queries after it, `-wall x1 y1 x2 "
+         "y2` "
+         "takes a wall, or a stretch of one, away. Or a MovingAI scenario file between corners of cells, as the "
+         "any-angle sets have it; compared as far as its digits go")
       .required();
   add_robot_option(app, options.query.robot);
   add_snap_ends_option(app, options.query.snap_ends);
@@ -70,9 +63,19 @@ void add_options(CommandLine& app, BatchOptions& options) {
   app.add_flag("--path", options.path,
                "The points of each path as well: ` x y x y ...` after the length, `path` in JSON")
       .group("Output");
+  app.add_flag("--widest", options.widest,
+               "The radius of the largest disc that gets from start to goal, instead of the path's length");
+  app.add_flag("--arcs", options.arcs,
+               "The shortest paths of discs, with arcs around corners: lines `sx sy gx gy r [length]`")
+      .excludes("--widest");
+  app.add_option("--certificate", options.certificate, "Write a proof of every answer, in one file for `taut verify`")
+      .type_name("FILE")
+      .group("Output");
   add_jobs_option(app, options.common.limits);
   add_shard_options(app, options.shards, options.common);
   app.callback([&options] {
+    if (options.widest || options.arcs) require_disc_options(options);
+    if (!options.certificate.empty()) require_certificate_options(options);
     if (options.queries == "-" && options.world.file == "-")
       throw UsageError("FILE and QUERIES cannot both come from standard input");
     if (options.shards.is_shared() && !options.index.save.empty())
@@ -81,72 +84,8 @@ void add_options(CommandLine& app, BatchOptions& options) {
   app.example("taut batch maze.txt queries.txt");
   app.example("taut batch maze.txt queries.txt --json-lines --path");
   app.example("taut batch maze.txt queries.txt --save-index maze.index");
+  app.example("taut batch maze.txt queries.txt --widest");
 }
-
-/// What queries are asked about, and who asks.
-class Ground {
- public:
-  Ground(const BatchOptions& options, const Input& input, Run& run)
-      : options_(options),
-        shown_(input.notes),
-        space_(run.stage("space", [&] { return FreeSpace(input.world, options.query.robot); })),
-        walls_(input, options.world.read.snap, space_),
-        no_path_(space_),
-        ground_{space_, walls_, shown_, options.query.snap_ends, wants_nearest(run), options.path},
-        index_(index_of(options.index, space_, run)) {
-    if (!index_) stages_.emplace(run.stage("mesh", [&] { return Polyanya(space_); }), options.common.limits.jobs);
-  }
-
-  /// Answers in order, `take`n as soon as each and all before it are there. After each the stages may want to go on to
-  /// the next one: the rest is asked again.
-  template <typename Take>
-  void answer(std::span<const QueryLine> block, Take take) {
-    while (!block.empty()) {
-      std::vector<QueryAnswer> answers(block.size());
-      std::size_t done = 0;
-      std::atomic<bool> is_due{false};
-      Parallel how{options_.common.limits.jobs, [&] { return is_due.load(); }, {}};
-      how.finished = [&](std::size_t over) {
-        for (; done < over && !is_due; ++done) {
-          is_due = stages_ && stages_->weigh(answers[done]);
-          take(block[done], answers[done]);
-        }
-      };
-      each_in_parallel(block.size(), how, [&] {
-        return [&, asker = lend(stages_ ? stages_->stage() : 0)](std::size_t i) { answers[i] = asker->ask(block[i]); };
-      });
-      block = block.subspan(done);
-      if (is_due) prepared_ += stages_->go_on();
-    }
-  }
-
-  std::shared_ptr<QueryAsker> lend(std::size_t stage) {
-    return index_ ? askers_[0].lend(*index_) : askers_[stage].lend((*stages_)[stage]);
-  }
-  bool is_settled() const { return !stages_ || stages_->is_settled(); }
-  std::size_t stage_of(std::size_t number) const { return stages_ ? stages_->stage_of(number) : 0; }
-  const std::optional<Index>& index() const { return index_; }
-  const Shown& shown() const { return shown_; }
-  Seconds prepared() { return std::exchange(prepared_, {}); }  ///< since the last call
-
- private:
-  /// Whoever joins shards may want it though this one does not.
-  bool wants_nearest(const Run& run) const {
-    return options_.query.snap_ends || options_.json_lines || run.wants_json() || options_.shards.is_shared();
-  }
-
-  const BatchOptions& options_;
-  const Shown shown_;
-  const FreeSpace space_;
-  const EndsOnWalls walls_;
-  SharedNoPath no_path_;
-  const QueryGround ground_;
-  const std::optional<Index> index_;
-  std::optional<SearchStages> stages_;  // without an index
-  std::array<QueryAskers, 3> askers_{QueryAskers{ground_, no_path_}, QueryAskers{ground_, no_path_},
-                                     QueryAskers{ground_, no_path_}};
-  Seconds prepared_;
-};
 
 class Batch {
  public:
@@ -155,6 +94,7 @@ class Batch {
         run_(run),
         answers_({run.is_talkative(), options.json_lines, options.path, run.wants_json()}) {
     run.promise(options.index.save);
+    run.promise(options.certificate);
     run.when_stopped(answers_.last_words());
   }
 
@@ -163,14 +103,15 @@ class Batch {
     QuerySource source(options_.queries);
     const Input input = read_input(options_.world, run_);
     if (options_.shards.is_shared()) return share(source, input);
-    Ground ground(options_, input, run_);
+    BatchGround ground(options_, input, run_);
+    if (!options_.certificate.empty()) proofs_.emplace(ground.space());
     answers_.prepared_in(run_.seconds());
     run_.stage("search", [&] { answer_all(source, input, ground); });
     return end(ground.index());
   }
 
  private:
-  void answer_all(QuerySource& source, const Input& input, Ground& ground) {
+  void answer_all(QuerySource& source, const Input& input, BatchGround& ground) {
     QueryBlocks blocks(source, input, ground.shown(), options_.common.limits.jobs);
     for (bool more = true; more;) {
       std::vector<QueryLine> block;
@@ -183,11 +124,39 @@ class Batch {
       ground.answer(block, [&](const QueryLine& query, const QueryAnswer& answer) {
         answers_.add(query, answer, source.name());
         answers_.flush(false);
+        if (proofs_) prove(query, answer);
       });
+      if (!wrong && blocks.wall()) wrong = changed(ground, *blocks.wall(), source.name(), blocks.line());
       answers_.prepared_in(ground.prepared());
       answers_.flush(!more || wrong || source.may_wait());
       if (wrong) std::rethrow_exception(wrong);
     }
+  }
+
+  std::exception_ptr changed(BatchGround& ground, const WallLine& wall, const std::string& source, int line) const {
+    try {
+      if (proofs_) throw InputError(source, line, "--certificate is of a world whose walls stay as they are");
+      ground.change(wall, source, line);
+      return nullptr;
+    } catch (const InputError&) {
+      return std::current_exception();
+    }
+  }
+
+  void prove(const QueryLine& query, const QueryAnswer& answer) {
+    Point from = query.from, to = query.to;
+    for (const EndMove& move : answer.moves) (std::string_view(move.role) == "start" ? from : to) = move.place.point;
+    if (answer.status == QueryAnswer::Status::found)
+      proofs_->add(query.line, Path{answer.points, Length(answer.points)}, from, to);
+    else if (answer.status == QueryAnswer::Status::none)
+      proofs_->add(query.line, std::nullopt, from, to);
+  }
+
+  void add_proofs(Answer& answer) const {
+    answer.files.push_back({options_.certificate, proofs_->text()});
+    if (proofs_->missing() == 0 || exit_code(answer.outcome) != 0) return;
+    answer.outcome = Outcome::unproven;
+    answer.reason = count_text(proofs_->missing(), "answer") + " without a certificate";
   }
 
   int end(const std::optional<Index>& index = {}) {
@@ -197,6 +166,7 @@ class Batch {
     answer.reason = answers_.reason();
     if (run_.wants_json()) answer.result = answers_.json();
     if (index) add_index(options_.index, *index, answer);
+    if (proofs_) add_proofs(answer);
     return run_.end(std::move(answer));
   }
 
@@ -204,7 +174,11 @@ class Batch {
     const Shown shown(input.notes);
     QueryBlocks blocks(source, input, shown, 1);
     std::vector<QueryLine> queries;
-    while (blocks.next(queries)) continue;
+    for (bool more = true; more;) {
+      more = blocks.next(queries);
+      if (blocks.wall())
+        throw InputError(source.name(), blocks.line(), "walls change in a run of its own only, not in what is shared");
+    }
     const Items items = items_of(queries, input);
     if (options_.shards.shard > 0)
       return run_.end(run_.stage("search", [&] { return do_shard(options_.shards, items, run_); }));
@@ -252,11 +226,13 @@ class Batch {
   const BatchOptions& options_;
   Run& run_;
   BatchAnswers answers_;
-  std::optional<Ground> ground_;  // of shards
+  std::optional<BatchProofs> proofs_;
+  std::optional<BatchGround> ground_;  // of shards
 };
 
 int run(const BatchOptions& options, Run& run) {
   run.sources({options.world.file, options.queries});
+  if (options.widest || options.arcs) return answer_disc_queries(options, run);
   return Batch(options, run).work();
 }
 

@@ -169,6 +169,9 @@ void require_disc_options(const BatchOptions& options) {
   if (options.query.snap_ends) throw UsageError(fmt::format("--snap-ends does not go with {}", mode));
   if (options.index.wanted() || !options.index.save.empty())
     throw UsageError(fmt::format("--index does not go with {}: it has one of its own", mode));
+  if (options.shards.is_shared() || !options.certificate.empty())
+    throw UsageError(
+        fmt::format("{} does not go with {}", options.certificate.empty() ? "--shard" : "--certificate", mode));
   if (options.path) throw UsageError(fmt::format("--path does not go with {}", mode));
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <taut/cli/options.h>
+#include <taut/cli/shards.h>
 #include <taut/cli/solve/index_option.h>
 
 namespace taut::cli {
@@ -18,6 +19,8 @@ struct BatchOptions {
   bool path = false;
   bool widest = false;  ///< the largest disc instead of the path
   bool arcs = false;    ///< a disc's path; each line has its radius
+  std::string certificate;
+  ShardOptions shards;
 };
 
 }  // namespace taut::cli

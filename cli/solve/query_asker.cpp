@@ -1,5 +1,6 @@
 #include <taut/cli/solve/query_asker.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -74,10 +75,22 @@ class Question {
 }  // namespace
 
 QueryAnswer QueryAsker::ask(const QueryLine& query) {
+  if (ChangingWorld* const world = search_.changing()) return ask_in_changed(*world, query);
   const EndsOnWalls& walls = ground_.walls;
   if (walls.concern(ground_.plane(query.from)) || walls.concern(ground_.plane(query.to))) return ask_on_walls(query);
   return Question(ground_, ground_.space).answer(search_, query, [&](Point from, Point to) {
     return no_path_.holds(from, to);
+  });
+}
+
+/// Walls without thickness leave a point all its places.
+QueryAnswer QueryAsker::ask_in_changed(ChangingWorld& world, const QueryLine& query) {
+  const auto is_thick = [](const Wall& wall) { return wall.thickness > 0; };
+  const bool are_same_places = ground_.space.footprint().kind() == Footprint::Kind::point &&
+                               std::ranges::none_of(ground_.space.world().walls(), is_thick);
+  const FreeSpace& places = are_same_places ? ground_.space : world.space();
+  return Question(ground_, places).answer(search_, query, [&](Point from, Point to) {
+    return NoPath(world.space()).holds(from, {to, {}});
   });
 }
 

@@ -14,17 +14,21 @@
 #include <taut/cli/solve/ends_on_walls.h>
 #include <taut/cli/world/geographic.h>
 #include <taut/io/worlds/query_lines.h>
+#include <taut/search/changing_world.h>
 #include <taut/search/index.h>
 #include <taut/search/no_path.h>
 #include <taut/search/polyanya.h>
 
 namespace taut::cli {
 
-/// One query after the other, by cones and bends or by an index.
+/// One query after the other, by cones and bends, by an index, or in a world that changes.
 class QueryFinder {
  public:
   explicit QueryFinder(const Polyanya& polyanya) : search_(PolyanyaSearch(polyanya)) {}
   explicit QueryFinder(const Index& index) : search_(IndexSearch(index)) {}
+  explicit QueryFinder(ChangingWorld world) : search_(std::move(world)) {}
+
+  ChangingWorld* changing() { return std::get_if<ChangingWorld>(&search_); }
 
   SearchStatus find(Point from, Point to) {
     return std::visit([&](auto& search) { return search.find(from, to); }, search_);
@@ -32,14 +36,14 @@ class QueryFinder {
   const std::vector<Point>& points() const {
     return std::visit([](const auto& search) -> const std::vector<Point>& { return search.points(); }, search_);
   }
-  /// 0 of an index.
+  /// 0 where it is not by cones and bends.
   std::size_t expanded() const {
     const auto* const cones = std::get_if<PolyanyaSearch>(&search_);
     return cones ? cones->expanded() : 0;
   }
 
  private:
-  std::variant<PolyanyaSearch, IndexSearch> search_;
+  std::variant<PolyanyaSearch, IndexSearch, ChangingWorld> search_;
 };
 
 /// What all queries of a batch share, for any number of threads. What it is made of must outlive it.
@@ -76,8 +80,11 @@ class QueryAsker {
 
   /// A start or goal in a wall is an answer here, no reason to stop.
   QueryAnswer ask(const QueryLine& query);
+  /// The world that changes, where one is asked.
+  ChangingWorld* changing() { return search_.changing(); }
 
  private:
+  QueryAnswer ask_in_changed(ChangingWorld& world, const QueryLine& query);
   QueryAnswer ask_on_walls(const QueryLine& query) const;
 
   const QueryGround& ground_;

@@ -18,8 +18,11 @@ constexpr std::size_t kLongest = 4096;
 bool QueryBlocks::next(std::vector<QueryLine>& block) {
   std::string line;
   for (const std::size_t before = block.size(); block.size() < before + length_;) {
+    wall_.reset();
     if (!source_.next(line)) return false;
-    if (const std::optional<QueryLine> query = reader_.read(line, ++line_)) {
+    wall_ = wall_line(line, source_.name(), ++line_);
+    if (wall_) return true;
+    if (const std::optional<QueryLine> query = reader_.read(line, line_)) {
       require_for_this_map(*query);
       block.push_back(*query);
     }

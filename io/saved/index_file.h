@@ -20,8 +20,8 @@ std::string index_file(const Index& index);
 
 /// Maps what index_file wrote; all of it is read once and checked. For a space of the same world and robot, whose
 /// triangulation the same version of this library made. The file may be removed or replaced as a whole while the index
-/// lives, not be written to. Throws InputError, in one line: it cannot be read, is no such file, of another version, cut
-/// off, damaged, of another world (naming both) or for another robot. O(bytes).
+/// lives, not be written to. Throws InputError, in one line: it cannot be read, is no such file, of another version,
+/// cut off, damaged, of another world (naming both) or for another robot. O(bytes).
 Index load_index(const std::string& path, const FreeSpace& space);
 
 }  // namespace taut

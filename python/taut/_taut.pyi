@@ -566,6 +566,31 @@ class Polyanya:
     def find_each(self, start: PointLike, goals: ArrayLike) -> list[Path] | None:
         """A list of the shortest Path to each of the goals (n, 2), in one search; None where there is none."""
 
+class Index:
+    """A free space prepared for queries of microseconds, in so many bytes at most. For thousands of queries."""
+
+    def __init__(self, space: FreeSpace, memory: int = ...) -> None: ...
+    @staticmethod
+    def load(path: str, space: FreeSpace) -> Index:
+        """What save() wrote, mapped, for the same world and robot. Raises InputError when it is another's or
+        damaged."""
+    def save(self, path: str) -> None:
+        """Keeps it in a file, for load()."""
+    @property
+    def space(self) -> FreeSpace: ...
+    @property
+    def bends(self) -> int:
+        """How many places there are where a path can bend."""
+    @property
+    def nbytes(self) -> int:
+        """How large it is."""
+    def find(self, start: PointLike, goal: PointLike) -> Path | None:
+        """The shortest Path, as Polyanya's find; None when there is none, proven. Raises InputError when an end is not
+        free, Unproven."""
+    def find_many(self, queries: ArrayLike, *, paths: bool = ...) -> Answers:
+        """Answers to queries (n, 4): start x y, goal x y; without Python's lock. paths: their points as well. Ctrl-C
+        stops it."""
+
 class Roadmap:
     """A graph embedded in a FreeSpace."""
 

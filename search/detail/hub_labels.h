@@ -34,12 +34,13 @@ struct HubLabels {
 };
 
 /// The vertices in an order in which few labels are needed: always that one which lies on most of the shortest paths,
-/// of `samples` trees, that no vertex before it lies on. (Delling, Goldberg, Pajor, Werneck, "Robust distance queries on
-/// massive networks", 2014.)
+/// of `samples` trees, that no vertex before it lies on. (Delling, Goldberg, Pajor, Werneck, "Robust distance queries
+/// on massive networks", 2014.)
 std::vector<std::uint32_t> hub_order(const HubGraph& graph, HubTree& tree, std::size_t samples);
 
-/// Pruned landmark labels (Akiba, Iwata, Yoshida, "Fast exact shortest-path distance queries on large networks by pruned
-/// landmark labeling", 2013), without those that no shortest path needs. Nothing where there would be more than `most`.
+/// Pruned landmark labels (Akiba, Iwata, Yoshida, "Fast exact shortest-path distance queries on large networks by
+/// pruned landmark labeling", 2013), without those that no shortest path needs. Nothing where there would be more than
+/// `most`.
 std::optional<HubLabels> hub_labels(const HubGraph& graph, HubTree& tree, const SightLists* sights,
                                     std::vector<std::uint32_t> order, std::size_t most);
 

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
 
 #include <taut/search/detail/index_image.h>
 #include <taut/search/detail/taut_legs.h>
@@ -32,8 +36,31 @@ double extent_of(const Triangulation& tri) {
   return std::hypot(box.max.x - box.min.x, box.max.y - box.min.y);
 }
 
+/// No shortest path between two vertices is longer: twice the longest one from one vertex of each component.
+double longest_way(const HubGraph& graph) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::vector<double> at(graph.size(), kFar);
+  std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>, std::greater<>>
+      open;
+  double longest = 0;
+  for (std::uint32_t root = 0; root < graph.size(); ++root) {
+    if (at[root] != kFar) continue;
+    open.emplace(at[root] = 0, root);
+    while (!open.empty()) {
+      const auto [length, v] = open.top();
+      open.pop();
+      if (length != at[v]) continue;
+      longest = std::max(longest, length);
+      for (std::uint32_t e = graph.first[v]; e < graph.first[v + 1]; ++e)
+        if (const double further = length + graph.edges[e].length; further < at[graph.edges[e].to])
+          open.emplace(at[graph.edges[e].to] = further, graph.edges[e].to);
+    }
+  }
+  return 2 * longest;
+}
+
 constexpr std::size_t kSamples = 16;
-constexpr std::size_t kLabelBytes = 12, kSightBytes = 16, kUpBytes = 28;
+constexpr std::size_t kLabelBytes = 12, kSightBytes = 10, kUpBytes = 28;
 
 /// How many bends may have labels in so many bytes: n of them have about 1.3 * n^1.5, those of a core more.
 std::size_t bends_in(std::size_t bytes, double labels_a_bend) {
@@ -45,15 +72,12 @@ class Builder {
   Builder(const VisibilityGraph& graph, std::size_t memory)
       : graph_(graph), memory_(memory), places_(IntegerPlaces::of(tri().points)) {
     hubs_ = hub_graph(graph, TautLegs(graph), places_ ? &*places_ : nullptr);
-    if (places_) sights_ = sight_lists(graph, hubs_, *places_, memory / 2 / kSightBytes);
-    rest_ = memory - (sights_ ? std::min(memory, kSightBytes * sights_->sights.size()) : 0);
   }
 
   std::optional<std::vector<std::byte>> image(std::optional<std::size_t> core_size) {
     if (core_size) return with_core(*core_size);
-    if (hubs_.size() <= bends_in(rest_, 1.6))
+    if (hubs_.size() <= bends_in(memory_, 1.6))
       if (auto all = with_all_labels()) return all;
-    sights_.reset();
     const std::size_t ups = kUpBytes * 4 * hubs_.size();
     std::size_t core = bends_in(memory_ > 2 * ups ? memory_ - ups : memory_ / 2, 3.0);
     for (core = std::min<std::size_t>(core, hubs_.size() / 2); core >= 2; core = core * 3 / 4)
@@ -64,11 +88,17 @@ class Builder {
  private:
   const Triangulation& tri() const { return graph_.space().triangulation(); }
 
+  /// With sights, or where these are too many, without.
   std::optional<std::vector<std::byte>> with_all_labels() const {
     const std::vector<std::uint32_t> bends = bend_places(graph_);
-    HubTree tree(hubs_, lists(), bends);
-    const auto labels = hub_labels(hubs_, tree, lists(), hub_order(hubs_, tree, kSamples), memory_ / kLabelBytes);
-    return labels ? packed(hubs_, *labels, nullptr) : std::nullopt;
+    std::optional<SightLists> sights;
+    if (places_) sights = sight_lists(graph_, hubs_, *places_, memory_ / kSightBytes);
+    const SightLists* const lists = sights ? &*sights : nullptr;
+    HubTree tree(hubs_, lists, bends);
+    const auto labels = hub_labels(hubs_, tree, lists, hub_order(hubs_, tree, kSamples), memory_ / kLabelBytes);
+    if (!labels) return {};
+    if (auto all = packed(hubs_, *labels, lists, nullptr)) return all;
+    return packed(hubs_, *labels, nullptr, nullptr);
   }
 
   std::optional<std::vector<std::byte>> with_core(std::size_t size) const {
@@ -79,25 +109,23 @@ class Builder {
     HubTree tree(core, nullptr, {});
     const auto labels = hub_labels(core, tree, nullptr, hub_order(core, tree, kSamples), memory_ / kLabelBytes);
     const LabelledCore labelled{below, turns, edge_of};
-    return labels ? packed(core, *labels, &labelled) : std::nullopt;
+    return labels ? packed(core, *labels, nullptr, &labelled) : std::nullopt;
   }
 
-  std::optional<std::vector<std::byte>> packed(const HubGraph& graph, const HubLabels& labels,
+  std::optional<std::vector<std::byte>> packed(const HubGraph& graph, const HubLabels& labels, const SightLists* sights,
                                                const LabelledCore* core) const {
-    auto image = index_image(graph, labels, core ? nullptr : lists(), core, space_print(tri()), tri().triangles.size(),
-                             extent_of(tri()));
+    // What a climb to the core adds to labels.
+    const double climb = core ? longest_way(hubs_) : 0;
+    auto image =
+        index_image(graph, labels, sights, core, space_print(tri()), tri().triangles.size(), climb + extent_of(tri()));
     if (image.size() > memory_) return {};
     return image;
   }
-
-  const SightLists* lists() const { return sights_ ? &*sights_ : nullptr; }
 
   const VisibilityGraph& graph_;
   std::size_t memory_;
   std::optional<IntegerPlaces> places_;
   HubGraph hubs_;
-  std::optional<SightLists> sights_;
-  std::size_t rest_ = 0;  // of the memory, beside sights
 };
 
 }  // namespace

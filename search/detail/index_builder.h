@@ -9,9 +9,9 @@
 
 namespace taut::detail {
 
-/// The bytes of an index (IndexImage), at most `memory` of them; nothing where that is too little. All bends have labels
-/// where those fit; else the others are contracted below a core as large as seems to, or of `core_size`. Sights take
-/// half of it at most and are left out with a core. Precondition: the graph is a reduced one.
+/// The bytes of an index (IndexImage), at most `memory` of them; nothing where that is too little. All bends have
+/// labels where those fit, with sights where these fit as well; else the others are contracted below a core as large
+/// as seems to, or of `core_size`. Precondition: the graph is a reduced one.
 std::optional<std::vector<std::byte>> index_bytes(const VisibilityGraph& graph, std::size_t memory,
                                                   std::optional<std::size_t> core_size = std::nullopt);
 

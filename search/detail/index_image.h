@@ -23,8 +23,8 @@ namespace taut::detail {
 ///  begin    by bend, one more: into labels.
 ///  sights   by triangle, those that need no test, a test of the right ray, of the left one, of both: the bend and side
 ///           (2 * bend + BendSide), how many labels may follow, the places that rays pass. 2, 3, 3 and 4 words.
-///  ups, cores   where only a core of bends has labels, Contraction's edges of the others and of the core, the latter by
-///           their first hop; children are numbers of ups, none of a leg.
+///  ups, cores   where only a core of bends has labels, Contraction's edges of the others and of the core, the latter
+///           by their first hop; children are numbers of ups, none of a leg.
 ///  ups_begin, cores_begin   by bend, one more.
 ///  sights_begin   by triangle and group, 4 a triangle and one more: into the words of sights.
 class IndexImage {
@@ -112,7 +112,8 @@ struct LabelledCore {
   const std::vector<std::uint32_t>& edge_of;  ///< of core_graph
 };
 
-/// `extent`: no leg is longer. Sights may be absent; without a core all bends are labelled, their graph's vertices.
+/// `extent`: nothing that is added to a label is longer. Sights may be absent; without a core all bends are labelled,
+/// their graph's vertices.
 std::vector<std::byte> index_image(const HubGraph& graph, const HubLabels& labels, const SightLists* sights,
                                    const LabelledCore* core, std::uint64_t space, std::size_t triangles, double extent);
 

@@ -33,7 +33,8 @@ class Packer {
     }
   }
 
-  /// How many labels of the bend, itself among them, go on by so many edges from one side on. Precondition: it has some.
+  /// How many labels of the bend, itself among them, go on by so many edges from one side on. Precondition: it has
+  /// some.
   std::uint32_t count(std::uint32_t bend, std::uint32_t edges) const {
     const std::uint32_t v = vertex_of_[bend / 2];
     const std::uint32_t first = graph_.first[v], last = graph_.first[v + 1];

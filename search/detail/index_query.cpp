@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <taut/geometry/length.h>
 #include <taut/geometry/written.h>
 #include <taut/search/query_ends.h>
 
@@ -110,8 +109,11 @@ void IndexQuery::look_in(End& end, std::uint32_t triangle) const {
   for (; k < begin[1]; k += 2) add(words + k, true);
   for (; k < begin[2]; k += 3) add(words + k, turn(words + k, words[k + 2]) >= 0);
   for (; k < begin[3]; k += 3) add(words + k, turn(words + k, words[k + 2]) <= 0);
-  for (; k < begin[4]; k += 4)
-    add(words + k, (turn(words + k, words[k + 2]) >= 0) & (turn(words + k, words[k + 3]) <= 0));
+  for (; k < begin[4]; k += 4) {
+    // Both, without a branch that would be taken at random.
+    const int right = turn(words + k, words[k + 2]) >= 0, left = turn(words + k, words[k + 3]) <= 0;
+    add(words + k, (right & left) != 0);
+  }
   for (std::size_t i = end.count; i < count; ++i) {
     Run& run = runs[i];
     const IndexParts::Bend& bend = parts_.bends[run.bend / 2];
@@ -140,6 +142,7 @@ void IndexQuery::climb(End& end) const {
   const double per_length = parts_.image.header().per_length;
   for (const std::uint32_t bend : end.climb.reached()) {
     if (parts_.bends[bend].begin == parts_.bends[bend].end) continue;
+    if (end.climb.length(bend) * per_length > kFar / 2) continue;  // longer than any shortest path
     if (end.runs.size() == end.count) end.runs.emplace_back();
     const IndexClimb::Range range = end.climb.labels_behind(bend);
     const auto length = static_cast<std::uint32_t>(end.climb.length(bend) * per_length + 0.5);
@@ -230,80 +233,6 @@ void IndexQuery::forget() {
   const IndexImage::Label* const labels = parts_.image.labels().data();
   for (std::size_t i = 0; i < from_.count; ++i)
     for (std::uint32_t k = from_.runs[i].begin; k < from_.runs[i].end; ++k) best_[labels[k].hub].length = kFar;
-}
-
-/// Both ends' ways to where they meet.
-void IndexQuery::unpack(const Way& way, std::vector<std::uint32_t>& bends) {
-  if (way.meeting != kNone) {
-    from_.climb.chain(way.meeting, bends);
-    to_.climb.chain(way.meeting, part_);
-  } else {
-    unpack(from_, way.from, bends);
-    unpack(to_, way.to, part_);
-  }
-  bends.insert(bends.end(), part_.rbegin() + 1, part_.rend());
-}
-
-/// From the end to the label's hub; there next() stays where it is.
-void IndexQuery::unpack(End& end, std::uint32_t label, std::vector<std::uint32_t>& bends) const {
-  const std::uint32_t* const next = parts_.image.next().data();
-  const bool has_core = parts_.image.has_core();
-  std::uint32_t bend = parts_.bend_of(label);
-  if (has_core)
-    end.climb.chain(bend, bends);
-  else
-    bends.assign(1, bend);
-  for (std::size_t steps = 0; next[label] != label && steps <= parts_.bends.size(); ++steps) {
-    if (has_core) unpack_edge(parts_.image, core_edge(bend, label), false, bends);
-    label = next[label];
-    bend = parts_.bend_of(label);
-    if (!has_core) bends.push_back(bend);
-  }
-}
-
-/// By which the label goes on.
-const IndexImage::Edge& IndexQuery::core_edge(std::uint32_t bend, std::uint32_t label) const {
-  const auto cores = parts_.image.cores(bend);
-  return *(std::upper_bound(cores.begin(), cores.end(), label,
-                            [](std::uint32_t k, const IndexImage::Core& edge) { return k < edge.label; }) -
-           1);
-}
-
-/// Without points in a straight line.
-void IndexQuery::give(const std::vector<std::uint32_t>& bends, std::vector<Point>& path) const {
-  path.assign(1, from_.point);
-  if (from_.is_integer && to_.is_integer) {
-    IntegerPlaces::Place before{}, last = from_.place.at;
-    const auto add = [&](IntegerPlaces::Place at, Point p) {
-      if (at == last) return;
-      if (path.size() > 1 && IntegerPlaces::side(before, last, at) == 0)
-        path.pop_back();
-      else
-        before = last;
-      path.push_back(p);
-      last = at;
-    };
-    for (const std::uint32_t v : bends) add(parts_.bends[v].at, parts_.point(v));
-    return add(to_.place.at, to_.point);
-  }
-  const auto add = [&](Point p) {
-    if (p == path.back()) return;
-    if (path.size() > 1 && written::on_segment(path.back(), path[path.size() - 2], p)) path.pop_back();
-    path.push_back(p);
-  };
-  for (const std::uint32_t v : bends) add(parts_.point(v));
-  add(to_.point);
-}
-
-bool IndexQuery::is_shorter(const std::vector<Point>& a, const std::vector<Point>& b) {
-  const auto legs_of = [](const std::vector<Point>& points, std::vector<Segment>& legs) {
-    legs.clear();
-    for (std::size_t i = 1; i < points.size(); ++i) legs.push_back({points[i - 1], points[i]});
-  };
-  if (a == b) return false;
-  legs_of(a, legs_a_);
-  legs_of(b, legs_b_);
-  return compare_lengths(legs_a_, legs_b_) < 0;
 }
 
 }  // namespace taut::detail

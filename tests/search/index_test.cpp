@@ -129,6 +129,24 @@ TEST(Index, HasTheShortestPathsInLittleMemory) {
   }
 }
 
+TEST(Index, ClimbsFartherThanTheWorldIsWide) {
+  // Around all of it from the one side of a wall to the other.
+  const SmallWorld world{
+      .walls =
+          {{{9, 2}, {1, 2}}, {{6, 1}, {1, 1}}, {{8, 3}, {3, 3}}, {{7, 5}, {1, 5}}, {{1, 5}, {1, 1}}, {{3, 3}, {3, 5}}},
+      .area = box_ring(0, 0, 9, 9)};
+  const FreeSpace space = world.space();
+  PolyanyaSearch cones{Polyanya(space)};
+  ASSERT_EQ(cones.find({1.25, 2.25}, {1.1, 1.1}), SearchStatus::found);
+  for (const std::size_t core : {1, 2, 3, 6}) {
+    const auto bytes = std::make_shared<const std::vector<std::byte>>(
+        detail::index_bytes(VisibilityGraph(space), 1 << 20, core).value());
+    IndexSearch index{Index(space, *bytes, bytes)};
+    ASSERT_EQ(index.find({1.25, 2.25}, {1.1, 1.1}), SearchStatus::found) << core;
+    EXPECT_EQ(index.points(), cones.points());
+  }
+}
+
 TEST(Index, HasThemInLittleMemoryOffEveryLattice) {
   const Turn turn(31.4);
   WorldParts parts = opened_maze(12, 0.3).with_wall_thickness(0.125).parts();
