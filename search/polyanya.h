@@ -48,8 +48,8 @@ class Polyanya {
 
   /// The same with the reduced visibility graph of the space, for thousands of queries: searches from point to point
   /// then go from bend to bend, along legs that turn around obstacles. With landmarks as well each looks at little more
-  /// than its path. Lengths stay the same, exactly. Takes what VisibilityGraph takes; 64 bytes an edge. Precondition: not
-  /// made by between().
+  /// than its path. Lengths stay the same, exactly. Takes what VisibilityGraph takes; 64 bytes an edge. Precondition:
+  /// not made by between().
   Polyanya with_graph() const;
   bool has_graph() const { return bends_ != nullptr; }
 
