@@ -111,7 +111,8 @@ class Batch {
     QuerySource source(options_.queries);
     const Input input = read_input(options_.world, run_);
     shown_ = Shown(input.notes);
-    const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
+    const FreeSpace space =
+        run_.stage("space", [&] { return triangulated(FreeSpace(input.world, options_.query.robot)); });
     const std::optional<Index> index = index_of(options_.index, space, run_);
     if (!index) polyanya_ = run_.stage("mesh", [&] { return Polyanya(space); });
     const NoPath no_path(space);

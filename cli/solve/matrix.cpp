@@ -132,7 +132,7 @@ class Matrix {
     const Input input = read_input(options_.world, run_);
     shown_ = Shown(input.notes);
     read_places();
-    FreeSpace space = run_.stage("space", [&] { return space_of(input); });
+    FreeSpace space = run_.stage("space", [&] { return triangulated(space_of(input)); });
     settle(space);
     const VisibilityGraph graph = run_.stage("graph", [&] { return VisibilityGraph(space); });
     const auto lengths = std::make_shared<Lengths>(places_.size());

@@ -86,7 +86,7 @@ int run(const PassageOptions& options, Run& run) {
   run.promise(options.svg);
   const Input input = read_input(options.world, options.query, run, {options.radius().value_or(0)});
   require_ends(input);
-  const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world); });
+  const FreeSpace space = run.stage("space", [&] { return triangulated(FreeSpace(input.world)); });
   const std::vector<Point> goals = read_goals(space, input);
   const Gates gates = run.stage("gates", [&] { return Gates(space); });
   const Passage found =
