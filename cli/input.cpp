@@ -43,6 +43,11 @@ Input read_input(const WorldOptions& options, Run& run, const QueryOptions& quer
   return {std::move(world), notes, std::move(name), {}};
 }
 
+FreeSpace triangulated(FreeSpace space) {
+  space.triangulation();
+  return space;
+}
+
 void require_ends(const Input& input) {
   const Goal& goal = input.world.goal();
   const bool start = input.world.start().has_value(), end = goal.point || !goal.room.empty();

@@ -6,6 +6,7 @@
 
 #include <taut/cli/options.h>
 #include <taut/cli/run.h>
+#include <taut/geometry/free_space.h>
 #include <taut/geometry/world.h>
 #include <taut/io/results/end_moves.h>
 #include <taut/io/worlds/read_world.h>
@@ -34,5 +35,8 @@ void tell(const ReadNotes& notes, const std::string& name, Run& run);
 
 /// Throws InputError, with the options that help, when the world has no start or no goal.
 void require_ends(const Input& input);
+
+/// The space with its triangles made, for whoever asks for them in any case: so their time is that of the stage.
+FreeSpace triangulated(FreeSpace space);
 
 }  // namespace taut::cli

@@ -86,10 +86,21 @@ CellPlan::Around CellPlan::around_corner(std::uint32_t x_line, std::uint32_t y_l
   const auto right = static_cast<std::int32_t>(x_line), high = static_cast<std::int32_t>(y_line);
   const std::int32_t left = right - 1, low = high - 1;
   Around result{{{{right, high}, {left, high}, {left, low}, {right, low}}}, 0, 0};
-  for (int i = 0; i < 4; ++i) result.free |= unsigned{is_free(result.cells[static_cast<std::size_t>(i)])} << i;
-  const bool is_open[] = {is_open_above({right, low}), is_open_right({left, high}), is_open_above({left, low}),
-                          is_open_right({left, low})};
-  for (int i = 0; i < 4; ++i) result.closed |= unsigned{!is_open[i]} << i;
+  if (x_line == 0 || y_line == 0 || x_line == columns() || y_line == rows()) {
+    for (int i = 0; i < 4; ++i) result.free |= unsigned{is_free(result.cells[static_cast<std::size_t>(i)])} << i;
+    const bool is_open[] = {is_open_above({right, low}), is_open_right({left, high}), is_open_above({left, low}),
+                            is_open_right({left, low})};
+    for (int i = 0; i < 4; ++i) result.closed |= unsigned{!is_open[i]} << i;
+    return result;
+  }
+  const std::size_t below = (y_line - 1) * words_, above = below + words_, l = x_line - 1, r = x_line;
+  const auto at = [](const std::vector<std::uint64_t>& bits, std::size_t row, std::size_t column) {
+    return static_cast<unsigned>((bits[row + column / 64] >> (column % 64)) & 1);
+  };
+  result.free = at(free_, above, r) | at(free_, above, l) << 1 | at(free_, below, l) << 2 | at(free_, below, r) << 3;
+  result.closed = ~(at(open_above_, below, r) | at(open_right_, above, l) << 1 | at(open_above_, below, l) << 2 |
+                    at(open_right_, below, l) << 3) &
+                  15;
   return result;
 }
 

@@ -30,8 +30,8 @@ class CellPlan {
     friend bool operator==(const Cell&, const Cell&) = default;
   };
 
-  /// What lies around a point: quadrants counter-clockwise from the upper right one, which may lie in the same cell, and
-  /// the rays between them from the one to the right on; ray i bounds quadrant i clockwise.
+  /// What lies around a point: quadrants counter-clockwise from the upper right one, which may lie in the same cell,
+  /// and the rays between them from the one to the right on; ray i bounds quadrant i clockwise.
   struct Around {
     std::array<Cell, 4> cells;
     unsigned free = 0;    ///< bit i: quadrant i

@@ -5,12 +5,30 @@
 
 namespace taut {
 
-Roadmap voronoi_legs(const VoronoiRoadmap& map, double tolerance) {
+namespace {
+
+/// All vertices, or those that the edges join.
+std::vector<std::uint32_t> numbers_of_vertices(const VoronoiRoadmap& map, double clearance) {
+  std::vector<std::uint32_t> number(map.vertices().size(), clearance > 0 ? kNone : 0);
+  for (const VoronoiEdge& e : map.edges())
+    if (e.clearance >= clearance) number[e.from] = number[e.to] = 0;
+  std::uint32_t count = 0;
+  for (std::uint32_t& n : number)
+    if (n != kNone) n = count++;
+  return number;
+}
+
+}  // namespace
+
+Roadmap voronoi_legs(const VoronoiRoadmap& map, double tolerance, double clearance) {
+  const std::vector<std::uint32_t> number = numbers_of_vertices(map, clearance);
   std::vector<Point> points;
-  for (const VoronoiVertex& v : map.vertices()) points.push_back(v.at);
+  for (std::size_t v = 0; v < number.size(); ++v)
+    if (number[v] != kNone) points.push_back(map.vertices()[v].at);
   std::vector<std::pair<Roadmap::Vertex, Roadmap::Vertex>> legs;
   for (const VoronoiEdge& e : map.edges()) {
-    Roadmap::Vertex last = e.from;
+    if (e.clearance < clearance) continue;
+    Roadmap::Vertex last = number[e.from];
     if (e.kind == VoronoiEdge::Kind::parabola) {
       const std::vector<Point> on_arc = sampled({map.curve(e)}, tolerance);
       for (std::size_t i = 1; i + 1 < on_arc.size(); ++i) {
@@ -20,7 +38,7 @@ Roadmap voronoi_legs(const VoronoiRoadmap& map, double tolerance) {
         last = next;
       }
     }
-    legs.emplace_back(last, e.to);
+    legs.emplace_back(last, number[e.to]);
   }
   return Roadmap(std::move(points), legs);
 }

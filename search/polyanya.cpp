@@ -192,8 +192,8 @@ struct PolyanyaSearch::Impl {
       for (const detail::RoomSide& side : sides) {
         const auto foot = side.foot(p);
         if (!foot || !engine.may_improve(root, std::max(std::abs(foot->x - p.x), std::abs(foot->y - p.y)))) continue;
-        // The last leg begins in the sector that the path turns in and ends where the room does: of walls through a room
-        // a foot can be seen on the wrong side.
+        // The last leg begins in the sector that the path turns in, and ends where the room is: where walls stand in a
+        // room a foot can be seen on their wrong side.
         if (space.holds(*foot) && space.sees(*foot, p, side.inside) && space.sees(p, *foot, engine.beyond(root)))
           engine.add_way(root, *foot);
       }

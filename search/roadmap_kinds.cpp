@@ -3,6 +3,7 @@
 #include <utility>
 
 #include <taut/geometry/corridor_width.h>
+#include <taut/geometry/walled_world.h>
 #include <taut/roadmaps/cell_graph.h>
 #include <taut/roadmaps/visibility_graph.h>
 #include <taut/roadmaps/voronoi_legs.h>
@@ -10,6 +11,7 @@
 #include <taut/search/polyanya.h>
 #include <taut/search/prm_planner.h>
 #include <taut/search/shortest_path.h>
+#include <taut/search/verify.h>
 #include <taut/search/voronoi_search.h>
 
 namespace taut {
@@ -131,6 +133,33 @@ RoadmapKind fixed_prm() {
           true};
 }
 
+PlannedRoadmap voronoi_of(const FreeSpace& space, double tolerance, unsigned jobs) {
+  const auto map = std::make_shared<const VoronoiRoadmap>(space, jobs);
+  PlannedRoadmap planned{
+      std::make_shared<const Roadmap>(voronoi_legs(*map, tolerance)),
+      [map, tolerance](Point from, const Goal& to, GraphMethod) { return voronoi_search(*map, from, to, tolerance); }};
+  planned.diagram = map;
+  return planned;
+}
+
+/// Of a disc: the diagram of the walls themselves, as far as they leave it room, instead of that of all the sides of
+/// the polygons around it. Where no way is found that the space agrees to, that one is asked after all.
+PlannedRoadmap voronoi_of_disc(const FreeSpace& space, Point start, const Goal& goal, double tolerance, unsigned jobs) {
+  std::vector<Point> ends = goal_points(space, goal);
+  ends.push_back(start);
+  const double clearance = (1 + Footprint::kDiscExcess) * space.footprint().radius();
+  const auto map = std::make_shared<const VoronoiRoadmap>(FreeSpace(walled_world(space.world(), ends)), jobs);
+  PlannedRoadmap planned{std::make_shared<const Roadmap>(voronoi_legs(*map, tolerance, clearance)),
+                         [=](Point from, const Goal& to, GraphMethod method) {
+                           GraphSearchResult found = voronoi_search(*map, from, to, tolerance, clearance);
+                           if (found.status == SearchStatus::found && verify(found.path, space, from, to).valid)
+                             return found;
+                           return voronoi_of(space, tolerance, jobs).search(from, to, method);
+                         }};
+  planned.diagram = map;
+  return planned;
+}
+
 RoadmapKind voronoi() {
   return {"voronoi",
           "segment Voronoi diagram",
@@ -139,13 +168,9 @@ RoadmapKind voronoi() {
           false,
           [](const FreeSpace& space, const BuildRequest& request) {
             const double tolerance = corridor_width(space) * kArcTolerance;
-            const auto map = std::make_shared<const VoronoiRoadmap>(space, request.jobs);
-            PlannedRoadmap planned{std::make_shared<const Roadmap>(voronoi_legs(*map, tolerance)),
-                                   [map, tolerance](Point from, const Goal& to, GraphMethod) {
-                                     return voronoi_search(*map, from, to, tolerance);
-                                   }};
-            planned.diagram = map;
-            return planned;
+            return space.footprint().kind() == Footprint::Kind::disc && request.from
+                       ? voronoi_of_disc(space, *request.from, request.to, tolerance, request.jobs)
+                       : voronoi_of(space, tolerance, request.jobs);
           }};
 }
 

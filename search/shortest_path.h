@@ -12,8 +12,8 @@
 namespace taut {
 
 /// The shortest path from `from` to the goal; nothing when there is none. One-off: Polyanya on what lies between the
-/// ends (Polyanya::between). Throws InputError when `from` or the goal lies outside the world or inside an obstacle (with
-/// the point and, when it is known, the wall).
+/// ends (Polyanya::between). Throws InputError when `from` or the goal lies outside the world or inside an obstacle
+/// (with the point and, when it is known, the wall).
 std::optional<Path> shortest_path(const FreeSpace& space, Point from, const Goal& to);
 std::optional<Path> shortest_path(const FreeSpace& space, Point from, Point to);
 

@@ -34,9 +34,9 @@ struct Verdict {
 /// k) log k + contacts).
 Verdict verify(const Path& path, const FreeSpace& space, Point from, const Goal& to);
 
-/// The same verdict without `nearest`, for a path just found. Where the space is made of cells, the constraints are read
-/// from those that each leg passes: O(cells along the path), and the space needs no triangles. A path that it refuses
-/// is put before verify(), which names what is in the way.
+/// The same verdict without `nearest`, for a path just found. Where the space is made of cells, the constraints are
+/// read from those that each leg passes: O(cells along the path), and the space needs no triangles. A path that it
+/// refuses is put before verify(), which names what is in the way.
 Verdict verify_along(const Path& path, const FreeSpace& space, Point from, const Goal& to);
 
 }  // namespace taut

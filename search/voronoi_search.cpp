@@ -65,10 +65,11 @@ std::vector<Point> goal_points(const FreeSpace& space, const Goal& goal) {
   return points;
 }
 
-GraphSearchResult voronoi_search(const VoronoiRoadmap& map, Point from, const Goal& to, double tolerance) {
+GraphSearchResult voronoi_search(const VoronoiRoadmap& map, Point from, const Goal& to, double tolerance,
+                                 double clearance) {
   GraphSearchResult best;
   for (const Point goal : goal_points(map.space(), to)) {
-    const auto way = ClearanceSearch(map, from, goal).shortest(0);
+    const auto way = ClearanceSearch(map, from, goal).shortest(clearance);
     if (!way) continue;
     best.expanded += way->expanded;
     std::vector<Point> points = way->curves.empty() ? std::vector<Point>{from} : sampled(way->curves, tolerance);

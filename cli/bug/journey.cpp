@@ -50,7 +50,7 @@ void check(const BugWorld& world, const Journey& journey) {
 BugWorld read_bug_world(const WorldOptions& world, const QueryOptions& query, Run& run) {
   const Input input = read_input(world, query, run);
   require_ends(input);
-  const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world, query.robot); });
+  const FreeSpace space = run.stage("space", [&] { return triangulated(FreeSpace(input.world, query.robot)); });
   const Point start = *input.world.start(), goal = goal_of(space, input);
   return run.stage("shortest", [&]() -> BugWorld {
     const std::optional<Length> shortest = shortest_length(space, start, goal);

@@ -40,7 +40,7 @@ class ArcSolver {
     promise(run_, options_.files);
     const Input input = read_input(options_.world, options_.query, run_, {options_.query.robot.radius()});
     read_ends(input);
-    const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world); });
+    const FreeSpace space = run_.stage("space", [&] { return triangulated(FreeSpace(input.world)); });
     if (rounding_bound(space) > 0) answer_.within = rounding_bound(space);
     const TangentGraph graph = run_.stage("roadmap", [&] { return TangentGraph(space, answer_.radius); });
     answer_.result = run_.stage("search", [&] { return arc_search(graph, answer_.start, answer_.goal); });

@@ -65,7 +65,7 @@ class DiscBatch {
     QuerySource source(options_.queries);
     const Input input = read_input(options_.world, run_);
     shown_ = Shown(input.notes);
-    const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world); });
+    const FreeSpace space = run_.stage("space", [&] { return triangulated(FreeSpace(input.world)); });
     options_.widest ? answer_widest(space, source) : answer_arcs(space, source);
     note(answers_.totals());
     Answer answer;

@@ -16,7 +16,7 @@ namespace taut::cli {
 BatchGround::BatchGround(const BatchOptions& options, const Input& input, Run& run)
     : options_(options),
       shown_(input.notes),
-      space_(run.stage("space", [&] { return FreeSpace(input.world, options.query.robot); })),
+      space_(run.stage("space", [&] { return triangulated(FreeSpace(input.world, options.query.robot)); })),
       walls_(input, options.world.read.snap, space_),
       no_path_(space_),
       ground_{space_,

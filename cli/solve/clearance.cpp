@@ -90,9 +90,10 @@ class ClearanceSolver {
     const double clearance = options_.clearance->clearance;  // 0 unless asked for
     const Input input = read_input(options_.world, options_.query, run_, {clearance, true});
     require_ends(input);
-    const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world); });
+    const FreeSpace space = run_.stage("space", [&] { return triangulated(FreeSpace(input.world)); });
     read_ends(space, input);
-    const FreeSpace walled = run_.stage("space", [&] { return FreeSpace(walled_world(input.world, all_ends())); });
+    const FreeSpace walled =
+        run_.stage("space", [&] { return triangulated(FreeSpace(walled_world(input.world, all_ends()))); });
     VoronoiRoadmap map = run_.stage("roadmap", [&] { return VoronoiRoadmap(walled); });
     Gates gates = run_.stage("gates", [&] { return Gates(walled); });
     const ClearancePlanner planner(space, std::move(map), std::move(gates), start_, goals_);

@@ -256,7 +256,7 @@ int run(const CompareOptions& options, Run& run) {
   run.promise(options.svg);
   const Input input = read_input(options.world, options.query, run);
   require_ends(input);
-  const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world, options.query.robot); });
+  const FreeSpace space = run.stage("space", [&] { return triangulated(FreeSpace(input.world, options.query.robot)); });
   require_free(space, *input.world.start(), "start");
   if (input.world.goal().point) require_free(space, *input.world.goal().point, "goal");
   Comparer comparer(options, run, input, space);

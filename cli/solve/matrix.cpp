@@ -142,7 +142,7 @@ class Matrix {
     const Input input = read_input(options_.world, run_);
     shown_ = Shown(input.notes);
     read_places();
-    FreeSpace space = run_.stage("space", [&] { return space_of(input); });
+    FreeSpace space = run_.stage("space", [&] { return triangulated(space_of(input)); });
     settle(space);
     if (options_.shards.shard > 0) return run_.end(do_shard(options_.shards, items(input, space), run_));
     const auto lengths = std::make_shared<Lengths>(places_.size());

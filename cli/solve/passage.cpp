@@ -140,7 +140,7 @@ int run_map(const PassageOptions& options, Run& run) {
   run.promise(options.map);
   const Input input = read_input(options.world, options.query, run, {0});
   if (!input.world.start()) throw InputError(input.name, 0, "has no start; give --from X,Y");
-  const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world); });
+  const FreeSpace space = run.stage("space", [&] { return triangulated(FreeSpace(input.world)); });
   require_free(space, *input.world.start(), "start");
   const PassageIndex index = run.stage("index", [&] { return PassageIndex(space); });
   const std::vector<PassageFace> faces = passage_map(index, *input.world.start());
@@ -162,7 +162,7 @@ int run_matrix(const PassageOptions& options, Run& run) {
   const Input input = read_input(options.world, run);
   const std::vector<ReadPoint> points = read_points(read_bytes(options.matrix), options.matrix);
   if (points.empty()) throw InputError(options.matrix, 0, "holds no points");
-  const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world); });
+  const FreeSpace space = run.stage("space", [&] { return triangulated(FreeSpace(input.world)); });
   std::vector<Point> places;
   for (const ReadPoint& point : points) {
     if (space.locate(point.point).kind == Location::Kind::outside)
@@ -191,7 +191,7 @@ int run(const PassageOptions& options, Run& run) {
   run.promise(options.svg);
   const Input input = read_input(options.world, options.query, run, {options.radius().value_or(0)});
   require_ends(input);
-  const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world); });
+  const FreeSpace space = run.stage("space", [&] { return triangulated(FreeSpace(input.world)); });
   const std::vector<Point> goals = read_goals(space, input);
   const PassageIndex index = run.stage("gates", [&] { return PassageIndex(space); });
   const Gates& gates = index.gates();

@@ -90,7 +90,7 @@ class Reacher {
     const Input input = read_input(options_.world, options_.query, run_, {r});
     if (!input.world.start()) throw InputError(input.name, 0, "says nothing about a start; give --from X,Y");
     const Point start = *input.world.start();
-    const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world); });
+    const FreeSpace space = run_.stage("space", [&] { return triangulated(FreeSpace(input.world)); });
     const PassageIndex index = run_.stage("index", [&] { return PassageIndex(space); });
     const auto reach = run_.stage("search", [&] { return disc_reach(index, start, r); });
     if (!reach) {

@@ -146,7 +146,7 @@ int run(const RoadmapOptions& options, Run& run) {
     run.promise(file);
   const RoadmapKind& kind = *options.kind;
   const Input input = read_input(options.world, options.query, run);
-  const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world, options.query.robot); });
+  const FreeSpace space = run.stage("space", [&] { return triangulated(FreeSpace(input.world, options.query.robot)); });
   if (!options.stream.empty()) return stream(options, input, space, run);
   const PlannedRoadmap planned = run.stage("roadmap", [&] {
     return kind.build(space, {options.common.seed, input.world.start(), input.world.goal(), options.prm,

@@ -51,7 +51,10 @@ class Solver {
     const Input input = read_input(options_.world, options_.query, run_);
     shown_ = Shown(input.notes);
     read_ends(input);
-    const FreeSpace space = run_.stage("space", [&] { return FreeSpace(input.world, options_.query.robot); });
+    const FreeSpace space = run_.stage("space", [&] {
+      FreeSpace made(input.world, options_.query.robot);
+      return wants_graph() || options_.kind ? triangulated(std::move(made)) : made;
+    });
     result_.displacement = space.displacement();
     if (path_bound(space) > 0) result_.within = path_bound(space);
     require_free(space, *result_.start, "start", shown_);
@@ -91,10 +94,13 @@ class Solver {
     keep();
   }
 
+  bool wants_graph() const {
+    return !options_.save.empty() || !options_.load.empty() || options_.anytime.wanted || options_.method_given();
+  }
+
   PlannedRoadmap build_or_load(const FreeSpace& space) {
     if (options_.load.empty()) {
-      const bool graph = !options_.save.empty() || options_.anytime.wanted || options_.method_given();
-      answer_.kind = options_.kind ? options_.kind : roadmap_kind(graph ? "visibility" : "polyanya");
+      answer_.kind = options_.kind ? options_.kind : roadmap_kind(wants_graph() ? "visibility" : "polyanya");
       return answer_.kind->build(space,
                                  {options_.common.seed, result_.start, result_.goal, options_.prm,
                                   options_.common.limits.seconds.has_value(), prm_progress(options_.common.quiet)});
@@ -171,7 +177,7 @@ class Solver {
   bool prove_by_gates(const Input& input) {
     if (!result_.goal.point) return false;
     const double radius = options_.query.robot.radius();
-    const Gates gates{FreeSpace(input.world)};
+    const Gates gates{triangulated(FreeSpace(input.world))};
     const DiscPassage passage = disc_passage(gates, *result_.start, *result_.goal.point, radius);
     if (passage.status != DiscStatus::none || passage.barrier.empty()) return false;
     const Barrier barrier = barrier_of(gates, passage.barrier);

@@ -137,7 +137,7 @@ int run(const CheckOptions& options, Run& run) {
   if (input.notes.geographic) project(paths, input, options.world.read.snap);
   // What a path that is to be judged lies on must not have bent away from it.
   const FreeSpace space =
-      run.stage("space", [&] { return FreeSpace(input.world, options.query.robot, points_of(paths)); });
+      run.stage("space", [&] { return triangulated(FreeSpace(input.world, options.query.robot, points_of(paths))); });
   require_free_ends(space, Shown(input.notes));
   CheckReport report(input, space);
   run.so_far(report.json(), report.text());

@@ -89,7 +89,7 @@ int run(const SpaceOptions& options, Run& run) {
   run.source(options.world.file);
   run.promise(options.output);
   const Input input = read_input(options.world, run);
-  const FreeSpace space = run.stage("space", [&] { return FreeSpace(input.world, options.robot); });
+  const FreeSpace space = run.stage("space", [&] { return triangulated(FreeSpace(input.world, options.robot)); });
   const FreeSpaceSize size = size_of(space);
   std::string bytes = run.stage("write", [&] { return bytes_of(space, *options.target, title_of(input.name), size); });
   Json result{{"as", name(*options.target)},

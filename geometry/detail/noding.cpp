@@ -8,6 +8,7 @@
 
 #include <taut/geometry/box_index.h>
 #include <taut/geometry/detail/axis_noding.h>
+#include <taut/geometry/detail/box_pairs.h>
 #include <taut/geometry/detail/quick_crossing.h>
 #include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/written.h>
@@ -17,6 +18,7 @@ namespace taut::detail {
 namespace {
 
 constexpr int kRounds = 32;
+constexpr std::size_t kFew = 16;  // points that need no index
 
 Segment segment(const Edge& c) { return {c.a, c.b}; }
 
@@ -88,12 +90,8 @@ class Splitting {
   bool find() {
     std::vector<Box> boxes(pieces_.size());
     for (std::size_t i = 0; i < boxes.size(); ++i) boxes[i] = box_around(pieces_[i].a, pieces_[i].b);
-    const BoxIndex index(boxes);
-    for (std::uint32_t i = 0; i < boxes.size(); ++i)
-      index.meeting(boxes[i], [&](std::uint32_t j) {
-        if (j > i) meet(i, j);
-      });
-    if (rounded_) hold_fixed(index);
+    each_meeting_pair(boxes, [&](std::uint32_t i, std::uint32_t j) { meet(i, j); });
+    if (rounded_ && !fixed_.empty()) hold_fixed(std::move(boxes));
     return !cuts_.empty();
   }
 
@@ -123,11 +121,18 @@ class Splitting {
   }
 
   /// Pieces that may bend keep the fixed points on them.
-  void hold_fixed(const BoxIndex& index) {
-    for (const Point p : fixed_)
-      index.meeting({p, p}, [&](std::uint32_t i) {
-        if (!keeps_straight(pieces_[i])) touch(i, p, written::orientation(pieces_[i].a, pieces_[i].b, p));
-      });
+  void hold_fixed(std::vector<Box> boxes) {
+    const auto hold = [&](std::uint32_t i, Point p) {
+      if (!keeps_straight(pieces_[i])) touch(i, p, written::orientation(pieces_[i].a, pieces_[i].b, p));
+    };
+    if (fixed_.size() <= kFew) {
+      for (std::uint32_t i = 0; i < boxes.size(); ++i)
+        for (const Point p : fixed_)
+          if (boxes[i].contains(p)) hold(i, p);
+      return;
+    }
+    const BoxIndex index(std::move(boxes));
+    for (const Point p : fixed_) index.meeting({p, p}, [&](std::uint32_t i) { hold(i, p); });
   }
 
   static void emit(std::vector<Edge>& result, Edge& rest, Point end) {

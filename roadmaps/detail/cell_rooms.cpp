@@ -45,6 +45,7 @@ class Rooms {
   explicit Rooms(const CellPlan& plan) : plan_(plan) {}
 
   CellRooms all() {
+    make_room();
     for (std::uint32_t row = 0; row < plan_.rows(); ++row) {
       made_.first_of_row.push_back(static_cast<std::uint32_t>(made_.runs.size()));
       add_row(row);
@@ -55,6 +56,18 @@ class Rooms {
   }
 
  private:
+  /// As many runs as begin anywhere; rooms and portals are no more, and mostly fewer.
+  void make_room() {
+    std::size_t runs = 0;
+    for (std::uint32_t row = 0; row < plan_.rows(); ++row)
+      for (std::size_t w = 0; w < plan_.words_a_row(); ++w)
+        runs += static_cast<std::size_t>(std::popcount(plan_.free(row)[w] & ~moved_up(plan_.open_right(row), w)));
+    made_.runs.reserve(runs);
+    made_.rooms.reserve(runs);
+    made_.portals.reserve(runs);
+    made_.first_of_row.reserve(std::size_t{plan_.rows()} + 1);
+  }
+
   void add_row(std::uint32_t row) {
     const Words free = plan_.free(row), open = plan_.open_right(row);
     std::size_t below = row > 0 ? made_.first_of_row[row - 1] : 0;

@@ -158,7 +158,7 @@ TEST_F(ExitCode, IsFourWhenInterrupted) {
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // those need all the address space
 TEST_F(ExitCode, IsFourWhenMemoryRunsOut) {
-  const Outcome maze = run_taut("generate --size 300");
+  const Outcome maze = run_taut("generate --size 600");
   expect_one_line(run_taut("solve - --max-memory 20M", maze.out), 4, "out of memory");
 }
 #endif
