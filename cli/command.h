@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <taut/cli/command_line.h>
+#include <taut/cli/config_file.h>
 #include <taut/cli/options.h>
 
 namespace taut::cli {
@@ -62,6 +63,7 @@ Command command(CommandLine& app, const char* name, const char* description, voi
   add(*line, *options);
   add_result_options(*line, options->common);
   add_common_options(*line, options->common);
+  add_config_option(*line);
   return {line, std::shared_ptr<CommonOptions>(options, &options->common),
           [options, run](Run& how) { return run(*options, how); }};
 }

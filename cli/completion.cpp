@@ -39,7 +39,7 @@ void each(const DescribedCommand& command, const Visit& visit) {
   for (const DescribedCommand& below : command.below) each(below, visit);
 }
 
-// ---- bash -------------------------------------------------------------------------------------------------------------
+// ---- bash ---------------------------------------------------------------------------------------
 
 constexpr const char* kBash = R"(# bash completion of taut
 _taut() {{
@@ -81,7 +81,7 @@ std::string bash(const DescribedCommand& program) {
   return fmt::format(kBash, fmt::arg("paths", paths), fmt::arg("values", values), fmt::arg("words", words));
 }
 
-// ---- zsh --------------------------------------------------------------------------------------------------------------
+// ---- zsh ----------------------------------------------------------------------------------------
 
 // Within single quotes, and where brackets and colons end the description.
 std::string zsh_words(const std::string& text) {
@@ -150,7 +150,7 @@ std::string zsh(const DescribedCommand& program) {
   return text + "_taut \"$@\"\n";
 }
 
-// ---- fish -------------------------------------------------------------------------------------------------------------
+// ---- fish ---------------------------------------------------------------------------------------
 
 std::string fish_words(const std::string& text) {
   std::string out;

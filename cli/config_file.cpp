@@ -93,6 +93,13 @@ class Settings {
 
 }  // namespace
 
+void add_config_option(CommandLine& app) {
+  app.add_option_function(
+         "--config", [](const std::string&) {},
+         "Take options from here that are not given: `samples = 500`, a line each")
+      .type_name("FILE");
+}
+
 std::vector<std::string> with_config_file(const CLI::App& program, std::vector<std::string> words) {
   const std::optional<std::string> file = taken_out(words);
   if (!file) return words;

@@ -8,7 +8,8 @@ namespace taut::cli {
 
 namespace {
 
-// What roff would take for its own: a backslash, a minus that would become a hyphen, a line that begins with a dot or quote.
+// What roff would take for its own: a backslash, a minus that would become a hyphen, a line that begins with a dot or
+// a quote.
 std::string plain(const std::string& text) {
   std::string out;
   for (std::size_t i = 0; i < text.size(); ++i) {

@@ -14,7 +14,8 @@ namespace taut::cli {
 namespace {
 
 constexpr std::size_t kWidestProgress = 79;
-// Of a word of a complaint, a name or what stands in the place of a number, so much is shown at its beginning and its end.
+// Of a word of a complaint, a name or what stands in the place of a number, so much is shown at its beginning and its
+// end.
 constexpr std::size_t kWordBegin = 200;
 constexpr std::size_t kWordEnd = 60;
 std::atomic<std::size_t> progress_width{0};  // of the line on the terminal; the watching thread may complain

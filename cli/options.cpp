@@ -283,11 +283,6 @@ void add_result_options(CommandLine& app, CommonOptions& options) {
 }
 
 void add_common_options(CommandLine& app, CommonOptions& options) {
-  // with_config_file() takes it out of the command line before that is read.
-  app.add_option_function(
-         "--config", [](const std::string&) {},
-         "Take options from here that are not given: `samples = 500`, a line each")
-      .type_name("FILE");
   add(
       app, "--max-seconds", options.limits.seconds,
       [](const std::string& text) { return std::optional(seconds_of(text)); }, "Stop after this time, with exit code 4")

@@ -1,10 +1,8 @@
 #include <taut/cli/version.h>
 
-#include <CGAL/version.h>
 #include <fmt/format.h>
 #include <gmp.h>
 #include <CLI/Version.hpp>
-#include <boost/version.hpp>
 #include <nlohmann/json.hpp>
 
 namespace taut::cli {
@@ -31,12 +29,12 @@ std::string version_text() {
   return fmt::format("taut " TAUT_VERSION
                      "\n"
                      "compiler: {}, C++{}\n"
-                     "libraries: CGAL {}, Boost {}.{}.{}, GMP {}, fmt {}.{}.{}, CLI11 {}, nlohmann-json {}.{}.{}\n"
+                     "libraries: CGAL " TAUT_CGAL_VERSION ", Boost " TAUT_BOOST_VERSION
+                     ", GMP {}, fmt {}.{}.{}, CLI11 {}, nlohmann-json {}.{}.{}\n"
                      "options: {}",
-                     kCompiler, __cplusplus / 100 % 100, CGAL_VERSION_STR, BOOST_VERSION / 100000,
-                     BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100, gmp_version, FMT_VERSION / 10000,
-                     FMT_VERSION / 100 % 100, FMT_VERSION % 100, CLI11_VERSION, NLOHMANN_JSON_VERSION_MAJOR,
-                     NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH, kChecks);
+                     kCompiler, __cplusplus / 100 % 100, gmp_version, FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
+                     FMT_VERSION % 100, CLI11_VERSION, NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
+                     NLOHMANN_JSON_VERSION_PATCH, kChecks);
 }
 
 }  // namespace taut::cli

@@ -24,7 +24,8 @@ class View {
         bends_(bends),
         expansion_(tri, *this) {}
 
-  /// Appends the vertices that a point at `at` is joined to, ascending, each once; of a vertex those of all its sectors.
+  /// Appends the vertices that a point at `at` is joined to, ascending, each once; of a vertex those of all its
+  /// sectors.
   void from_point(Point p, const Location& at, std::optional<Point> towards, std::vector<Vertex>& row) {
     origin_ = p;
     row_ = &row;

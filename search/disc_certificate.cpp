@@ -160,8 +160,8 @@ class Chain {
   bool is_exact_ = true;
 };
 
-/// Points of the curve behind its beginning. A parabola is nearest to its walls at its apex: a leg between two points on
-/// one side of it comes no nearer if the one is less than 5.8 times as far from the apex as the other.
+/// Points of the curve behind its beginning. A parabola is nearest to its walls at its apex: a leg between two points
+/// on one side of it comes no nearer if the one is less than 5.8 times as far from the apex as the other.
 std::vector<Point> points_on(const Bezier& curve) {
   constexpr int kHalvings = 24;
   const double ax = curve.from.x - 2 * curve.control.x + curve.to.x,

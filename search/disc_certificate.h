@@ -26,9 +26,10 @@ struct DiscCertificate {
   std::int64_t keeps = 0;      ///< widest: how far the path is from all walls at least
 };
 
-/// That no disc is wider than `widest`, and that the way, curves of a ClearancePath from s to g, serves it but for about
-/// a billionth: it becomes legs, the finer the nearer to where a curve turns most. The foot of a gate is moved along its wall to a fraction in 2^-k, the way's points to multiples
-/// of the fine unit. Nothing where rounding leaves none. Throws InputError as LatticeIntegers does.
+/// That no disc is wider than `widest`, and that the way, curves of a ClearancePath from s to g, serves it but for
+/// about a billionth: it becomes legs, the finer the nearer to where a curve turns most. The foot of a gate is moved
+/// along its wall to a fraction in 2^-k, the way's points to multiples of the fine unit. Nothing where rounding leaves
+/// none. Throws InputError as LatticeIntegers does.
 std::optional<DiscCertificate> widest_certificate(const Gates& gates, const WidestPassage& widest, Point s, Point g,
                                                   std::span<const Bezier> way);
 

@@ -32,12 +32,12 @@ struct PathCertificate {
   std::vector<std::array<std::int64_t, 3>> potentials{};  ///< x, y, number; by place
 };
 
-/// Of `path` from its first point to its last: that it can be followed, and what no path is shorter than; of a path that
-/// is not the shortest there is a gap between the two. Where its points are no multiples of the unit as fine as its ends
-/// need, they are rounded to about a millionth of it. Bends on walls that are none of a shortest path's the judge
-/// refuses. By A* in a reduced graph
-/// of the world of a point; the places it takes from its queue are listed. Nothing where rounded crossings leave
-/// corners that are no places of the lattice. Throws InputError as LatticeIntegers does. O(search).
+/// Of `path` from its first point to its last: that it can be followed, and what no path is shorter than; of a path
+/// that is not the shortest there is a gap between the two. Where its points are no multiples of the unit as fine as
+/// its ends need, they are rounded to about a millionth of it. Bends on walls that are none of a shortest path's the
+/// judge refuses. By A* in a reduced graph of the world of a point; the places it takes from its queue are listed.
+/// Nothing where rounded crossings leave corners that are no places of the lattice. Throws InputError as
+/// LatticeIntegers does. O(search).
 std::optional<PathCertificate> shortest_certificate(const VisibilityGraph& graph, const Path& path);
 
 /// That there is no path. Precondition: there is none. O(search).

@@ -12,8 +12,9 @@ struct Judgement {
   bool proven = false;
   std::string kind;   ///< of the certificate: `shortest`, `none`, `widest`
   std::string words;  ///< `no path is shorter than 97.6 - 9e-11; yours is 97.6 long`; or the leg that refutes it
-  /// In the world's own unit. Of `shortest`: how long the path given is; no path is below the bound. Of `widest`: how far
-  /// it keeps from walls; no disc above the bound gets through. Of `none` by a chain the bound is the disc's radius.
+  /// In the world's own unit. Of `shortest`: how long the path given is; no path is below the bound. Of `widest`: how
+  /// far it keeps from walls; no disc above the bound gets through. Of `none` by a chain the bound is the disc's
+  /// radius.
   Real length = 0, bound = 0;
 };
 

@@ -28,8 +28,8 @@ class BatchGround {
   /// the next one: the rest is asked again.
   void answer(std::span<const QueryLine> block, const Take& take);
 
-  /// Adds a wall or takes one away: later queries are asked one by one, in the world as it is then. A note says where an
-  /// index becomes stale. Throws InputError of that line.
+  /// Adds a wall or takes one away: later queries are asked one by one, in the world as it is then. A note says where
+  /// an index becomes stale. Throws InputError of that line.
   void change(const WallLine& wall, const std::string& source, int line);
 
   std::shared_ptr<QueryAsker> lend(std::size_t stage);

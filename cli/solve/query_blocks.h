@@ -21,7 +21,8 @@ class QueryBlocks {
   QueryBlocks(QuerySource& source, const Input& input, const Shown& shown, unsigned jobs)
       : source_(source), input_(input), shown_(shown), reader_(source.name()), length_(std::size_t{8} * jobs) {}
 
-  /// Appends them, up to a line that changes the world; false where no more are to come. Throws InputError for a line that is wrong, after those before it.
+  /// Appends them, up to a line that changes the world; false where no more are to come. Throws InputError for a line
+  /// that is wrong, after those before it.
   bool next(std::vector<QueryLine>& block);
   /// The line that changes the world, after what was read last.
   const std::optional<WallLine>& wall() const { return wall_; }

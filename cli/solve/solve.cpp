@@ -194,20 +194,7 @@ class Solver {
   void leave_unproven() {
     result_.status = SearchStatus::stopped;
     answer_.outcome = Outcome::unproven;
-    answer_.reason =
-        fmt::format("no path in the roadmap {}, which does not prove that there is none", answer_.kind->name);
-    if (answer_.kind->optimal && result_.within)
-      answer_.reason = fmt::format(
-          "no path, but an end is so near a wall ({:.3g}) that rounded crossings may have put it on its other side",
-          *result_.within);
-    if (answer_.kind->optimal && options_.query.robot.kind() == Footprint::Kind::disc)
-      answer_.reason =
-          "no path for the polygon around the disc, which does not prove that there is none for the disc; "
-          "--arcs plans for the disc itself";
-    if (answer_.planned.prm)
-      answer_.reason +=
-          fmt::format(" ({} samples, {} vertices at the start, {} at the goal)", answer_.planned.prm->counts.drawn,
-                      answer_.planned.prm->start_part, answer_.planned.prm->goal_part);
+    answer_.reason = unproven_text(answer_, options_.query.robot);
   }
 
   void verify_answer(const FreeSpace& space) {

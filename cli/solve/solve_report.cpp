@@ -75,6 +75,24 @@ std::string walls_text(const std::vector<Segment>& separation) {
       segments_text(separation, kWallsNamed));
 }
 
+std::string unproven_text(const SolveAnswer& answer, const Footprint& robot) {
+  const std::optional<double>& within = answer.result.within;
+  std::string reason =
+      fmt::format("no path in the roadmap {}, which does not prove that there is none", answer.kind->name);
+  if (answer.kind->optimal && within)
+    reason = fmt::format(
+        "no path, but an end is so near a wall ({:.3g}) that rounded crossings may have put it on its other side",
+        *within);
+  if (answer.kind->optimal && robot.kind() == Footprint::Kind::disc)
+    reason =
+        "no path for the polygon around the disc, which does not prove that there is none for the disc; "
+        "--arcs plans for the disc itself";
+  if (const auto& prm = answer.planned.prm)
+    reason += fmt::format(" ({} samples, {} vertices at the start, {} at the goal)", prm->counts.drawn, prm->start_part,
+                          prm->goal_part);
+  return reason;
+}
+
 std::string solve_line(const SolveAnswer& answer, const Seconds& total) {
   if (answer.outcome == Outcome::none)
     return answer.source + ": no path" + (answer.reason.empty() ? "" : ": " + answer.reason) + "\n";

@@ -30,6 +30,9 @@ struct SolveAnswer {
 /// `these 2 walls separate start and goal: ...`
 std::string walls_text(const std::vector<Segment>& separation);
 
+/// Why it is not known whether there is a path: none was found, which proves nothing.
+std::string unproven_text(const SolveAnswer& answer, const Footprint& robot);
+
 /// `maze.txt: length 77.262691, 34 corners, 0.004 s CPU`, or why there is none. With a line end.
 std::string solve_line(const SolveAnswer& answer, const Seconds& total);
 

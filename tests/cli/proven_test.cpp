@@ -231,9 +231,11 @@ TEST_F(Proven, ComparisonsNeverEndWellWithAPathThatFailsItsCheck) {
 TEST_F(Proven, ThreadsThatCannotBeHadAreALimit) {
   const std::string map = folder.file("map", run_taut("chase generate --size 150x120 --duration 300 --seed 3").out);
   int stopped = 0;
-  for (int megabytes = 8; megabytes <= 40; megabytes += 2) {
-    const Outcome run = run_taut("chase -q --max-memory " + std::to_string(megabytes) + "M " + map);
-    EXPECT_TRUE(run.code == 4 || run.code == 0) << megabytes << ": " << run.code << run.err;
+  for (int kilobytes = 30000; kilobytes <= 60000; kilobytes += 1000) {
+    const std::string limited = "ulimit -v " + std::to_string(kilobytes) + "; \"$taut\" ";
+    if (run_script(limited + "--version").code != 0) continue;  // not even that
+    const Outcome run = run_script(limited + "chase -q --jobs 2 " + map);
+    EXPECT_TRUE(run.code == 4 || run.code == 0) << kilobytes << ": " << run.code << run.err;
     stopped += run.code == 4;
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), run.code == 4) << run.err;
   }

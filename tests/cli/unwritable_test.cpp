@@ -77,6 +77,7 @@ constexpr Row kRows[] = {
     {"passage @sloped", 0, "radius"},
     {"passage @sealed", 1, "no path"},
     {"passage @sloped --robot disc:3", 1, "no disc"},
+    {"reach @room --from 1,2 --robot disc:0.1", 0, "gets to"},
     {"generate --size 5 --seed 1", 0, "# taut generate"},
     {"generate --size 5 -o new", 3, "", "new: "},
     {"convert @room --as wkt", 0, "LINESTRING"},
