@@ -1,7 +1,8 @@
 // A Roadmap as a Boost.Graph, for users who run their own algorithms on it. Optional: this header includes Boost.
 //
 //  1. taut::Roadmap models VertexListGraph, EdgeListGraph, IncidenceGraph and AdjacencyGraph (bidirectional in fact:
-//     every edge is listed from both ends, so the graph is directed for Boost, with two edges a leg). Nothing is copied.
+//     every edge is listed from both ends, so the graph is directed for Boost, with two edges a leg). Nothing is
+//     copied.
 //  2. A vertex is its index; get(boost::vertex_index, roadmap) is the identity.
 //  3. get(boost::edge_weight, roadmap) is the leg's length as a double, to within an ulp, computed when it is read.
 #pragma once

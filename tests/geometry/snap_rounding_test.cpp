@@ -63,7 +63,8 @@ std::vector<Wall> walls(unsigned seed) {
 
 Pieces pieces_of(const World& world, const Lattice& lattice) {
   Pieces pieces;
-  for (const Constraint& c : FreeSpace(world).constraints())
+  const FreeSpace space(world);
+  for (const Constraint& c : space.constraints())
     if (c.is_wall()) lattice.add(pieces, c.a, c.b);
   return pieces;
 }
