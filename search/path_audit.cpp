@@ -63,9 +63,9 @@ std::vector<Segment> legs_of(const std::vector<Point>& points) {
 }  // namespace
 
 struct PathAuditor::Impl {
-  Impl(const World& world, const Footprint& robot_, std::span<const Point> places)
-      : robot(robot_),
-        space(world, is_disc(robot_) ? Footprint::point() : robot_, places),
+  Impl(const World& world, const Footprint& of, std::span<const Point> places)
+      : robot(of),
+        space(world, is_disc(of) ? Footprint::point() : of, places),
         index(space),
         openings(opening_boxes()) {
     for (std::uint32_t c = 0; c < space.constraints().size(); ++c)

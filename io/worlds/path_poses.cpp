@@ -47,7 +47,8 @@ std::vector<ClaimedPath> read_paths_poses(std::string_view bytes, const std::str
   if (paths.empty()) throw InputError(source, 0, "holds no path: there are no poses");
   return paths;
 } catch (const YAML::Exception& error) {
-  throw InputError(source, error.mark.line >= 0 ? error.mark.line + 1 : 0, "is no YAML: " + error.msg);
+  throw InputError(source, error.mark.line >= 0 ? error.mark.line + 1 : 0,
+                   "is no YAML: " + detail::printable_name(error.msg));
 }
 
 }  // namespace taut::detail

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <charconv>
 #include <unordered_map>
+#include <utility>
 
 #include <taut/geometry/text.h>
 #include <taut/io/worlds/detail/text_input.h>

@@ -107,7 +107,7 @@ RosMapInfo read_ros_map_info(std::string_view text, const std::string& source) {
     if (!root.IsMap()) throw InputError(source, 0, "is no yaml map of keys and values");
     return Reader(root, source).info();
   } catch (const YAML::Exception& error) {
-    throw InputError(source, error.mark.line + 1, "not valid YAML: " + error.msg);
+    throw InputError(source, error.mark.line + 1, "not valid YAML: " + detail::printable_name(error.msg));
   }
 }
 
