@@ -3,6 +3,7 @@
 #include <taut/geometry/errors.h>
 #include <taut/io/worlds/detail/path_poses.h>
 #include <taut/io/worlds/detail/text_input.h>
+#include <taut/io/worlds/detail/yaml_text.h>
 
 namespace taut::detail {
 
@@ -37,7 +38,7 @@ bool holds_poses(std::string_view bytes) {
 
 std::vector<ClaimedPath> read_paths_poses(std::string_view bytes, const std::string& source) try {
   std::vector<ClaimedPath> paths;
-  for (const YAML::Node& message : YAML::LoadAll(std::string(bytes))) {
+  for (const YAML::Node& message : YAML::LoadAll(yaml_text(bytes))) {
     if (message.IsNull()) continue;
     const YAML::Node poses = message.IsMap() ? message["poses"] : YAML::Node();
     if (!poses || !poses.IsSequence()) fail(source, message, "a path without a list of poses");

@@ -10,6 +10,7 @@
 #include <taut/geometry/occupancy_world.h>
 #include <taut/geometry/written.h>
 #include <taut/io/worlds/detail/text_input.h>
+#include <taut/io/worlds/detail/yaml_text.h>
 
 namespace taut {
 
@@ -103,7 +104,7 @@ Known known_of(std::uint8_t grey, std::uint8_t alpha, const RosMapInfo& info) {
 
 RosMapInfo read_ros_map_info(std::string_view text, const std::string& source) {
   try {
-    const YAML::Node root = YAML::Load(std::string(text));
+    const YAML::Node root = YAML::Load(detail::yaml_text(text));
     if (!root.IsMap()) throw InputError(source, 0, "is no yaml map of keys and values");
     return Reader(root, source).info();
   } catch (const YAML::Exception& error) {
