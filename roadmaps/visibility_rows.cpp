@@ -43,9 +43,9 @@ struct VisibilityRows::Impl {
   Impl(FreeSpace of, VisibilityKind as) : space(std::move(of)), kind(as), vertices(space.triangulation(), kind) {
     const Triangulation& tri = space.triangulation();
     if (tri.lattice.empty())
-      steps = detail::sight_steps<DoubleSight>(tri, vertices.vertex_of_sector);
+      steps = detail::sight_steps(tri, DoubleSight(tri), vertices.vertex_of_sector);
     else
-      steps = detail::sight_steps<LatticeSight>(tri, vertices.vertex_of_sector);
+      steps = detail::sight_steps(tri, LatticeSight(tri), vertices.vertex_of_sector);
   }
 
   FreeSpace space;
@@ -75,8 +75,8 @@ struct VisibilityRows::Finder::Impl {
   template <class Sight>
   static Row row_of(const VisibilityRows::Impl& rows, const Steps<Sight>& steps) {
     const Triangulation& tri = rows.space.triangulation();
-    if (rows.kind == VisibilityKind::full) return SightRow<Sight, false>(tri, steps, rows.vertices.sectors);
-    return SightRow<Sight, true>(tri, steps, rows.vertices.sectors);
+    if (rows.kind == VisibilityKind::full) return SightRow<Sight, false>(tri, Sight(tri), steps, rows.vertices.sectors);
+    return SightRow<Sight, true>(tri, Sight(tri), steps, rows.vertices.sectors);
   }
 
   std::shared_ptr<const VisibilityRows::Impl> rows;

@@ -1,7 +1,10 @@
 // What a vertex sees to its right. Private.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include <taut/roadmaps/detail/sight_steps.h>
@@ -20,9 +23,11 @@ class SightRow {
   using Place = typename Sight::Place;
   using Ray = typename Sight::Ray;
 
-  SightRow(const Triangulation& tri, const std::vector<Step>& steps, const std::vector<std::uint32_t>& sectors)
-      : tri_(tri), steps_(steps), sectors_(sectors), sight_(tri), listed_for_(sectors.size(), kNone) {}
+  SightRow(const Triangulation& tri, const Sight& sight, const std::vector<Step>& steps,
+           const std::vector<std::uint32_t>& sectors)
+      : tri_(tri), steps_(steps), sectors_(sectors), sight_(sight), listed_for_(sectors.size(), kNone) {}
 
+  /// What the vertex sees to its right.
   const std::vector<std::uint32_t>& find(std::uint32_t vertex) {
     row_.clear();
     self_ = listed_for_[vertex] = vertex;
@@ -36,6 +41,26 @@ class SightRow {
       wedge(t, i);
       return true;
     });
+    return row_;
+  }
+
+  /// What a point that is no vertex sees all around: `places` are the triangles that it lies in or on a side of, which
+  /// is the second number (else 3). Not to be mixed with the other.
+  const std::vector<std::uint32_t>& find(Place origin, std::span<const std::pair<std::uint32_t, int>> places) {
+    row_.clear();
+    if (++self_ == kNone) {
+      std::fill(listed_for_.begin(), listed_for_.end(), kNone);
+      self_ = 0;
+    }
+    sight_.stand_at(origin);
+    for (const auto& [t, own_side] : places) {
+      for (int i = 0; i < 3; ++i) {
+        list(steps_[of(t, i)]);
+        if (i == own_side) continue;
+        const Step &a = steps_[of(t, Triangulation::ccw(i))], &b = steps_[of(t, Triangulation::cw(i))];
+        spread({out_of(t, i), {sight_.through(a.apex), hides(a)}, {sight_.through(b.apex), hides(b)}});
+      }
+    }
     return row_;
   }
 
@@ -218,7 +243,7 @@ class SightRow {
   Place right_end_{}, left_end_{};
   bool is_all_tangent_ = true;
   std::vector<std::uint32_t> row_;
-  std::vector<std::uint32_t> listed_for_;  // by vertex: the origin whose row it was last listed in
+  std::vector<std::uint32_t> listed_for_;  // by vertex: in whose row it was listed last
   std::vector<View> open_;
   std::vector<std::uint32_t> lines_;
 };

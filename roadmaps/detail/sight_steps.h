@@ -16,10 +16,13 @@ class LatticeSight {
   using Place = std::array<std::int32_t, 2>;
   using Ray = std::array<std::int32_t, 2>;
 
-  explicit LatticeSight(const Triangulation& tri) : points_(tri.lattice.data()) {}
+  explicit LatticeSight(const Triangulation& tri) : LatticeSight(tri.lattice) {}
+  /// Of vertices that lie on another lattice.
+  explicit LatticeSight(const std::vector<Place>& places) : points_(places.data()) {}
 
   Place at(std::uint32_t v) const { return points_[v]; }
   void stand_at(std::uint32_t v) { origin_ = points_[v]; }
+  void stand_at(Place p) { origin_ = p; }
 
   Ray through(Place p) const { return {p[0] - origin_[0], p[1] - origin_[1]}; }
   Ray away_from(Place p) const { return {origin_[0] - p[0], origin_[1] - p[1]}; }
@@ -100,9 +103,8 @@ struct SightStep {
 
 /// The steps of all free triangles.
 template <class Sight>
-std::vector<SightStep<typename Sight::Place>> sight_steps(const Triangulation& tri,
+std::vector<SightStep<typename Sight::Place>> sight_steps(const Triangulation& tri, const Sight& sight,
                                                           const std::vector<std::uint32_t>& vertex_of_sector) {
-  const Sight sight(tri);
   std::vector<SightStep<typename Sight::Place>> steps(3 * tri.triangles.size());
   for (std::uint32_t t = 0; t < tri.triangles.size(); ++t) {
     if (!tri.free[t]) continue;

@@ -20,7 +20,7 @@ constexpr auto kLater = [](const auto& a, const auto& b) { return a.bound > b.bo
 }  // namespace
 
 BendGraph::BendGraph(const FreeSpace& space, const Navmesh& mesh, unsigned jobs)
-    : graph(space, VisibilityKind::reduced, jobs), legs(graph) {
+    : graph(space, VisibilityKind::reduced, jobs), sights(graph), legs(graph), lasting(legs) {
   std::vector<std::uint32_t> bend_of(space.triangulation().sectors.size(), kNone);
   for (std::uint32_t b = 0; b < mesh.bends.size(); ++b) bend_of[mesh.bends[b].sector] = b;
   mesh_bend.reserve(graph.roadmap().vertex_count());
@@ -31,7 +31,9 @@ BendSearch::BendSearch(const BendGraph& graph, const Navmesh& mesh, const Landma
     : graph_(graph),
       points_(graph.graph.roadmap().points()),
       landmarks_(landmarks, mesh),
-      states_(graph.legs.vertex_count()) {}
+      sights_(graph.sights),
+      states_(graph.legs.vertex_count()),
+      wanted_in_(graph.legs.size(), 0) {}
 
 bool BendSearch::find(Point from, Point to, std::span<const std::uint32_t> goals, std::vector<Point>& path) {
   from_ = from;
@@ -41,12 +43,8 @@ bool BendSearch::find(Point from, Point to, std::span<const std::uint32_t> goals
     if (to != from) path.push_back(to);
     return true;
   }
-  for (const Roadmap::Vertex v : graph_.graph.visible_from(to)) {
-    states_[v].goal_query = query_;
-    states_[v].goal_leg = static_cast<std::uint32_t>(goal_legs_.size());
-    goal_legs_.push_back(leg_of(points_[v], to));
-  }
-  for (const Roadmap::Vertex v : graph_.graph.visible_from(from)) reach(kNone, v, leg_of(from, points_[v]), kPlace);
+  look_back(sights_.visible_from(to));
+  for (const Roadmap::Vertex v : sights_.visible_from(from)) reach(kNone, v, leg_of(from, points_[v]), kPlace);
   while (!open_.empty()) {
     const Open next = open_.front();
     std::pop_heap(open_.begin(), open_.end(), kLater);
@@ -62,35 +60,89 @@ bool BendSearch::find(Point from, Point to, std::span<const std::uint32_t> goals
 void BendSearch::begin(Point to, std::span<const std::uint32_t> goals) {
   if (++query_ == 0) {
     std::fill(states_.begin(), states_.end(), State{});
+    std::fill(wanted_in_.begin(), wanted_in_.end(), 0);
     query_ = 1;
   }
   to_ = to;
   labels_.clear();
   open_.clear();
   goal_legs_.clear();
+  wanted_.clear();
   best_ = kNone;
   limit_ = kInfinity;
   expanded_ = 1;
   landmarks_.aim_at(to, goals);
 }
 
+/// What may lead from the lasting legs to the goal.
+void BendSearch::look_back(std::span<const Roadmap::Vertex> seen_from_goal) {
+  for (const Roadmap::Vertex v : seen_from_goal) {
+    states_[v].goal_query = query_;
+    states_[v].goal_leg = static_cast<std::uint32_t>(goal_legs_.size());
+    goal_legs_.push_back(leg_of(points_[v], to_));
+    want_taut(v);
+  }
+  for (std::size_t i = 0; i < wanted_.size(); ++i)
+    for (const LastingLegs::Arrival before : graph_.lasting.before(wanted_[i].leg)) want(before);
+}
+
+/// The legs to this vertex from which a string goes on to the goal: those by which one from the goal would leave it.
+void BendSearch::want_taut(std::uint32_t vertex) {
+  const Triangulation& tri = graph_.graph.space().triangulation();
+  const Triangulation::Sector& sector = tri.sectors[graph_.graph.sector(vertex)];
+  const auto side = [&](Point next) { return written::orientation(to_, points_[vertex], next); };
+  const int right = side(tri.points[sector.right]), left = side(tri.points[sector.left]);
+  const auto arriving = graph_.lasting.arriving_at(vertex);
+  std::size_t i = 0;
+  if (right <= 0 && left <= 0)
+    for (; i < arriving.size() && side(points_[arriving[i].from]) <= 0; ++i) want(arriving[i]);
+  if (right >= 0 && left >= 0)
+    for (std::size_t k = arriving.size(); k > i && side(points_[arriving[k - 1].from]) >= 0; --k) want(arriving[k - 1]);
+}
+
+void BendSearch::want(LastingLegs::Arrival arrival) {
+  if (std::exchange(wanted_in_[arrival.leg], query_) == query_) return;
+  State& from = states_[arrival.from];
+  const std::uint32_t next = std::exchange(from.wanted_query, query_) == query_ ? from.wanted : kNone;
+  from.wanted = static_cast<std::uint32_t>(wanted_.size());
+  wanted_.push_back({arrival.leg, next});
+}
+
 void BendSearch::expand(std::uint32_t label) {
   ++expanded_;
   const std::size_t via = labels_[label].via;
-  if (via == kPlace) return follow(label, graph_.legs.of(labels_[label].vertex));
-  follow(label, graph_.legs.right_of(via));
-  follow(label, graph_.legs.left_of(via));
+  if (via == kPlace) {
+    follow(label, graph_.legs.of(labels_[label].vertex));
+  } else if (graph_.lasting.lasts(via)) {
+    follow(label, graph_.legs.right_of(via));
+    follow(label, graph_.legs.left_of(via));
+  }
+  follow_wanted(label);
 }
 
 void BendSearch::follow(std::uint32_t label, TautLegs::Range range) {
   const twofold::Pair here = labels_[label].length;
-  for (std::size_t e = range.first; e < range.last; ++e) {
+  for (const LastingLegs::Leg& leg : graph_.lasting.of(range))
+    if (!leads_nowhere(here, leg.length, leg.to))
+      reach(label, leg.to, plus(here, graph_.legs.length(leg.leg)), leg.leg);
+}
+
+void BendSearch::follow_wanted(std::uint32_t label) {
+  const auto [here, via, vertex, before] = labels_[label];
+  if (states_[vertex].wanted_query != query_) return;
+  for (std::uint32_t i = states_[vertex].wanted; i != kNone; i = wanted_[i].next) {
+    const std::size_t e = wanted_[i].leg;
+    if (via != kPlace && e >= graph_.legs.right_of(via).last && e < graph_.legs.left_of(via).first) continue;
     const TautLegs::Leg& leg = graph_.legs[e];
-    const State& state = states_[leg.to];
-    const double length = (here.high + leg.length) * (1 - kDoubt);
-    if (state.query == query_ && (length > state.length || length + state.rest > limit_)) continue;
-    reach(label, leg.to, plus(here, graph_.legs.length(e)), e);
+    if (!leads_nowhere(here, leg.length, leg.to)) reach(label, leg.to, plus(here, graph_.legs.length(e)), e);
   }
+}
+
+/// Is a shorter way known to where the leg leads, or to the goal?
+bool BendSearch::leads_nowhere(twofold::Pair here, double leg_length, std::uint32_t to) const {
+  const State& state = states_[to];
+  const double length = (here.high + leg_length) * (1 - kDoubt);
+  return state.query == query_ && (length > state.length || length + state.rest > limit_);
 }
 
 /// `length` is that of the way; it becomes the vertex' label when it is the shortest so far.

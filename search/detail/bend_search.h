@@ -9,8 +9,10 @@
 
 #include <taut/geometry/point.h>
 #include <taut/roadmaps/navmesh.h>
+#include <taut/roadmaps/point_sights.h>
 #include <taut/roadmaps/visibility_graph.h>
 #include <taut/search/detail/landmarks.h>
+#include <taut/search/detail/lasting_legs.h>
 #include <taut/search/detail/taut_legs.h>
 
 namespace taut::detail {
@@ -19,9 +21,13 @@ namespace taut::detail {
 struct BendGraph {
   /// `mesh` is of the same space; `jobs` threads make the graph.
   BendGraph(const FreeSpace& space, const Navmesh& mesh, unsigned jobs = 1);
+  BendGraph(const BendGraph&) = delete;
+  BendGraph& operator=(const BendGraph&) = delete;
 
   VisibilityGraph graph;
+  PointSights sights;
   TautLegs legs;
+  LastingLegs lasting;
   std::vector<std::uint32_t> mesh_bend;  ///< vertex -> the mesh's bend of the same sector
 };
 
@@ -59,6 +65,13 @@ class BendSearch {
     double rest = 0;    // to the goal, at least
     std::uint32_t goal_query = 0;
     std::uint32_t goal_leg = 0;
+    std::uint32_t wanted_query = 0;
+    std::uint32_t wanted = kNone;  // the first of its list
+  };
+  /// A leg that does not last, but may be on the way to the goal.
+  struct Wanted {
+    std::uint32_t leg;
+    std::uint32_t next;  // from the same vertex
   };
   struct Open {
     double bound;
@@ -66,8 +79,13 @@ class BendSearch {
   };
 
   void begin(Point to, std::span<const std::uint32_t> goals);
+  void look_back(std::span<const Roadmap::Vertex> seen_from_goal);
+  void want_taut(std::uint32_t vertex);
+  void want(LastingLegs::Arrival arrival);
   void expand(std::uint32_t label);
   void follow(std::uint32_t label, TautLegs::Range range);
+  void follow_wanted(std::uint32_t label);
+  bool leads_nowhere(twofold::Pair here, double length, std::uint32_t to) const;
   void reach(std::uint32_t before, std::uint32_t vertex, twofold::Pair length, std::size_t via);
   void arrive(std::uint32_t label);
   bool is_shorter(twofold::Pair a, std::uint32_t before_a, Point end_a, twofold::Pair b, std::uint32_t before_b,
@@ -80,13 +98,16 @@ class BendSearch {
   const BendGraph& graph_;
   const std::vector<Point>& points_;
   LandmarkBounds landmarks_;
+  PointSights::Finder sights_;
   std::uint32_t query_ = 0;
   Point from_, to_;
   std::vector<State> states_;  // by vertex
   std::vector<Label> labels_;
   std::vector<Open> open_;                // a heap, the least bound first
   std::vector<twofold::Pair> goal_legs_;  // of the vertices that the goal sees
-  std::uint32_t best_ = kNone;            // the label of the last bend
+  std::vector<std::uint32_t> wanted_in_;  // by leg: the query that wanted it last
+  std::vector<Wanted> wanted_;
+  std::uint32_t best_ = kNone;  // the label of the last bend
   twofold::Pair best_length_{};
   double limit_ = 0;  // no way longer than this is of interest
   std::vector<Segment> legs_a_, legs_b_;

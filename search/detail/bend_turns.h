@@ -8,7 +8,7 @@
 
 #include <taut/geometry/written.h>
 #include <taut/roadmaps/visibility_graph.h>
-#include <taut/search/detail/integer_places.h>
+#include <taut/geometry/integer_places.h>
 
 namespace taut::detail {
 

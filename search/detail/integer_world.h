@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <taut/geometry/free_space.h>
-#include <taut/search/detail/integer_places.h>
+#include <taut/geometry/integer_places.h>
 
 namespace taut::detail {
 

@@ -1,8 +1,8 @@
-#include <taut/search/detail/integer_places.h>
+#include <taut/geometry/integer_places.h>
 
 #include <algorithm>
 
-namespace taut::detail {
+namespace taut {
 
 std::optional<IntegerPlaces> IntegerPlaces::of(std::span<const Point> points, double per_unit) {
   IntegerPlaces places;
@@ -32,4 +32,4 @@ std::optional<IntegerPlaces> IntegerPlaces::of(std::span<const Point> points) {
   return {};
 }
 
-}  // namespace taut::detail
+}  // namespace taut

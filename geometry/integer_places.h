@@ -10,7 +10,7 @@
 
 #include <taut/geometry/point.h>
 
-namespace taut::detail {
+namespace taut {
 
 /// Multiples of 1 / per_unit counted from a corner, below 2^29: sides of lines are int64 then.
 ///
@@ -60,4 +60,4 @@ class IntegerPlaces {
   std::array<std::int64_t, 2> corner_{}, extent_{};
 };
 
-}  // namespace taut::detail
+}  // namespace taut
