@@ -87,9 +87,9 @@ struct SvgPicture {
 ///     `openings`, `walls` (as the world gives them: a line, or a bar as wide as it is thick), `separation`, `gates`,
 ///     `shades`, `guides`,
 ///     `moves`, `discs`, `path` (a casing and the line), `start`, `goal`, `labels`, `runner`; beside them
-///     `legend`. Each is a <g> of that class under svg.taut, coloured by the <style> block alone; there are no ids, so
-///     pictures can share a page. Colours follow `prefers-color-scheme`.
-///  3. Each group is a few <path> elements with relative, rounded coordinates: about 4 bytes a corner. A roadmap of
+///     `legend`. Each is a `<g>` of that class under svg.taut, coloured by the `<style>` block alone; there are no ids,
+///     so pictures can share a page. Colours follow `prefers-color-scheme`.
+///  3. Each group is a few `<path>` elements with relative, rounded coordinates: about 4 bytes a corner. A roadmap of
 ///     more than kSvgRoadmapEdges edges is left out and the legend says so.
 ///  4. All text is escaped; bytes that are no UTF-8 become U+FFFD. Same input, same bytes.
 /// O(size of the free space, world, roadmap and path).

@@ -26,8 +26,8 @@ GridTask read_grid_csv(std::string_view text, const std::string& source);
 /// Reads back the same. Precondition: start and goal are there.
 std::string grid_csv_text(const GridTask& task);
 
-/// Rows of `.` `_` or `0` (free), `#` `@` `X` or `1` (blocked), at most one `S` and one `G` (free), all of the same
-/// length. Throws InputError.
+/// Rows of characters, free ones of `._0` and blocked ones of `#X1@`, at most one `S` and one `G` (free), all of the
+/// same length. Throws InputError.
 GridTask read_grid_drawing(std::string_view text, const std::string& source);
 
 /// Any of the above or a MovingAI map, by content: `type` begins a map; `start`, `goal` or a line with commas a csv,

@@ -11,7 +11,7 @@
 
 namespace taut {
 
-/// Reads a MovingAI map (`type octile`, `height`, `width`, `map`, rows; `.` `G` `S` free, `@` `O` `T` `W` blocked).
+/// Reads a MovingAI map (`type octile`, `height`, `width`, `map`, rows; free are `.GS`, blocked `OTW@`).
 /// Throws InputError.
 OccupancyGrid read_movingai_map(std::string_view text, const std::string& source);
 /// The map at another size, as its scenarios may ask for: cell (x, y) is that of the map at (x * width / w, y * height

@@ -1,4 +1,4 @@
-"""Every python block of README.md and docs/python.md runs, those of a file one after the other."""
+"""Every python block of README.md and docs/ runs, those of a file one after the other."""
 
 import pathlib
 import re
@@ -8,14 +8,16 @@ import pytest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
-@pytest.mark.parametrize("page", ["README.md", "docs/python.md"])
+PAGES = [p for p in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))] if "```python\n" in p.read_text("utf-8")]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_blocks_of_python_run(page, tmp_path, monkeypatch):
     (tmp_path / "data").symlink_to(ROOT / "data")
     monkeypatch.chdir(tmp_path)
-    text = (ROOT / page).read_text(encoding="utf-8")
+    text = page.read_text(encoding="utf-8")
     blocks = list(re.finditer(r"^```python\n(.*?)^```", text, re.M | re.S))
-    assert blocks, "no block of python"
     namespace = {"__name__": "__main__"}
     for block in blocks:
         above = text.count("\n", 0, block.start(1))
-        exec(compile("\n" * above + block[1], page, "exec"), namespace)
+        exec(compile("\n" * above + block[1], str(page), "exec"), namespace)
