@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 #include <limits>
 #include <new>
 #include <string>
@@ -105,28 +106,40 @@ int parse(CLI::App& app, int argc, char** argv) {
   }
 }
 
-// In the order of --help. A group, like `grid`, brings several.
-std::vector<Command> all_commands(CommandLine& app) {
-  std::vector<Command> commands;
-  commands.push_back(solve_command(app));
-  commands.push_back(check_command(app));
-  commands.push_back(verify_command(app));
-  commands.push_back(audit_command(app));
-  commands.push_back(roadmap_command(app));
-  commands.push_back(compare_command(app));
-  commands.push_back(passage_command(app));
-  commands.push_back(reach_command(app));
-  commands.push_back(generate_command(app));
-  commands.push_back(convert_command(app));
-  commands.push_back(space_command(app));
-  commands.push_back(batch_command(app));
-  commands.push_back(matrix_command(app));
-  for (Command& command : grid_commands(app)) commands.push_back(std::move(command));
-  commands.push_back(diff_command(app));
-  for (Command& mouse : mouse_commands(app)) commands.push_back(std::move(mouse));
-  for (Command& command : chase_commands(app)) commands.push_back(std::move(command));
-  for (Command& command : bug_commands(app)) commands.push_back(std::move(command));
-  commands.push_back(drive_command(app));
+using Commands = std::vector<Command>;
+
+// One subcommand, or a group, like `grid`, that brings several.
+struct Adder {
+  std::string_view name;
+  Command (*one)(CommandLine& app);
+  Commands (*several)(CommandLine& app);
+};
+
+// In the order of --help.
+constexpr Adder kAdders[] = {{"solve", solve_command, nullptr},       {"check", check_command, nullptr},
+                             {"verify", verify_command, nullptr},     {"audit", audit_command, nullptr},
+                             {"roadmap", roadmap_command, nullptr},   {"compare", compare_command, nullptr},
+                             {"passage", passage_command, nullptr},   {"reach", reach_command, nullptr},
+                             {"generate", generate_command, nullptr}, {"convert", convert_command, nullptr},
+                             {"space", space_command, nullptr},       {"batch", batch_command, nullptr},
+                             {"matrix", matrix_command, nullptr},     {"grid", nullptr, grid_commands},
+                             {"diff", diff_command, nullptr},         {"mouse", nullptr, mouse_commands},
+                             {"chase", nullptr, chase_commands},      {"bug", nullptr, bug_commands},
+                             {"drive", drive_command, nullptr}};
+
+// All of them; only the first word's where that names one, none where it needs none: the others' hundreds of options take longer than many an
+// answer.
+Commands commands_for(std::string_view first_word, CommandLine& app) {
+  const bool is_one =
+      std::any_of(std::begin(kAdders), std::end(kAdders), [&](const Adder& adder) { return adder.name == first_word; });
+  Commands commands;
+  if (first_word == "--version" || first_word == "-V") return commands;
+  for (const Adder& adder : kAdders) {
+    if (is_one && adder.name != first_word) continue;
+    if (adder.one != nullptr) commands.push_back(adder.one(app));
+    if (adder.several != nullptr)
+      for (Command& command : adder.several(app)) commands.push_back(std::move(command));
+  }
   return commands;
 }
 
@@ -199,7 +212,7 @@ int run(int argc, char** argv) {
   app.set_help_flag("--help,-h", "Print this help and exit");
   app.require_subcommand(1);
   CommandLine line(app);
-  const std::vector<Command> commands = all_commands(line);
+  const Commands commands = commands_for(argc > 1 ? argv[1] : "", line);
   app.add_subcommand("help",
                      "Print the help of a subcommand: taut help grid solve; --as man, bash, zsh or fish: for these");
   app.footer(kFooter);

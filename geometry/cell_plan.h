@@ -76,6 +76,14 @@ class CellPlan {
   /// Appends all constraints that meet a box. O(cells).
   void append_within(const Box& box, std::vector<Constraint>& pieces) const;
 
+  /// Halves the cells that x lies inside of, so that it is a line: nothing else changes. Its number. Precondition: it
+  /// lies within the lines there are. O(cells / 64).
+  std::uint32_t make_x_line(double x);
+  std::uint32_t make_y_line(double y);
+  /// A wall comes or goes. Precondition: to open, both cells beside the side are free.
+  void set_open_right(Cell c, bool open) { set(open_right_, c, open); }
+  void set_open_above(Cell c, bool open) { set(open_above_, c, open); }
+
  private:
   class Maker;
   CellPlan() = default;
@@ -90,6 +98,12 @@ class CellPlan {
     const auto column = static_cast<std::size_t>(c.column);
     return (bits[static_cast<std::size_t>(c.row) * words_ + column / 64] >> (column % 64)) & 1;
   }
+  void set(std::vector<std::uint64_t>& bits, Cell c, bool to) {
+    std::uint64_t& word = bits[static_cast<std::size_t>(c.row) * words_ + static_cast<std::size_t>(c.column) / 64];
+    const std::uint64_t bit = std::uint64_t{1} << (c.column % 64);
+    word = to ? word | bit : word & ~bit;
+  }
+  void widen_rows();
   static std::array<std::int32_t, 2> cells_at(const std::vector<double>& lines, double v);
 
   std::vector<double> xs_, ys_;

@@ -4,6 +4,7 @@
 #include <bit>
 #include <utility>
 
+#include <taut/roadmaps/detail/cell_bends.h>
 #include <taut/roadmaps/detail/cell_rooms.h>
 #include <taut/roadmaps/detail/navmesh_bends.h>
 #include <taut/roadmaps/detail/navmesh_blocks.h>
@@ -23,14 +24,14 @@ class Bends {
 
   /// The bend that quadrant `i` of a corner is a part of, or kNone.
   std::uint32_t at(Navmesh& mesh, std::uint32_t x, std::uint32_t y, int i) {
-    const CellPlan::Around around = plan_.around_corner(x, y);
-    if (around.closed == 0 || std::popcount(around.sector(i)) < 3) return kNone;
+    const auto bend = detail::cell_bend(plan_, x, y, i);
+    if (!bend) return kNone;
     const std::uint64_t key = (std::uint64_t{y} << 32 | x) + 1;
     std::size_t k = (key * 0x9e3779b97f4a7c15U) >> 20 & (slots_.size() - 1);
     while (slots_[k].key != 0 && slots_[k].key != key) k = (k + 1) & (slots_.size() - 1);
     if (slots_[k].key == 0) {
       slots_[k] = {key, static_cast<std::uint32_t>(mesh.bends.size())};
-      add(mesh, around, x, y, i);
+      mesh.bends.push_back(*bend);
     }
     return slots_[k].bend;
   }
@@ -40,18 +41,6 @@ class Bends {
     std::uint64_t key = 0;
     std::uint32_t bend = kNone;
   };
-
-  void add(Navmesh& mesh, const CellPlan::Around& around, std::uint32_t x, std::uint32_t y, int i) const {
-    int right = i, left = i + 1;
-    while (!((around.closed >> (right % 4)) & 1)) right += 3;
-    while (!((around.closed >> (left % 4)) & 1)) ++left;
-    mesh.bends.push_back({along(x, y, right % 4), along(x, y, left % 4), kNone, kNone, kNone});
-  }
-
-  /// The next corner on a ray.
-  Point along(std::uint32_t x, std::uint32_t y, int ray) const {
-    return {plan_.x(ray == 0 ? x + 1 : ray == 2 ? x - 1 : x), plan_.y(ray == 1 ? y + 1 : ray == 3 ? y - 1 : y)};
-  }
 
   const CellPlan& plan_;
   std::vector<Slot> slots_;

@@ -90,7 +90,7 @@ QueryAnswer QueryAsker::ask_in_changed(ChangingWorld& world, const QueryLine& qu
                                std::ranges::none_of(ground_.space.world().walls(), is_thick);
   const FreeSpace& places = are_same_places ? ground_.space : world.space();
   return Question(ground_, places).answer(search_, query, [&](Point from, Point to) {
-    return NoPath(world.space()).holds(from, {to, {}});
+    return world.is_among_cells() || NoPath(world.space()).holds(from, {to, {}});
   });
 }
 

@@ -42,6 +42,9 @@ class PolyanyaEngine {
   /// `landmarks` may be absent; they outlive the engine.
   explicit PolyanyaEngine(const Navmesh& mesh, const Landmarks* landmarks = nullptr);
 
+  /// The mesh has changed, within the box of its corners.
+  void renew();
+
   /// What is asked. `start_polygons` are those that hold `start`.
   struct Query {
     Point start;

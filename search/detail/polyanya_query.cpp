@@ -16,14 +16,17 @@ double now() { return std::chrono::duration<double>(std::chrono::steady_clock::n
 }  // namespace
 
 PolyanyaEngine::PolyanyaEngine(const Navmesh& mesh, const Landmarks* landmarks)
-    : mesh_(mesh),
-      best_(mesh.bends.size()),
-      goals_here_(mesh.polygon_count()),
-      allowed_(mesh.blocks.top.size(), 0),
-      landmarks_(landmarks, mesh) {
+    : mesh_(mesh), landmarks_(landmarks, mesh) {
+  renew();
   for (const Navmesh::Corner& c : mesh.corners)
     magnitude_ = std::max({magnitude_, std::abs(c.point.x), std::abs(c.point.y)});
   slack_ = 0x1p-44 * magnitude_;
+}
+
+void PolyanyaEngine::renew() {
+  best_.resize(mesh_.bends.size());
+  goals_here_.resize(mesh_.polygon_count());
+  allowed_.resize(mesh_.blocks.top.size(), 0);
 }
 
 void PolyanyaEngine::begin(const Query& query) {
