@@ -53,7 +53,7 @@ void agrees_with_single_radii(const World& world, std::size_t most) {
   for (const double r : test::radii_to_ask(all, most)) is_as_one_radius(all, r);
 }
 
-std::size_t events_a_world() { return std::getenv("TAUT_RADII_HEAVY") ? 1000 : 5; }
+std::size_t events_a_world() { return std::getenv("TAUT_RADII_HEAVY") ? 1000 : 4; }
 
 World world_of_text(const std::string& text) { return read_world(text, {}); }
 
