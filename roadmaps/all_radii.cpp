@@ -35,12 +35,9 @@ AllRadiiParts::AllRadiiParts(const FreeSpace& space) : ground(std::make_shared<c
   measure_legs();
 }
 
-AllRadiiParts::AllRadiiParts(const FreeSpace& space, std::vector<TangentName> names, std::vector<std::uint32_t> first,
-                             std::vector<RadiusSpan> all)
-    : ground(std::make_shared<const TangentGround>(space)),
-      legs(std::move(names)),
-      first_span(std::move(first)),
-      spans(std::move(all)) {
+AllRadiiParts::AllRadiiParts(std::shared_ptr<const TangentGround> common, std::vector<TangentName> names,
+                             std::vector<std::uint32_t> first, std::vector<RadiusSpan> all)
+    : ground(std::move(common)), legs(std::move(names)), first_span(std::move(first)), spans(std::move(all)) {
   measure_legs();
 }
 

@@ -25,8 +25,8 @@ struct AllRadiiParts {
   /// Looks for all legs and their spans.
   explicit AllRadiiParts(const FreeSpace& space);
   /// Of the legs of an earlier one.
-  AllRadiiParts(const FreeSpace& space, std::vector<TangentName> names, std::vector<std::uint32_t> first,
-                std::vector<RadiusSpan> all);
+  AllRadiiParts(std::shared_ptr<const TangentGround> common, std::vector<TangentName> names,
+                std::vector<std::uint32_t> first, std::vector<RadiusSpan> all);
 
   TangentGraph at_radius(double r) const;
 
