@@ -1,10 +1,18 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <vector>
+
 #include <taut/geometry/rounding.h>
 #include <taut/io/pictures/svg.h>
 #include <taut/io/results/barrier_words.h>
 #include <taut/io/results/words.h>
+#include <taut/io/saved/all_radii_file.h>
 #include <taut/python/answers.h>
+#include <taut/roadmaps/all_radii.h>
 #include <taut/roadmaps/tangent_graph.h>
 #include <taut/search/arc_search.h>
 #include <taut/search/passage.h>
@@ -110,22 +118,30 @@ void require_places(const ArcSearchResult& found, const FreeSpace& space, double
   });
 }
 
-std::optional<Rounded> disc_path(const FreeSpace& space, double r, const std::optional<Point>& start,
-                                 const Goal& goal) {
-  require_point_robot(space);
+/// What `search` finds, of a disc that can be at both ends.
+template <class Search>
+std::optional<Rounded> found_path(const FreeSpace& space, double r, const std::optional<Point>& start, const Goal& goal,
+                                  Search search) {
   require_radius(r);
   const Point from = start_of(space.world(), start);
   const Goal to = goal_of_query(space.world(), goal);
   if (!to.point) throw InputError("", 0, "the goal of a disc is a point");
   const py::gil_scoped_release unlocked;
   require_ends(space, from, to);
-  ArcSearchResult found = arc_search(TangentGraph(space, r), from, *to.point);
+  ArcSearchResult found = search(from, *to.point);
   require_places(found, space, r, from, *to.point);
   if (found.status == DiscStatus::found) return Rounded{space, std::move(found.path), rounding_bound(space)};
   const DiscPassage passage = disc_passage(space, from, *to.point, r);
   if (passage.status != DiscStatus::none)
     throw Unproven("no path found, but no walls and gaps that prove that there is none");
   return std::nullopt;
+}
+
+std::optional<Rounded> disc_path(const FreeSpace& space, double r, const std::optional<Point>& start,
+                                 const Goal& goal) {
+  require_point_robot(space);
+  return found_path(space, r, start, goal,
+                    [&](Point from, Point to) { return arc_search(TangentGraph(space, r), from, to); });
 }
 
 std::vector<Point> points(const ArcPath& path, std::optional<double> tolerance) {
@@ -173,11 +189,105 @@ void bind_arcs(py::module_& m) {
         "Raises InputError when the disc cannot be at an end, Unproven.");
 }
 
+// ---- all radii ------------------------------------------------------------------------------------------------------
+
+/// The index and the graphs of the radii asked about last.
+class RadiusAsker {
+ public:
+  explicit RadiusAsker(AllRadii all) : all_(std::move(all)), lock_(std::make_unique<std::mutex>()) {}
+
+  const AllRadii& all() const { return all_; }
+
+  ArcSearchResult find(double r, Point from, Point to) {
+    const std::lock_guard guard(*lock_);
+    auto at = std::find_if(kept_.begin(), kept_.end(), [&](const ArcQueries& q) { return q.graph().radius() == r; });
+    if (at == kept_.end()) {
+      if (kept_.size() == kKept) kept_.erase(kept_.begin());
+      kept_.emplace_back(all_.at_radius(r));
+      at = kept_.end() - 1;
+    }
+    std::rotate(at, at + 1, kept_.end());
+    return kept_.back().find(from, to);
+  }
+
+ private:
+  static constexpr std::size_t kKept = 16;
+
+  AllRadii all_;
+  std::vector<ArcQueries> kept_;  // the one used last behind
+  std::unique_ptr<std::mutex> lock_;
+};
+
+RadiusAsker asker_of(const FreeSpace& space) {
+  require_point_robot(space);
+  const py::gil_scoped_release unlocked;
+  return RadiusAsker(AllRadii(space));
+}
+
+py::array lengths_of(RadiusAsker& asker, py::handle queries) {
+  const Doubles rows = rows_of(queries, 5, "queries: rows sx, sy, gx, gy, radius");
+  std::vector<double> lengths(static_cast<std::size_t>(rows.shape(0)), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < lengths.size(); ++i) require_radius(rows.at(static_cast<py::ssize_t>(i), 4));
+  {
+    const py::gil_scoped_release unlocked;
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+      const double* row = rows.data(static_cast<py::ssize_t>(i), 0);
+      const ArcSearchResult found = asker.find(row[4], {row[0], row[1]}, {row[2], row[3]});
+      if (found.status == DiscStatus::found) lengths[i] = found.path.value();
+    }
+  }
+  return moved(std::move(lengths));
+}
+
+void bind_radii(py::module_& m) {
+  py::class_<RadiusAsker>(m, "AllRadii",
+                          "Paths of discs of any radius, from one index: what is the same for all radii is found once. "
+                          "The graphs of the last 16 radii are kept. Of a point's space.")
+      .def(py::init(&asker_of), py::arg("space"))
+      .def(
+          "path",
+          [](RadiusAsker& asker, double r, const std::optional<Point>& start, const Goal& goal) {
+            return found_path(asker.all().space(), r, start, goal,
+                              [&](Point from, Point to) { return asker.find(r, from, to); });
+          },
+          py::arg("radius"), py::arg("start") = py::none(), py::arg("goal") = py::none(),
+          "As disc_path, the second time for a radius in microseconds.")
+      .def(
+          "lengths", &lengths_of, py::arg("queries"),
+          "(n,) of (n, 5) rows sx, sy, gx, gy, radius: the shortest paths' lengths; nan where there is none, or an end "
+          "is no place for the disc.")
+      .def(
+          "to_bytes",
+          [](const RadiusAsker& asker) {
+            std::string bytes;
+            {
+              const py::gil_scoped_release unlocked;
+              bytes = all_radii_file(asker.all());
+            }
+            return py::bytes(bytes);
+          },
+          "To be kept; a mark of the world goes along.")
+      .def_static(
+          "from_bytes",
+          [](const py::bytes& bytes, const FreeSpace& space) {
+            require_point_robot(space);
+            const std::string text = bytes;
+            const py::gil_scoped_release unlocked;
+            return RadiusAsker(read_all_radii(text, "bytes", space));
+          },
+          py::arg("bytes"), py::arg("space"),
+          "What to_bytes gave, for a space of the same world. Raises InputError when it is of another, or damaged.")
+      .def(
+          "__len__", [](const RadiusAsker& asker) { return asker.all().leg_count(); },
+          "Straight legs that are or may be free for some radius.");
+}
+
 }  // namespace
 
 void bind_discs(py::module_& m) {
   bind_passages(m);
   bind_arcs(m);
+  bind_radii(m);
 }
 
 }  // namespace taut::python

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <utility>
 
 #include <taut/geometry/free_space.h>
 
@@ -38,6 +39,7 @@ struct TangentParts;
 class TangentGraph {
  public:
   TangentGraph(const FreeSpace& space, double r);
+  explicit TangentGraph(std::shared_ptr<const TangentParts> parts) : parts_(std::move(parts)) {}
 
   const FreeSpace& space() const;
   double radius() const;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 #include <taut/roadmaps/tangent_graph.h>
 #include <taut/search/arc_path.h>
@@ -32,5 +33,28 @@ struct ArcSearchResult {
 ///  5. Same graph, same ends, same path.
 /// O(V) memory; joins the ends to what they see, then O((V + E) log V) at worst.
 ArcSearchResult arc_search(const TangentGraph& graph, Point s, Point g);
+
+/// The same for many queries in one graph, the same answers. Nothing of the graph is copied or cleared for a query, and
+/// after some queries (or when asked to) it is prepared:
+///  - Landmarks: what is known of the distances from a few places, d(l, g) - d(l, p) <= d(p, g), shows which way to go.
+///    (Not d(p, l) - d(g, l): a path may not turn back in g.)
+///  - Pockets, the tangent points from which no way leads on, are left out but where the goal lies in one.
+/// A query then looks at what lies along its path, mostly. Preparing takes some ten times as long as an unprepared query
+/// at worst. Not for several threads at once.
+class ArcQueries {
+ public:
+  explicit ArcQueries(TangentGraph graph);
+  ~ArcQueries();
+  ArcQueries(ArcQueries&&) noexcept;
+  ArcQueries& operator=(ArcQueries&&) noexcept;
+
+  const TangentGraph& graph() const;
+  ArcSearchResult find(Point s, Point g);
+  void prepare();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
 
 }  // namespace taut

@@ -17,6 +17,7 @@
 #include <taut/geometry/errors.h>
 #include <taut/io/results/barrier_words.h>
 #include <taut/io/worlds/query_lines.h>
+#include <taut/roadmaps/all_radii.h>
 #include <taut/search/arc_search.h>
 #include <taut/search/passage_index.h>
 #include <taut/search/stopwatch.h>
@@ -27,29 +28,30 @@ namespace {
 
 using Status = QueryAnswer::Status;
 
-/// The graphs of the radii asked about last: people have a few sizes and use them again and again.
-class TangentGraphs {
+/// Queries in the graphs of the radii asked about last: people have a few sizes and use them again and again.
+class RadiusQueries {
  public:
-  explicit TangentGraphs(const FreeSpace& space) : space_(space) {}
+  explicit RadiusQueries(const FreeSpace& space) : radii_(space) {}
 
-  const TangentGraph& of(double r) {
-    auto at = std::find_if(graphs_.begin(), graphs_.end(), [&](const TangentGraph& g) { return g.radius() == r; });
-    if (at == graphs_.end()) {
-      if (graphs_.size() == kKept) graphs_.erase(graphs_.begin());
-      graphs_.emplace_back(space_, r);
+  ArcQueries& of(double r) {
+    auto at =
+        std::find_if(kept_.begin(), kept_.end(), [&](const ArcQueries& kept) { return kept.graph().radius() == r; });
+    if (at == kept_.end()) {
+      if (kept_.size() == kKept) kept_.erase(kept_.begin());
+      kept_.emplace_back(radii_.at_radius(r));
       ++made_;
-      at = graphs_.end() - 1;
+      at = kept_.end() - 1;
     }
-    std::rotate(at, at + 1, graphs_.end());
-    return graphs_.back();
+    std::rotate(at, at + 1, kept_.end());
+    return kept_.back();
   }
   std::size_t made() const { return made_; }
 
  private:
   static constexpr std::size_t kKept = 16;
 
-  FreeSpace space_;
-  std::vector<TangentGraph> graphs_;  // the one used last behind
+  AllRadii radii_;
+  std::vector<ArcQueries> kept_;  // the one used last behind
   std::size_t made_ = 0;
 };
 
@@ -83,7 +85,7 @@ class DiscBatch {
   }
 
   void answer_arcs(const FreeSpace& space, QuerySource& source) {
-    TangentGraphs graphs(space);
+    RadiusQueries graphs = run_.stage("index", [&] { return RadiusQueries(space); });
     answers_.prepared_in(run_.seconds());
     run_.stage("search", [&] { answer_all(source, [&](const QueryLine& query) { return arcs(graphs, query); }); });
   }
@@ -136,13 +138,13 @@ class DiscBatch {
     return answer;
   }
 
-  QueryAnswer arcs(TangentGraphs& graphs, const QueryLine& query) {
+  QueryAnswer arcs(RadiusQueries& graphs, const QueryLine& query) {
     const std::size_t made = graphs.made();
     Stopwatch watch;
-    const TangentGraph& graph = graphs.of(query.radius);
+    ArcQueries& queries = graphs.of(query.radius);
     if (graphs.made() > made) answers_.prepared_in(watch.seconds());
     watch = Stopwatch();
-    const ArcSearchResult result = arc_search(graph, query.from, query.to);
+    const ArcSearchResult result = queries.find(query.from, query.to);
     if (result.status == DiscStatus::start_blocked) return blocked("start");
     if (result.status == DiscStatus::goal_blocked) return blocked("goal");
     QueryAnswer answer;

@@ -15,6 +15,7 @@ from ._plot import plot
 from ._ros import ros_world
 from ._taut import (
     Answers,
+    AllRadii,
     ArcPath,
     Audit,
     Car,
@@ -76,6 +77,7 @@ Roadmap.to_networkx = to_networkx  # type: ignore[method-assign]
 
 __all__ = [
     "Answers",
+    "AllRadii",
     "ArcPath",
     "Audit",
     "Car",

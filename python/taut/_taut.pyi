@@ -47,6 +47,26 @@ class Answers:
     def path(self, i: int) -> NDArray[np.float64]:
         """(k, 2): the points of path i; none where there is no path."""
 
+class AllRadii:
+    """Paths of discs of any radius, from one index: what is the same for all radii is found once. The graphs of the
+    last 16 radii are kept. Of a point's space."""
+
+    def __init__(self, space: FreeSpace) -> None: ...
+    def path(
+        self, radius: float, start: PointLike | None = ..., goal: GoalLike | None = ...
+    ) -> ArcPath | None:
+        """As disc_path, the second time for a radius in microseconds."""
+    def lengths(self, queries: ArrayLike) -> NDArray[np.float64]:
+        """(n,) of (n, 5) rows sx, sy, gx, gy, radius: the shortest paths' lengths; nan where there is none, or an end
+        is no place for the disc."""
+    def to_bytes(self) -> bytes:
+        """To be kept; a mark of the world goes along."""
+    @staticmethod
+    def from_bytes(bytes: bytes, space: FreeSpace) -> AllRadii:
+        """What to_bytes gave, for a space of the same world. Raises InputError when it is of another, or damaged."""
+    def __len__(self) -> int:
+        """Straight legs that are or may be free for some radius."""
+
 class ArcPath:
     """The path of a disc's centre: straight legs, and arcs around corners."""
 

@@ -49,6 +49,12 @@ int rational_sign(F f) {
 
 }  // namespace
 
+PlainDirection::PlainDirection(Point first, Point last, int turned) : from(first), to(last), quarters(turned) {
+  const auto near = vector_of<Interval>(*this);
+  x = near.x;
+  y = near.y;
+}
+
 TangentPoint::TangentPoint(const TangentEnd& this_end, const TangentEnd& there, double radius)
     : here(this_end), other(there), r(radius) {
   const TangentFrame<Interval> frame(here, other, r);
@@ -83,8 +89,7 @@ int cross_sign(const TangentPoint& a, const mpq_class& x, const mpq_class& y) {
 }
 
 int cross_sign(const TangentPoint& a, const PlainDirection& v) {
-  const auto near = vector_of<Interval>(v);
-  if (const auto known = sign(a.x * near.y - a.y * near.x)) return *known;
+  if (const auto known = sign(a.x * v.y - a.y * v.x)) return *known;
   const auto exact = vector_of<mpq_class>(v);
   return cross_sign(a, exact.x, exact.y);
 }

@@ -17,6 +17,10 @@ struct SurdDirection {
 struct TangentPoint {
   TangentPoint() = default;
   TangentPoint(const TangentEnd& here, const TangentEnd& there, double r);
+  /// With what its unit direction is known to be.
+  TangentPoint(const TangentEnd& this_end, const TangentEnd& there, double radius, const Interval& dx,
+               const Interval& dy)
+      : here(this_end), other(there), r(radius), x(dx), y(dy) {}
 
   SurdDirection exact() const;
 
@@ -30,10 +34,14 @@ int cross_sign(const TangentPoint& a, const TangentPoint& b);
 int dot_sign(const TangentPoint& a, const TangentPoint& b);
 int cross_sign(const TangentPoint& a, const SurdDirection& b);
 int cross_sign(const TangentPoint& a, const mpq_class& x, const mpq_class& y);
-/// The sign of a x v where v = (x, y) is enclosed first.
+/// A rational direction v, enclosed first.
 struct PlainDirection {
+  PlainDirection() = default;
+  PlainDirection(Point from, Point to, int quarters);
+
   Point from, to;    ///< v leads from one to the other, then
   int quarters = 0;  ///< is turned left by so many right angles
+  Interval x, y;     ///< enclose v
 };
 int cross_sign(const TangentPoint& a, const PlainDirection& v);
 

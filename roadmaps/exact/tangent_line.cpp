@@ -78,6 +78,8 @@ bool TangentLine::tangent_point_clears(Point w, Point v, bool second) const {
 bool TangentLine::clears(Point w, Point v) const {
   const auto beyond = [&](int sides) {
     const auto is_beyond = [&](Point p) {
+      // A centre is a radius away from the line, exactly: no question for doubles.
+      if ((sides == from_.side && p == from_.centre) || (sides == to_.side && p == to_.centre)) return true;
       if (sides == from_.side && from_.side == to_.side)
         return sides * written::orientation(from_.centre, to_.centre, p) >= 0;
       return sides * decide([&](const auto& frame) { return frame.off(p, sides); }) >= 0;

@@ -1,5 +1,8 @@
 // What TangentGraph keeps, and how a further place joins it.
 #pragma once
+#include <functional>
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include <taut/roadmaps/exact/tangent_walls.h>
@@ -15,22 +18,28 @@ struct TangentSite {
   std::uint32_t sector = kNone;  ///< of a corner of openings; of an end that is a vertex
   bool round = false;
   std::vector<Point> walls;  ///< the far ends of the walls that meet in a circle's centre
-  TautCones cones{};         ///< of a circle: where its legs can lead
+  TautCones cones{};         ///< of a circle of no size: where its legs can lead
 };
 
-/// A free tangent between two tangent points, from the first's side. Its sides are `points`' own when it is left from
-/// them.
-struct TangentLeg {
-  std::uint32_t from = 0, to = 0;  ///< points; the path has from's centre on from_side, to's on to_side
+/// What is the same for all radii.
+struct TangentGround {
+  explicit TangentGround(const FreeSpace& space);
+
+  TangentWalls walls;
+  std::vector<TangentSite> sites;
+  std::vector<std::uint32_t> site_at;  ///< of each vertex of the triangulation; kNone
+};
+
+/// A line that a path may follow from one site to another, by the sides that it has their centres on.
+struct TangentName {
+  std::uint32_t from = 0, to = 0;  ///< sites, from < to
   int from_side = 0, to_side = 0;
-  Interval length;
+
+  friend bool operator==(const TangentName&, const TangentName&) = default;
 };
 
-/// All points of one circle, ascending around it.
-struct TangentRing {
-  std::vector<std::uint32_t> points;
-  std::vector<std::uint8_t> free;  ///< is the arc from points[i] to points[i + 1]?
-};
+/// Is there that tangent for circles of radius r, and can the centre follow it? Exact.
+bool is_free_tangent(const TangentGround& ground, const TangentName& name, double r);
 
 /// The tangents between two sites that are free, both ends as points of their circles.
 struct TangentPair {
@@ -40,30 +49,51 @@ struct TangentPair {
 std::vector<TangentPair> free_tangents(const TangentWalls& walls, double r, const TangentSite& from,
                                        const TangentSite& to);
 
-/// Sorts points (indices into `all`) around their circle.
-void sort_around(std::vector<std::uint32_t>& points, const std::vector<TangentPoint>& all, const TangentSite& site);
+/// One that is free.
+struct FoundTangent {
+  TangentName name;
+  TangentPair ends;
+};
+FoundTangent found_tangent(const TangentGround& ground, const TangentName& name, double r);
+
+/// A free tangent between two tangent points, from the first's side. Its sides are `points`' own when it is left from
+/// them.
+struct TangentLeg {
+  std::uint32_t from = 0, to = 0;  ///< points; the path has from's centre on from_side, to's on to_side
+  int from_side = 0, to_side = 0;
+  Interval length;
+};
+
+/// Is point p before q around their circle, counter-clockwise? They lie within 180 degrees; of two opposite ones the
+/// first is a left turn from the wall between them.
+bool is_before(const TangentPoint& p, const TangentPoint& q, const TangentSite& site);
 /// Are two points of one circle the same?
 bool same_point(const TangentPoint& a, const TangentPoint& b);
 
 struct TangentParts {
-  TangentParts(const FreeSpace& space, double radius);
+  /// Looks for all legs.
+  TangentParts(std::shared_ptr<const TangentGround> ground, double radius);
+  /// Of all free tangents, ascending by name, and what stands around a site's circle.
+  TangentParts(std::shared_ptr<const TangentGround> ground, double radius, const std::vector<FoundTangent>& tangents,
+               const std::function<const CircleObstacles&(std::uint32_t)>& around);
+
+  const TangentWalls& walls() const { return ground->walls; }
+  const std::vector<TangentSite>& sites() const { return ground->sites; }
 
   double r;
-  TangentWalls walls;
-  std::vector<TangentSite> sites;
-  std::vector<std::uint32_t> site_at;  ///< of each vertex of the triangulation; kNone
-  std::vector<TangentPoint> points;
-  std::vector<std::uint32_t> site_of;    ///< of each point
-  std::vector<TangentRing> rings;        ///< of each site; a corner of openings has one point or none
-  std::vector<std::uint32_t> first_leg;  ///< of each point
-  std::vector<TangentLeg> legs;          ///< both ways
+  std::shared_ptr<const TangentGround> ground;
+  std::vector<TangentPoint> points;        ///< site by site, ascending around each circle
+  std::vector<std::uint32_t> site_of;      ///< of each point
+  std::vector<std::uint32_t> first_point;  ///< of each site; a corner of openings has one point or none
+  std::vector<std::uint8_t> arc_is_free;   ///< from each point to the next one of its site
+  std::vector<std::uint32_t> first_leg;    ///< of each point
+  std::vector<TangentLeg> legs;            ///< both ways
   std::size_t arcs = 0;
 
  private:
-  void find_sites();
-  void find_legs();
-  void build_rings();
-  void sort_legs();
+  void put_in_order(const std::vector<FoundTangent>& tangents, std::vector<std::uint32_t>& point_of);
+  void find_arcs(const std::function<const CircleObstacles&(std::uint32_t)>& around);
+  void sort_legs(const std::vector<FoundTangent>& tangents, const std::vector<std::uint32_t>& point_of);
 };
 
 }  // namespace taut

@@ -70,12 +70,22 @@ bool in_sector(const Triangulation& tri, const Tri::Sector& sector, int bend, Tu
   return from_right > 0;
 }
 
+bool is_nearer(Point p, const Segment& s, double r) {
+  const mpq_class fx = meaning(s.b.x) - meaning(s.a.x), fy = meaning(s.b.y) - meaning(s.a.y),
+                  r2 = meaning(r) * meaning(r);
+  const mpq_class x = meaning(p.x) - meaning(s.a.x), y = meaning(p.y) - meaning(s.a.y), F = fx * fx + fy * fy;
+  const mpq_class along = x * fx + y * fy, off = fx * y - fy * x;
+  if (along <= 0) return x * x + y * y < r2;
+  if (along < F) return off * off < r2 * F;
+  return (x - fx) * (x - fx) + (y - fy) * (y - fy) < r2;
+}
+
 int sign_of(const mpq_class& v) { return sgn(v); }
 
 }  // namespace
 
-TangentWalls::TangentWalls(const FreeSpace& space, double r)
-    : walls_(space), r_(r), open_(without_openings(walls_)), opening_boxes_([&] {
+TangentWalls::TangentWalls(const FreeSpace& space)
+    : walls_(space), open_(without_openings(walls_)), opening_boxes_([&] {
         std::vector<Box> boxes;
         for (std::uint32_t c = 0; c < walls_.ends().size(); ++c) {
           if (!walls_.is_opening(c)) continue;
@@ -105,16 +115,6 @@ bool TangentWalls::is_free(const TangentLine& line, std::uint32_t from_sector, s
   return free;
 }
 
-bool TangentWalls::is_nearer(Point p, const Segment& s) const {
-  const mpq_class fx = meaning(s.b.x) - meaning(s.a.x), fy = meaning(s.b.y) - meaning(s.a.y),
-                  r2 = meaning(r_) * meaning(r_);
-  const mpq_class x = meaning(p.x) - meaning(s.a.x), y = meaning(p.y) - meaning(s.a.y), F = fx * fx + fy * fy;
-  const mpq_class along = x * fx + y * fy, off = fx * y - fy * x;
-  if (along <= 0) return x * x + y * y < r2;
-  if (along < F) return off * off < r2 * F;
-  return (x - fx) * (x - fx) + (y - fy) * (y - fy) < r2;
-}
-
 bool TangentWalls::passes_vertex(const TangentLine& line, std::uint32_t v, std::uint32_t from_sector,
                                  std::uint32_t to_sector) const {
   const Triangulation& tri = walls_.triangulation();
@@ -136,41 +136,46 @@ bool TangentWalls::passes_vertex(const TangentLine& line, std::uint32_t v, std::
   });
 }
 
-CircleObstacles TangentWalls::around(Point centre) const {
+CircleObstacles TangentWalls::around(Point centre, double r) const {
   CircleObstacles result;
   const double more = 1e-12 * (std::abs(centre.x) + std::abs(centre.y));
-  const auto box = [&](double reach) {
-    return Box{{centre.x - reach - more, centre.y - reach - more}, {centre.x + reach + more, centre.y + reach + more}};
-  };
-  walls_.walls_meeting(box(2.001 * r_), [&](std::uint32_t c) {
+  const double reach = 2.001 * r + more;
+  const Box box{{centre.x - reach, centre.y - reach}, {centre.x + reach, centre.y + reach}};
+  walls_.walls_meeting(box, [&](std::uint32_t c) {
     const Segment s = walls_.segment(c);
     if (s.a == centre || s.b == centre) return;
-    if (const auto direction = direction_forbidden(centre, r_, s.a, s.b)) result.forbidden.push_back(*direction);
+    if (const auto direction = direction_forbidden(centre, r, s.a, s.b)) result.forbidden.push_back(*direction);
   });
-  if (openings_.empty()) return result;
-  const mpq_class r2 = meaning(r_) * meaning(r_);
-  opening_boxes_.meeting(box(1.001 * r_), [&](std::uint32_t i) {
-    const std::uint32_t c = openings_[i];
-    const Segment s = walls_.segment(c);
-    const mpq_class fx = meaning(s.b.x) - meaning(s.a.x), fy = meaning(s.b.y) - meaning(s.a.y);
-    const mpq_class x = meaning(s.a.x) - meaning(centre.x), y = meaning(s.a.y) - meaning(centre.y);
-    for (const std::uint32_t v : walls_.ends()[c]) {
-      const Point p = walls_.triangulation().points[v];
-      const mpq_class px = meaning(p.x) - meaning(centre.x), py = meaning(p.y) - meaning(centre.y);
-      if (!walls_.is_wall_vertex(v) && px * px + py * py == r2)
-        result.crossings.push_back({{px, py, 0, 0, 0}, kNone, v});
-    }
-    // The points a + t f with |a + t f|^2 = r^2.
-    const mpq_class F = fx * fx + fy * fy, half = (x * fx + y * fy) / F;
-    const mpq_class R = half * half - (x * x + y * y - r2) / F;
-    if (sgn(R) <= 0) return;
-    for (const int way : {-1, 1}) {
-      const mpq_class t = -half, rest = 1 - t, w = way;
-      if (surd_sign(t, w, R) <= 0 || surd_sign(rest, mpq_class(-way), R) <= 0) continue;
-      result.crossings.push_back({{x + t * fx, y + t * fy, w * fx, w * fy, R}, c, kNone});
-    }
-  });
+  add_crossings(centre, r, result);
   return result;
+}
+
+void TangentWalls::add_crossings(Point centre, double r, CircleObstacles& result) const {
+  if (openings_.empty()) return;
+  const mpq_class r2 = meaning(r) * meaning(r);
+  const double reach = 1.001 * r + 1e-12 * (std::abs(centre.x) + std::abs(centre.y));
+  opening_boxes_.meeting(
+      {{centre.x - reach, centre.y - reach}, {centre.x + reach, centre.y + reach}}, [&](std::uint32_t i) {
+        const std::uint32_t c = openings_[i];
+        const Segment s = walls_.segment(c);
+        const mpq_class fx = meaning(s.b.x) - meaning(s.a.x), fy = meaning(s.b.y) - meaning(s.a.y);
+        const mpq_class x = meaning(s.a.x) - meaning(centre.x), y = meaning(s.a.y) - meaning(centre.y);
+        for (const std::uint32_t v : walls_.ends()[c]) {
+          const Point p = walls_.triangulation().points[v];
+          const mpq_class px = meaning(p.x) - meaning(centre.x), py = meaning(p.y) - meaning(centre.y);
+          if (!walls_.is_wall_vertex(v) && px * px + py * py == r2)
+            result.crossings.push_back({{px, py, 0, 0, 0}, kNone, v});
+        }
+        // The points a + t f with |a + t f|^2 = r^2.
+        const mpq_class F = fx * fx + fy * fy, half = (x * fx + y * fy) / F;
+        const mpq_class R = half * half - (x * x + y * y - r2) / F;
+        if (sgn(R) <= 0) return;
+        for (const int way : {-1, 1}) {
+          const mpq_class t = -half, rest = 1 - t, w = way;
+          if (surd_sign(t, w, R) <= 0 || surd_sign(rest, mpq_class(-way), R) <= 0) continue;
+          result.crossings.push_back({{x + t * fx, y + t * fy, w * fx, w * fy, R}, c, kNone});
+        }
+      });
 }
 
 bool TangentWalls::arc_is_free(const TangentPoint& a, const TangentPoint& b, const CircleObstacles& obstacles) const {
@@ -266,14 +271,14 @@ std::vector<std::uint32_t> TangentWalls::seen_from(Point p) const {
   return seen<DoubleCoordinates>(views, p, p, {});
 }
 
-std::uint32_t TangentWalls::too_near(Point p) const {
+std::uint32_t TangentWalls::too_near(Point p, double r) const {
   std::uint32_t nearest = kNone;
-  const double reach = 1.001 * r_ + 1e-12 * (std::abs(p.x) + std::abs(p.y));
+  const double reach = 1.001 * r + 1e-12 * (std::abs(p.x) + std::abs(p.y));
   const Segment here{p, p};
   const auto segment = [&](std::uint32_t c) { return walls_.segment(c); };
   walls_.walls_meeting({{p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}}, [&](std::uint32_t c) {
     const Interval distance = segment_distance_interval(here, segment(c));
-    if (distance.lo > r_ || (distance.hi >= r_ && !is_nearer(p, segment(c)))) return;
+    if (distance.lo > r || (distance.hi >= r && !is_nearer(p, segment(c), r))) return;
     const int order = nearest == kNone ? -1 : compare_segment_distances(here, segment(c), here, segment(nearest));
     if (order < 0 || (order == 0 && c < nearest)) nearest = c;
   });

@@ -24,7 +24,7 @@ struct CircleObstacles {
 
 class TangentWalls {
  public:
-  TangentWalls(const FreeSpace& space, double r);
+  explicit TangentWalls(const FreeSpace& space);
 
   const WallIndex& walls() const { return walls_; }
   const FreeSpace& space() const { return walls_.space(); }
@@ -33,7 +33,15 @@ class TangentWalls {
   /// vertex stays in its sector when one is named.
   bool is_free(const TangentLine& line, std::uint32_t from_sector, std::uint32_t to_sector) const;
 
-  CircleObstacles around(Point centre) const;
+  /// Calls visit(constraint) for the openings whose boxes meet `box`.
+  template <class Visit>
+  void openings_meeting(const Box& box, Visit&& visit) const {
+    opening_boxes_.meeting(box, [&](std::uint32_t i) { visit(openings_[i]); });
+  }
+
+  CircleObstacles around(Point centre, double r) const;
+  /// The same of openings alone.
+  void add_crossings(Point centre, double r, CircleObstacles& obstacles) const;
   /// Can the centre follow the arc from a to b, counter-clockwise by at most 180 degrees? Precondition: a and b keep
   /// their distance, a != b.
   bool arc_is_free(const TangentPoint& a, const TangentPoint& b, const CircleObstacles& obstacles) const;
@@ -44,19 +52,17 @@ class TangentWalls {
   std::vector<std::uint32_t> seen_from(Point p) const;
 
   /// The nearest of the walls that are nearer to p than r; kNone when there is none. Exact.
-  std::uint32_t too_near(Point p) const;
+  std::uint32_t too_near(Point p, double r) const;
 
  private:
   bool passes_vertex(const TangentLine& line, std::uint32_t v, std::uint32_t from_sector,
                      std::uint32_t to_sector) const;
-  bool is_nearer(Point p, const Segment& s) const;
   bool arc_passes_vertex(Point centre, std::uint32_t v, bool before, bool after) const;
   template <class Coordinates>
   std::vector<std::uint32_t> seen(const std::vector<std::array<std::uint32_t, 2>>& views,
                                   typename Coordinates::Place origin, Point at, const TautCones& cones) const;
 
   WallIndex walls_;
-  double r_;
   Triangulation open_;  // openings do not hinder sight
   std::vector<std::uint32_t> openings_;
   BoxIndex opening_boxes_;

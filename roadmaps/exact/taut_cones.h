@@ -16,12 +16,22 @@ class TautCones {
  public:
   /// Everything.
   TautCones() = default;
-  /// Around c, whose walls span the angle from the direction of `first` counter-clockwise to that of `last`, below half
-  /// a turn.
-  TautCones(Point c, Point first, Point last, double r)
-      : first_(direction(c, first)), last_(direction(c, last)), reach_(2 * r * (1 + 1e-9) + rounding(c)) {
+  /// Of circles of no size around c, whose walls span the angle from the direction of `first` counter-clockwise to that
+  /// of `last`, below half a turn.
+  TautCones(Point c, Point first, Point last)
+      : first_(direction(c, first)), last_(direction(c, last)), rounding_(1e-14 * (std::abs(c.x) + std::abs(c.y))) {
     is_bounded_ = first_.x * last_.y - first_.y * last_.x > kSlack;
   }
+
+  /// Of circles of any radius up to r.
+  TautCones reaching(double r) const {
+    TautCones cones = *this;
+    cones.reach_ = 2 * r * (1 + 1e-9) + rounding_;
+    return cones;
+  }
+  /// From the corner along its first wall and along its last, unit vectors.
+  Point first() const { return first_; }
+  Point last() const { return last_; }
 
   bool is_bounded() const { return is_bounded_; }
 
@@ -39,7 +49,6 @@ class TautCones {
   static constexpr double kSlack = 1e-12;
 
   static double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
-  static double rounding(Point c) { return 1e-14 * (std::abs(c.x) + std::abs(c.y)); }
   static Point direction(Point c, Point p) {
     const double x = p.x - c.x, y = p.y - c.y, length = std::hypot(x, y);
     return {x / length, y / length};
@@ -55,6 +64,7 @@ class TautCones {
   }
 
   Point first_, last_;
+  double rounding_ = 0;
   double reach_ = 0;
   bool is_bounded_ = false;
 };

@@ -48,6 +48,27 @@ def test_its_path_bends_around_the_posts(space):
         taut.disc_path(space, 0.4, (0.1, 1))
 
 
+def test_one_index_knows_the_paths_of_all_radii(space):
+    every = taut.AllRadii(space)
+    for radius in 0.1, 0.4, 0.5, 0.1:
+        path = every.path(radius, (2, 1), (6, 1))
+        assert path.verify() and path.length == pytest.approx(taut.disc_path(space, radius, (2, 1), (6, 1)).length)
+    assert every.path(0.6) is None
+    with pytest.raises(taut.InputError, match="wall"):
+        every.path(0.4, (0.1, 1))
+    lengths = every.lengths([(2, 1, 6, 1, 0.4), (2, 1, 6, 1, 0.6), (0.1, 1, 6, 1, 0.4)])
+    assert lengths[0] == every.path(0.4, (2, 1), (6, 1)).length and np.isnan(lengths[1:]).all()
+
+
+def test_an_index_of_all_radii_can_be_kept(world, space):
+    every = taut.AllRadii(space)
+    kept = every.to_bytes()
+    again = taut.AllRadii.from_bytes(kept, space)
+    assert len(again) == len(every) > 0 and again.to_bytes() == kept
+    with pytest.raises(taut.InputError, match="damaged"):
+        taut.AllRadii.from_bytes(kept[:-1], space)
+
+
 def test_what_is_no_disc_is_refused(world, space):
     with pytest.raises(taut.InputError):
         taut.disc_path(space, math.nan)

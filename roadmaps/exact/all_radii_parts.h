@@ -1,0 +1,55 @@
+// What AllRadii keeps.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <taut/roadmaps/all_radii.h>
+#include <taut/roadmaps/exact/tangent_parts.h>
+
+namespace taut {
+
+/// What stands around a corner, for all radii.
+struct SiteRadii {
+  /// A direction that a wall forbids on circles larger than half its distance.
+  struct Forbidden {
+    PlainDirection direction;
+    Interval half;  ///< encloses half the distance
+    std::uint32_t wall = kNone;
+  };
+  double reach = 0;  ///< no leg touches a larger circle
+  std::vector<Forbidden> forbidden{};
+};
+
+struct AllRadiiParts {
+  /// Looks for all legs and their spans.
+  explicit AllRadiiParts(const FreeSpace& space);
+  /// Of the legs of an earlier one.
+  AllRadiiParts(std::shared_ptr<const TangentGround> common, std::vector<TangentName> names,
+                std::vector<std::uint32_t> first, std::vector<RadiusSpan> all);
+
+  TangentGraph at_radius(double r) const;
+
+  std::shared_ptr<const TangentGround> ground;
+  double least_radius = 0, most_radius = 0;  ///< what the spans are of
+  std::vector<SiteRadii> sites{};
+  std::vector<TangentName> legs{};          ///< ascending
+  std::vector<std::uint32_t> first_span{};  ///< of each leg
+  std::vector<RadiusSpan> spans{};
+
+ private:
+  /// From centre to centre, and the square of that.
+  struct Vector {
+    Interval x, y, squared;
+  };
+
+  void find_legs();
+  void measure_legs();
+  bool has(std::size_t leg, double r) const;
+  FoundTangent tangent(std::size_t leg, double r) const;
+  CircleObstacles around(std::uint32_t site, double r) const;
+
+  std::vector<Vector> vectors_{};
+};
+
+}  // namespace taut

@@ -1,0 +1,36 @@
+// How the ends of a query join a disc's graph. Private.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <taut/search/detail/arc_landmarks.h>
+
+namespace taut::detail {
+
+/// The tangent from an end to a circle, or to a corner of openings.
+struct ArcEndLeg {
+  std::uint32_t site = kNone;
+  int side = 0;  ///< that a path from start to goal has the circle's centre on
+  TangentPoint point;
+  Interval length;
+};
+
+/// What a query adds to the graph.
+struct ArcEnds {
+  std::vector<ArcEndLeg> from_start, to_goal;
+  std::vector<ArcExit> entries, exits;  ///< where they join the graph
+  /// Ways that do not: straight, or along one circle.
+  struct Apart {
+    Interval length;
+    std::uint32_t start_leg = kNone, goal_leg = kNone;  ///< kNone: straight
+    bool by_arc = false;
+  };
+  std::vector<Apart> apart;
+};
+
+/// Precondition: s and g are places of the disc, and not the same.
+ArcEnds join_ends(const TangentParts& graph, Point s, Point g);
+
+}  // namespace taut::detail
