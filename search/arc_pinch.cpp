@@ -29,6 +29,12 @@ std::optional<Point> crossing(const Segment& leg, const Segment& gate) {
   return Point{leg.a.x + t * (leg.b.x - leg.a.x), leg.a.y + t * (leg.b.y - leg.a.y)};
 }
 
+// Is leg k the first, away from the gate on which the path starts, or the last, likewise?
+bool is_left(const Segment& gate, const std::vector<Point>& points, std::size_t k) {
+  const auto is_on = [&](Point p) { return written::orientation(gate.a, gate.b, p) == 0; };
+  return (k == 1 && is_on(points.front())) || (k + 1 == points.size() && is_on(points.back()));
+}
+
 }  // namespace
 
 std::optional<ArcPinch> narrowest_gate(const Gates& gates, const ArcPath& path) {
@@ -36,7 +42,8 @@ std::optional<ArcPinch> narrowest_gate(const Gates& gates, const ArcPath& path) 
   for (std::uint32_t i = 0; i < gates.gates().size(); ++i) {
     const Segment gate{gates.gates()[i].end, gates.gates()[i].foot};
     for (std::size_t k = 1; k < points.size(); ++k)
-      if (const auto at = crossing({points[k - 1], points[k]}, gate)) return ArcPinch{*at, named_gate(gates, i)};
+      if (const auto at = crossing({points[k - 1], points[k]}, gate); at && !is_left(gate, points, k))
+        return ArcPinch{*at, named_gate(gates, i)};
   }
   return std::nullopt;
 }

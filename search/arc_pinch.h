@@ -16,7 +16,7 @@ struct ArcPinch {
 };
 
 /// Of several equally narrow gates the first of Gates::gates() that is passed. Nothing where none is: a way in the
-/// open.
+/// open. A gate that the path starts or ends on is not passed there.
 /// For pictures and people: the path is followed along chords of its arcs. O(gates times pieces) at worst.
 std::optional<ArcPinch> narrowest_gate(const Gates& gates, const ArcPath& path);
 

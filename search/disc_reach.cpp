@@ -46,6 +46,8 @@ std::uint32_t component_of(const FreeSpace& space, const Polygon& polygon) {
   return at.kind == Location::Kind::outside ? kNone : space.component(at.triangle);
 }
 
+}  // namespace
+
 std::vector<std::uint32_t> closed_gates(const PassageIndex& index, const PassagePlace& start, double r) {
   std::vector<PassageIndex::Reach> all = index.reach(start);
   std::vector<std::uint8_t> reached;
@@ -65,8 +67,6 @@ std::vector<std::uint32_t> closed_gates(const PassageIndex& index, const Passage
   }
   return gates;
 }
-
-}  // namespace
 
 std::optional<DiscReach> disc_reach(const PassageIndex& index, Point start, double r) {
   const PassagePlace from = index.place(start);

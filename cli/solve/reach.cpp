@@ -1,7 +1,9 @@
 // taut reach: where can a disc get to, and what keeps it from the rest?
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -30,6 +32,7 @@ struct ReachOptions {
   CommonOptions common;
   std::string svg;
   std::string output;
+  std::optional<Point> asked;
 };
 
 void add_options(CommandLine& app, ReachOptions& options) {
@@ -39,6 +42,11 @@ void add_options(CommandLine& app, ReachOptions& options) {
   app.add_option("-o,--output", options.output, "Write the places of the centre as GeoJSON polygons")
       .type_name("FILE")
       .group("Output");
+  app.add_option_function(
+         "--ask", [&options](const std::string& text) { options.asked = point_of(text); },
+         "Does the centre get there? Exactly; and which place of the disc is nearest")
+      .type_name("X,Y")
+      .group("Query");
   app.callback([&options] {
     if (options.query.robot.kind() != Footprint::Kind::disc || !(options.query.robot.radius() > 0))
       throw UsageError("--robot disc:R is needed: the disc's radius");
@@ -46,6 +54,7 @@ void add_options(CommandLine& app, ReachOptions& options) {
     require_one_stdout({{"--svg", options.svg}, {"-o", options.output}, {"--json", options.common.json}});
   });
   app.example("taut reach maze.txt --from 0.5,0.5 --robot disc:0.2 --svg reach.svg");
+  app.example("taut reach maze.txt --from 0.5,0.5 --robot disc:0.2 --ask 3.5,2.05");
 }
 
 std::string geojson(const DiscReach& reach) {
@@ -97,16 +106,55 @@ class Reacher {
       require_free(DiscPlaces(space, r), start, "start");
       throw InputError(input.name, 0, "the disc cannot be at the start");
     }
+    if (options_.asked) run_.stage("ask", [&] { ask(index, start, r); });
     return end(input, index, *reach);
   }
 
  private:
+  void ask(const PassageIndex& index, Point start, double r) {
+    reached_ = index.passes(start, *options_.asked, r) == DiscStatus::found;
+    nearest_ = DiscPlaces(index.gates().space(), r).nearest(*options_.asked);
+    if (nearest_) nearest_reached_ = index.passes(start, nearest_->point, r) == DiscStatus::found;
+  }
+
+  Json asked_json() const {
+    if (!options_.asked) return nullptr;
+    Json json = {{"point", *options_.asked}, {"reached", reached_}, {"nearest", nullptr}};
+    if (nearest_)
+      json["nearest"] = {{"point", nearest_->point},
+                         {"distance", nearest_->distance},
+                         {"rounding", nearest_->rounding},
+                         {"reached", nearest_reached_}};
+    return json;
+  }
+
+  std::string asked_text() const {
+    if (!options_.asked) return "";
+    std::string text = fmt::format("; {} to {}", reached_ ? "it gets" : "it does not get", point_text(*options_.asked));
+    if (!nearest_ || nearest_->distance == 0) return text;
+    return text + fmt::format(", the nearest place {} is {:.6g} away{}", point_text(nearest_->point),
+                              nearest_->distance, nearest_reached_ ? "" : " and not reached");
+  }
+
+  /// `(0, 1)-(2, 1)` of both walls that a gate is between.
+  static std::array<Segment, 2> walls_of(const Gates& gates, std::uint32_t i) {
+    const Gate& gate = gates.gates()[i];
+    const Point *end = &gate.end, *foot = gate.foot_is_end ? &gate.foot : nullptr;
+    return {wall_of(gates.space(), gate.constraint, end), wall_of(gates.space(), gate.facing, foot)};
+  }
+
   int end(const Input& input, const PassageIndex& index, const DiscReach& reach) {
     std::vector<NamedGate> gates;
     for (const std::uint32_t gate : reach.gates) gates.push_back(named_gate(index.gates(), gate));
     Json closed = Json::array();
-    for (const NamedGate& gate : gates)
-      closed.push_back({{"posts", gate.at}, {"width", gate.width}, {"width_text", gate.width_text}});
+    for (std::size_t i = 0; i < gates.size(); ++i) {
+      const NamedGate& gate = gates[i];
+      const auto walls = walls_of(index.gates(), reach.gates[i]);
+      closed.push_back({{"posts", gate.at},
+                        {"width", gate.width},
+                        {"width_text", gate.width_text},
+                        {"walls", Json::array({walls[0], walls[1]})}});
+    }
     Answer answer;
     answer.result = {{"start", *input.world.start()},
                      {"radius", options_.query.robot.radius()},
@@ -114,18 +162,22 @@ class Reacher {
                      {"whole_area", reach.whole_area},
                      {"polygons", reach.places.size()},
                      {"outline_error", Footprint::kDiscExcess},
-                     {"gates", closed}};
-    answer.line = input.name + ": " + line(reach, gates) + ", " + cpu_text(run_.seconds()) + "\n";
+                     {"gates", closed},
+                     {"asked", asked_json()}};
+    answer.line =
+        input.name + ": " + line(index.gates(), reach, gates) + asked_text() + ", " + cpu_text(run_.seconds()) + "\n";
     if (!options_.output.empty()) answer.files.push_back({options_.output, geojson(reach)});
     if (!options_.svg.empty()) answer.files.push_back({options_.svg, picture(input, index, reach, gates)});
     return run_.end(std::move(answer));
   }
 
-  std::string line(const DiscReach& reach, const std::vector<NamedGate>& gates) const {
+  std::string line(const Gates& all, const DiscReach& reach, const std::vector<NamedGate>& gates) const {
     std::string text = fmt::format("a disc of radius {} gets to {:.6g} of {:.6g} (area of its centre's places)",
                                    number_text(options_.query.robot.radius()), reach.area, reach.whole_area);
     if (gates.empty()) return text;
-    text += fmt::format("; {} too narrow: {}", gates.size() == 1 ? "this gate is" : "gates are", gates.front().name);
+    const auto walls = walls_of(all, reach.gates.front());
+    text += fmt::format("; {} too narrow: {}, of the walls {} and {}", gates.size() == 1 ? "this gate is" : "gates are",
+                        gates.front().name, segment_text(walls[0]), segment_text(walls[1]));
     return gates.size() == 1 ? text : text + fmt::format(" and {} more", gates.size() - 1);
   }
 
@@ -137,6 +189,7 @@ class Reacher {
                      fmt::format("{} too narrow", count_text(gates.size(), "gate"))};
     picture.start = input.world.start();
     picture.moves = input.moves;
+    if (options_.asked) picture.labels.push_back({*options_.asked, reached_ ? "reached" : "not reached"});
     for (const Polygon& polygon : reach.places) picture.fills.push_back({with_holes(polygon), kShade});
     picture.fill_label = "where its centre gets to";
     for (const NamedGate& gate : gates) picture.gates.push_back(gate.at);
@@ -147,6 +200,8 @@ class Reacher {
 
   const ReachOptions& options_;
   Run& run_;
+  bool reached_ = false, nearest_reached_ = false;  // of --ask
+  std::optional<FreePlace> nearest_;
 };
 
 int run(const ReachOptions& options, Run& run) {

@@ -10,10 +10,12 @@
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
+#include <taut/cli/solve/alternatives.h>
 #include <taut/cli/solve/anytime.h>
 #include <taut/cli/solve/arcs.h>
 #include <taut/cli/solve/certify.h>
 #include <taut/cli/solve/clearance.h>
+#include <taut/cli/solve/keep.h>
 #include <taut/cli/solve/solve_options.h>
 #include <taut/cli/solve/solve_report.h>
 #include <taut/cli/world/geographic.h>
@@ -278,6 +280,8 @@ class Solver {
 int run(const SolveOptions& options, Run& run) {
   run.source(options.world.file);
   if (options.clearance) return solve_with_clearance(options, run);
+  if (options.alternatives > 0) return solve_alternatives(options, run);
+  if (options.keep) return solve_keeping(options, run);
   if (options.arcs) return solve_with_arcs(options, run);
   return Solver(options, run).solve();
 }

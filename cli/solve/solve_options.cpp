@@ -34,6 +34,48 @@ void add_clearance_options(CommandLine& app, std::optional<ClearanceQuery>& quer
   flag("--tradeoff", Kind::tradeoff, "All best ways between the shortest along the diagram and the widest");
 }
 
+void add_keep_option(CommandLine& app, std::optional<double>& keep) {
+  app.add_option_function(
+         "--keep",
+         [&keep](const std::string& text) {
+           keep = number_of(text, "--keep");
+           if (!(*keep > 0 && *keep <= World::kLargest)) throw UsageError("--keep: '" + text + "' is not above 0");
+         },
+         "The shortest path that keeps this far from walls, with arcs; an end nearer to walls is left, and "
+         "entered, by the shortest way to where that can be kept")
+      .type_name("C")
+      .group("Clearance");
+}
+
+void add_alternatives_option(CommandLine& app, std::size_t& alternatives) {
+  app.add_option_function(
+         "--alternatives",
+         [&alternatives](const std::string& text) {
+           alternatives = count_of(text);
+           if (alternatives == 0 || alternatives > 1000)
+             throw UsageError("--alternatives: '" + text + "' is not one of 1 to 1000");
+         },
+         "The shortest path of each of the K shortest ways around the obstacles, its width and the gate that makes "
+         "it narrow")
+      .type_name("K")
+      .group("Clearance");
+}
+
+// What does not go with searches that have no roadmap, method or proof to choose.
+void require_alone(const SolveOptions& options, const std::string& which) {
+  if (options.kind || !options.save.empty() || !options.load.empty() || options.shorten || options.clearance ||
+      options.arcs || options.method_given() || options.anytime.wanted || options.contours > 0 ||
+      !options.certificate.empty() || (options.keep && options.alternatives > 0))
+    throw UsageError(which +
+                     " has a search of its own: not with --roadmap, --algorithm, --anytime, --arcs, "
+                     "--clearance and their like, nor with --contours and --certificate");
+  if (options.query.robot.kind() != Footprint::Kind::point)
+    throw UsageError("--robot does not go with " + which + (options.keep ? "; a disc of radius R is --keep R" : ""));
+  if (options.world.read.project) throw UsageError("--project does not go with " + which);
+  if (options.path && options.alternatives > 0)
+    throw UsageError("--path prints one path, --alternatives has several; --json - writes them all");
+}
+
 // What does not go with questions of clearance.
 void require_suitable(const SolveOptions& options) {
   if (options.query.robot.kind() != Footprint::Kind::point)
@@ -96,6 +138,8 @@ void require_method_fits(const SolveOptions& options) {
 
 // Options that exclude each other. Throws UsageError.
 void require_consistent(const SolveOptions& options) {
+  if (options.keep) require_alone(options, "--keep");
+  if (options.alternatives > 0) require_alone(options, "--alternatives");
   if (options.clearance) {
     if ((options.kind && options.kind != roadmap_kind("voronoi")) || !options.save.empty() || !options.load.empty() ||
         options.shorten)
@@ -168,6 +212,8 @@ void add_solve_options(CommandLine& app, SolveOptions& options) {
   add_certificate_option(app, options.certificate);
   add_anytime_options(app, options.anytime);
   add_clearance_options(app, options.clearance);
+  add_keep_option(app, options.keep);
+  add_alternatives_option(app, options.alternatives);
   add_svg_option(app, options.svg);
   app.add_option_function(
          "--contours",
@@ -184,6 +230,8 @@ void add_solve_options(CommandLine& app, SolveOptions& options) {
   app.example("taut solve maze.txt --from 0.5,0.5 --to 3.5,6.5 --json result.json");
   app.example("taut solve maze.txt --robot disc:0.2 --arcs --svg disc.svg");
   app.example("taut solve maze.txt --tradeoff --svg room.svg");
+  app.example("taut solve maze.txt --alternatives 4 --svg ways.svg");
+  app.example("taut solve maze.txt --keep 0.3 --svg away.svg");
   app.example("taut solve maze.txt --certificate maze.proof");
 }
 

@@ -23,6 +23,8 @@ struct SolveOptions {
   std::optional<GraphHeuristic> heuristic;
   AnytimeOptions anytime;
   std::optional<ClearanceQuery> clearance;
+  std::optional<double> keep;    // the clearance of --keep
+  std::size_t alternatives = 0;  // how many ways
   bool no_verify = false;
   bool path = false;
   bool shorten = false;

@@ -1,5 +1,6 @@
 #include <taut/io/results/arc_json.h>
 
+#include <taut/io/results/kept_json.h>
 #include <taut/io/results/plane_json.h>
 
 namespace taut {
@@ -22,15 +23,7 @@ void add_path(Json& json, const ArcAnswer& answer) {
     json["optimal"] = true;
   json["corners"] = path.bends.size();
   json["verified"] = answer.verified;
-  Json bends = Json::array(), arcs = Json::array(), points = Json::array({path.start});
-  for (const ArcBend& bend : path.bends) bends.push_back({bend.corner.x, bend.corner.y, bend.turn});
-  for (const ArcPiece& p : pieces(path)) {
-    if (p.turn != 0) arcs.push_back({p.centre.x, p.centre.y, p.from.x, p.from.y, p.to.x, p.to.y, p.turn, p.sweep});
-    points.push_back(p.to);
-  }
-  json["bends"] = bends;
-  json["arcs"] = arcs;
-  json["points"] = points;
+  add_arc_path(json, path);
   json["pinch"] = pinch_json(answer.pinch);
 }
 
