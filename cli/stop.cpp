@@ -5,6 +5,7 @@
 #include <malloc.h>
 #include <pthread.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -77,7 +78,10 @@ timespec until(const timespec& deadline) {
 
 [[noreturn]] void leave() {
   abandon_files();
-  if (const int group = shared().group.load(); group > 0) ::kill(-group, SIGKILL);
+  if (const int group = shared().group.load(); group > 0) {
+    ::kill(-group, SIGKILL);
+    ::waitpid(group, nullptr, 0);
+  }
   ::_exit(kStopped);
 }
 

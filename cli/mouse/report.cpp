@@ -88,14 +88,14 @@ int MouseReport::end(Run& run, const GridMazeInput& read, MouseTrial trial, std:
                      const std::map<Cell, micromouse::CellMark>& marks) const {
   trial.certificate = micromouse::certificate(trial.record);
   run.stage("check", [&] { check(trial, read.maze); });
-  run.so_far(mouse_trial_json(trial), mouse_table(trial, read.name));
+  run.so_far(mouse_trial_json(trial), listing.empty() ? mouse_table(trial, read.name) : "");
   if (!quick) measure(trial, read, run);
   missing = what_is_missing(*this, trial, missing);
   if (!missing.empty()) complain(read.name + ": " + missing);
   return run.end({.outcome = missing.empty() ? Outcome::found : Outcome::unproven,
                   .reason = missing,
                   .result = mouse_trial_json(trial),
-                  .line = mouse_table(trial, read.name),
+                  .line = listing.empty() ? mouse_table(trial, read.name) : "",
                   .listing = std::move(listing),
                   .files = files_of(*this, read, trial, marks)});
 }

@@ -26,7 +26,7 @@ struct MouseReport {
 
   /// Checks the trial by its own rules (a defect where it fails), measures what is possible, and writes it all. Gives
   /// the exit code: 4 where the robot did not finish, or a proof was asked for that run 1 does not hold. `missing`:
-  /// why the robot did not finish, where its record cannot say. `listing` is printed besides, with --quiet too.
+  /// why the robot did not finish, where its record cannot say. `listing`: in the place of the table, with --quiet too.
   int end(Run& run, const GridMazeInput& read, MouseTrial trial, std::string missing = {}, std::string listing = {},
           const std::map<Cell, micromouse::CellMark>& marks = {}) const;
 };

@@ -11,7 +11,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <thread>
 
 #include <taut/cli/mouse/robot_lines.h>
 #include <taut/cli/stop.h>
@@ -108,7 +107,7 @@ class ProgramLines : public RobotLines {
     const auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
     while (::waitpid(pid_, &status_, WNOHANG) == 0) {
       if (Clock::now() >= deadline) return false;
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      ::poll(nullptr, 0, 2);
     }
     return true;
   }

@@ -37,6 +37,7 @@ def run(taut, command, root, folder):
     words = shlex.split(command)
     assert words[0] == "taut", command
     words = [str(root / word) if word.startswith("data/") else word for word in words[1:]]
+    words = [word.replace("examples/", f"{root}/examples/") if "examples/" in word else word for word in words]
     if command.startswith("taut generate"):
         maze = subprocess.run([taut, *words], capture_output=True, cwd=folder, check=True).stdout
         words = ["solve", "-"]

@@ -37,7 +37,7 @@ class Mms : public testing::Test {
   MmsMouse mouse{maze, trial, true};
 
   std::string ask(const std::string& line) { return mouse.answer(line); }
-  std::vector<std::string> ask(const std::vector<std::string>& lines) {
+  std::vector<std::string> ask_all(const std::vector<std::string>& lines) {
     std::vector<std::string> answers;
     for (const std::string& line : lines) answers.push_back(ask(line));
     return answers;
@@ -46,17 +46,17 @@ class Mms : public testing::Test {
 };
 
 TEST_F(Mms, SeesTheWallsOfItsOwnCellWithoutAStep) {
-  EXPECT_EQ(ask({"mazeWidth", "mazeHeight", "wallFront", "wallLeft", "wallRight", "wallBack", "wallFront 1\r"}),
+  EXPECT_EQ(ask_all({"mazeWidth", "mazeHeight", "wallFront", "wallLeft", "wallRight", "wallBack", "wallFront 1\r"}),
             (std::vector<std::string>{"2", "4", "false", "true", "true", "true", "false"}));
   EXPECT_EQ(steps(), 0);
 }
 
 TEST_F(Mms, TakesATurnAlongWithTheMoveThatFollows) {
-  EXPECT_EQ(ask({"moveForward 3", "turnRight", "wallFront", "moveForward"}),
+  EXPECT_EQ(ask_all({"moveForward 3", "turnRight", "wallFront", "moveForward"}),
             (std::vector<std::string>{"ack", "ack", "false", "ack"}));
   EXPECT_EQ(steps(), 2);
   EXPECT_EQ(trial.record().goal_at, 2);
-  EXPECT_EQ(ask({"turnLeft", "turnLeft", "moveForward"}), (std::vector<std::string>{"ack", "ack", "ack"}));
+  EXPECT_EQ(ask_all({"turnLeft", "turnLeft", "moveForward"}), (std::vector<std::string>{"ack", "ack", "ack"}));
   EXPECT_EQ(steps(), 4) << "turning around is a step of its own";
 }
 
@@ -70,22 +70,22 @@ TEST_F(Mms, CrashesWhereAWallEndsTheMove) {
 
 TEST_F(Mms, BeginsRun2WithTheButton) {
   EXPECT_EQ(ask("wasReset"), "false");
-  ask({"moveForward 3", "turnRight", "moveForward"});
-  EXPECT_EQ(ask({"wasReset", "ackReset", "wasReset"}), (std::vector<std::string>{"true", "ack", "false"}));
+  ask_all({"moveForward 3", "turnRight", "moveForward"});
+  EXPECT_EQ(ask_all({"wasReset", "ackReset", "wasReset"}), (std::vector<std::string>{"true", "ack", "false"}));
   EXPECT_EQ(trial.run(), 2);
   EXPECT_EQ(ask("wallFront"), "false") << "it looks north again";
-  ask({"moveForward 3", "turnRight", "moveForward"});
+  ask_all({"moveForward 3", "turnRight", "moveForward"});
   EXPECT_EQ(trial.record().status, TrialStatus::finished);
   EXPECT_EQ(trial.record().run1, 3);
   EXPECT_EQ(trial.record().run2, 2);
 }
 
 TEST_F(Mms, BeginsRun2BackAtTheStartLookingWhereItLooks) {
-  ask({"moveForward 3", "turnRight", "moveForward", "turnRight", "turnRight", "moveForward", "turnLeft",
-       "moveForward 3"});
+  ask_all({"moveForward 3", "turnRight", "moveForward", "turnRight", "turnRight", "moveForward", "turnLeft",
+           "moveForward 3"});
   EXPECT_EQ(trial.run(), 2);
   EXPECT_EQ(ask("wallFront"), "true") << "it looks south";
-  ask({"turnRight", "turnRight", "moveForward 3", "turnRight", "moveForward"});
+  ask_all({"turnRight", "turnRight", "moveForward 3", "turnRight", "moveForward"});
   EXPECT_EQ(trial.record().status, TrialStatus::finished);
   EXPECT_EQ(trial.record().run2, 2);
 }
@@ -98,21 +98,21 @@ TEST_F(Mms, NeverHearsOfAButtonThatNobodyPresses) {
 }
 
 TEST_F(Mms, CountsAsMmsDoes) {
-  EXPECT_EQ(ask({"getStat score", "getStat best-run-turns", "getStat total-distance"}),
+  EXPECT_EQ(ask_all({"getStat score", "getStat best-run-turns", "getStat total-distance"}),
             (std::vector<std::string>{"2000", "-1", "0"}));
-  ask({"moveForward 3", "turnRight", "moveForward"});
-  EXPECT_EQ(ask({"getStat total-distance", "getStat total-effective-distance", "getStat best-run-turns",
-                 "getStat best-run-effective-distance", "getStat score"}),
+  ask_all({"moveForward 3", "turnRight", "moveForward"});
+  EXPECT_EQ(ask_all({"getStat total-distance", "getStat total-effective-distance", "getStat best-run-turns",
+                     "getStat best-run-effective-distance", "getStat score"}),
             (std::vector<std::string>{"4", "3.5", "1", "3.5", "4.95"}));
 }
 
 TEST_F(Mms, KeepsWhatTheRobotWritesAndIgnoresTheRest) {
-  EXPECT_EQ(ask({"setText 1 2 twelve letters", "setColor 1 2 r", "setWall 0 0 n", "hello", "", "setText 7 7 out"}),
+  EXPECT_EQ(ask_all({"setText 1 2 twelve letters", "setColor 1 2 r", "setWall 0 0 n", "hello", "", "setText 7 7 out"}),
             (std::vector<std::string>(6, "")));
   ASSERT_EQ(mouse.marks().size(), 1U);
   EXPECT_EQ(mouse.marks().at({1, 2}).text, "twelve let");
   EXPECT_EQ(mouse.marks().at({1, 2}).colour, 'r');
-  ask({"clearAllText", "clearColor 1 2"});
+  ask_all({"clearAllText", "clearColor 1 2"});
   EXPECT_EQ(mouse.marks().at({1, 2}).text, "");
   EXPECT_EQ(mouse.marks().at({1, 2}).colour, 0);
   EXPECT_EQ(steps(), 0);
