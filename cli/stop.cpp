@@ -5,6 +5,7 @@
 #include <malloc.h>
 #include <pthread.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -30,6 +31,7 @@ struct Shared {
   std::mutex mutex;  // of last_words
   std::function<void(const Stop&)> last_words;
   std::atomic<const char*> stage{""};
+  std::atomic<int> group{0};        // of a program that was started
   std::atomic<bool> ending{false};  // finishing or stopping, whoever came first
   std::unique_ptr<char[]> reserve;  // memory to say that there is none
   sigset_t signals{};
@@ -74,11 +76,19 @@ timespec until(const timespec& deadline) {
   return rest.tv_sec < 0 ? timespec{} : rest;
 }
 
+[[noreturn]] void leave() {
+  abandon_files();
+  if (const int group = shared().group.load(); group > 0) {
+    ::kill(-group, SIGKILL);
+    ::waitpid(group, nullptr, 0);
+  }
+  ::_exit(kStopped);
+}
+
 // The results are being written. What is not yet in place is dropped.
 [[noreturn]] void stop_while_finishing() {
   complain("interrupted while writing");
-  abandon_files();
-  ::_exit(kStopped);
+  leave();
 }
 
 void* watch(void*) {
@@ -147,6 +157,8 @@ void start_watch(const Limits& limits) {
 
 void begin_stage(const char* stage) noexcept { shared().stage = stage; }
 
+void kill_with_us(int group) noexcept { shared().group = group; }
+
 void on_stop(std::function<void(const Stop&)> last_words) {
   const std::lock_guard lock(shared().mutex);
   shared().last_words = std::move(last_words);
@@ -163,8 +175,7 @@ void stop(const char* reason) noexcept {
     // Memory ran out while the results were written, or two threads stop at once: the first one ends the program.
     if (std::string_view(s.stage.load()).empty()) {
       complain(reason);
-      abandon_files();
-      ::_exit(kStopped);
+      leave();
     }
     wait_for_the_end();
   }
@@ -178,8 +189,7 @@ void stop(const char* reason) noexcept {
   } catch (...) {
     complain("and could not write the result that says so");
   }
-  abandon_files();
-  ::_exit(kStopped);
+  leave();
 }
 
 }  // namespace taut::cli

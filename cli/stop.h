@@ -42,6 +42,9 @@ void begin_stage(const char* stage) noexcept;
 /// thread and must hold copies of all it needs. Its exceptions are swallowed.
 void on_stop(std::function<void(const Stop&)> last_words);
 
+/// This process group is killed, too, when the program is stopped; 0: none.
+void kill_with_us(int group) noexcept;
+
 /// The work is done, results will be written: the seconds no longer count, and the last words are dropped. Does not
 /// return when the program is being stopped already.
 void finish();

@@ -65,7 +65,7 @@ void require_consistent(const CommandLine& app, const DriveOptions& options) {
   if (app.count("--policy") > 0 && planner_name(options) != "policy")
     throw UsageError("--policy is for --planner policy");
   if (options.controls && options.common.json.empty()) throw UsageError("--controls needs --json");
-  if (options.output.draws() && options.all) throw UsageError("--svg draws one drive: give --sample I");
+  if (!options.output.animation.empty() && options.all) throw UsageError("--animate draws one drive: give --sample I");
   if (app.count("--jobs") > 0 && !options.all) throw UsageError("--jobs shares the samples of --all among threads");
   if (options.show_values && !options.output.draws()) throw UsageError("--show-values needs --svg");
 }
@@ -104,7 +104,9 @@ void add_options(CommandLine& app, DriveOptions& options) {
          "--walls", [&options](const std::string& word) { options.walls = walls_of(word); },
          "What a closed cell is (default: points)")
       .type_name("NAME");
-  app.add_option("--svg", options.output.svg, "Draw the drive; - is standard output").type_name("FILE").group("Output");
+  app.add_option("--svg", options.output.svg, "Draw the drive, all of --all on one sheet; - is standard output")
+      .type_name("FILE")
+      .group("Output");
   add_path_file_options(app, options.output.files);
   add_animate_option(app, options.output.animation, "Draw the car as it drives, an SVG that plays in a browser");
   app.add_flag("--show-values", options.show_values,

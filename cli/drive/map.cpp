@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -14,6 +15,7 @@
 #include <taut/geometry/errors.h>
 #include <taut/geometry/parallel.h>
 #include <taut/io/pictures/drive_svg.h>
+#include <taut/io/pictures/svg_sheet.h>
 #include <taut/io/worlds/roadblock_map.h>
 #include <taut/robots/roadblocks/value_planner.h>
 #include <taut/search/stopwatch.h>
@@ -141,6 +143,7 @@ class Logbook {
     return {{"planner", planner_name(options_)}, {"seed", options_.common.seed}, {"samples", samples_}};
   }
   std::string table() const { return drive_table(drives_, course_, options_.all); }
+  const std::vector<RoadblockDrive>& drives() const { return drives_; }
   const RoadblockDrive& last() const { return drives_.back(); }
 
   /// The answer but for its pictures: what is least sure of all drives.
@@ -161,6 +164,16 @@ class Logbook {
   std::vector<RoadblockDrive> drives_;
   Json samples_ = Json::array();
 };
+
+/// Side by side, where there are several.
+std::string sheet_of(const Logbook& logbook, const roadblocks::Course& course, const DriveOptions& options,
+                     const std::string& source) {
+  std::vector<std::string> pictures;
+  for (const RoadblockDrive& drive : logbook.drives())
+    pictures.push_back(picture_of(drive, course, options, source, false));
+  if (pictures.size() == 1) return pictures.front();
+  return svg_sheet(pictures, static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(pictures.size())))));
+}
 
 /// What is driven, in the order of the samples, is kept.
 void drive_all(const std::vector<roadblocks::Sample>& samples, const roadblocks::Course& course,
@@ -196,7 +209,8 @@ int drive_on_map(const DriveOptions& options, std::string_view bytes, const std:
   Answer answer = logbook.answer();
   const DriveOutput& output = options.output;
   if (!output.svg.empty())
-    answer.files.push_back({output.svg, picture_of(logbook.last(), map.course, options, source, false)});
+    answer.files.push_back(
+        {output.svg, run.stage("draw", [&] { return sheet_of(logbook, map.course, options, source); })});
   if (!output.animation.empty())
     answer.files.push_back({output.animation, picture_of(logbook.last(), map.course, options, source, true)});
   return run.end(std::move(answer));

@@ -56,8 +56,9 @@ std::string yardstick_rows(const micromouse::Yardsticks& y) {
 std::string mouse_table(const MouseTrial& t, const std::string& source) {
   const micromouse::Record& record = t.record;
   const micromouse::WallMap map = known_after_run1(record);
-  std::string out = fmt::format("{}: {} x {}, goal {}, explorer {}\n", source, record.task.width, record.task.height,
-                                goal_text(record.task.goal), t.explorer);
+  std::string out =
+      fmt::format("{}: {} x {}, goal {}, {}\n", source, record.task.width, record.task.height,
+                  goal_text(record.task.goal), t.explorer.empty() ? "a robot of its own" : "explorer " + t.explorer);
   out += row("run 1", std::to_string(record.run1), run1_remark(t));
   out += row("run 2", std::to_string(record.run2), run2_remark(t));
   out += row("score", record.score() ? score_text(*record.score()) : "-",

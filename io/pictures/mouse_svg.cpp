@@ -8,8 +8,9 @@
 
 #include <taut/io/pictures/detail/mouse_film.h>
 #include <taut/io/pictures/detail/mouse_sheet.h>
+#include <taut/io/pictures/detail/mouse_values.h>
 #include <taut/io/pictures/detail/svg_path.h>
-#include <taut/robots/micromouse/steps.h>
+#include <taut/io/pictures/svg_sheet.h>
 
 namespace taut {
 
@@ -96,18 +97,6 @@ std::string route_text(const MouseSheet& sheet, const Record& record, int run) {
   return points.size() < 2 ? "" : MouseSheet::group(run == 1 ? "run1" : "run2", MouseSheet::path(sheet.line(points)));
 }
 
-std::string flood_text(const MouseSheet& sheet, const Record& record) {
-  const micromouse::StepField field(known_after_run1(record).possible(), record.task.goal);
-  std::string out;
-  for (int y = 0; y < record.task.height; ++y)
-    for (int x = 0; x < record.task.width; ++x) {
-      if (!field.reached({x, y})) continue;
-      const Point p = sheet.pixel(Point{x + 0.12, y + 0.66});
-      out += fmt::format("<text x=\"{}\" y=\"{}\">{}</text>", svg_number(p.x), svg_number(p.y), field({x, y}));
-    }
-  return MouseSheet::group("flood", out);
-}
-
 MouseSheet sheet_of(const GridMaze& maze, const MousePicture& picture) {
   using enum detail::SvgKey::Sample;
   std::vector<std::string> colours;
@@ -179,9 +168,9 @@ std::string mouse_svg(const GridMaze& maze, const Record& record, const MousePic
   const Sights sights = sights_of(record);
   const MousePose last = detail::last_pose(record);
   return sheet.head() + floor_text(sheet, record, sights) + sheet.goal_room() +
-         (picture.flood ? flood_text(sheet, record) : "") + walls_text(sheet, maze, sights, false) +
-         walls_text(sheet, maze, sights, true) + sheet.posts() + route_text(sheet, record, 1) +
-         route_text(sheet, record, 2) + sheet.ends() +
+         (picture.flood ? detail::mouse_values(sheet, record) : "") + detail::mouse_marks(sheet, picture.marks) +
+         walls_text(sheet, maze, sights, false) + walls_text(sheet, maze, sights, true) + sheet.posts() +
+         route_text(sheet, record, 1) + route_text(sheet, record, 2) + sheet.ends() +
          fmt::format("<g transform=\"{}\">{}</g>\n", sheet.placed(last.cell, detail::degrees(last.heading)),
                      sheet.wedge()) +
          sheet.foot();
@@ -192,7 +181,7 @@ std::string mouse_animation(const GridMaze& maze, const Record& record, const Mo
   const Sights sights = sights_of(record);
   const MouseFilm film(record);
   return sheet.head() + film_floor(sheet, record, sights, film) + sheet.goal_room() +
-         (picture.flood ? flood_text(sheet, record) : "") +
+         (picture.flood ? detail::film_values(sheet, record, film) : "") +
          MouseSheet::group("unseen", MouseSheet::path([&] {
                              std::string data;
                              for (const CellSide& w : detail::standing_walls(maze)) data += sheet.wall(w);
@@ -201,6 +190,21 @@ std::string mouse_animation(const GridMaze& maze, const Record& record, const Mo
          film_walls(sheet, maze, sights, film) + sheet.posts() + film_route(sheet, record, 1, film) +
          film_route(sheet, record, 2, film) + sheet.ends() + film.mouse(sheet) + film_counter(sheet, record, film) +
          sheet.controls() + sheet.foot();
+}
+
+std::string mouse_values_svg(const GridMaze& maze, const Record& record, const MousePicture& picture) {
+  const auto at = [&](const char* when, int steps) {
+    Record part = record;
+    part.steps.resize(std::min(part.steps.size(), static_cast<std::size_t>(steps)));
+    part.run1 = static_cast<int>(part.steps.size());
+    return mouse_svg(maze, part, {picture.title + ": " + when, {fmt::format("step {}", steps)}, true});
+  };
+  const int goal = record.goal_at.value_or(record.run1);
+  const bool is_late = goal + 1 >= record.run1;
+  return svg_sheet(std::vector{at("before the first step", 0),
+                               is_late ? at("half way through run 1", record.run1 / 2) : at("at the goal", goal),
+                               at("at the end of run 1", record.run1)},
+                   3);
 }
 
 }  // namespace taut

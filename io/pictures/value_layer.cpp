@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include <taut/io/pictures/detail/height_lines.h>
 #include <taut/io/pictures/detail/svg_frame.h>
 
 namespace taut {
@@ -47,16 +48,38 @@ std::string arrow(const car::Pose& pose, roadblocks::Action action) {
   return "M" + at(-0.3, 0) + "L" + at(0.3, 0) + "M" + at(0.1, 0.16) + "L" + at(0.3, 0) + "L" + at(0.1, -0.16);
 }
 
+/// Every fifth line stronger.
+std::string contours(const detail::Heights& heights, double interval, const car::Pose& corner, double side) {
+  double greatest = 0;
+  for (const double height : heights.of)
+    if (std::isfinite(height)) greatest = std::max(greatest, height);
+  std::array<std::string, 2> lines;
+  for (int k = 1; k * interval < greatest; ++k)
+    lines[k % 5 == 0] += detail::height_line(heights, k * interval, side, corner.x, corner.y);
+  const auto path = [](const std::string& d, double width) {
+    return fmt::format(
+        "<path class=\"heights\" fill=\"none\" stroke=\"#22304a\" stroke-opacity=\".6\" "
+        "stroke-width=\"{}\" d=\"{}\"/>\n",
+        width, d);
+  };
+  return path(lines[0], 0.06) + path(lines[1], 0.14);
+}
+
 }  // namespace
 
 ValueLayer value_layer(const roadblocks::ValueGrid& grid, const roadblocks::Values& values) {
   ValueLayer layer;
   double greatest = 1;
+  detail::Heights heights{
+      grid.columns(), grid.rows(),
+      std::vector<double>(static_cast<std::size_t>(grid.columns()) * static_cast<std::size_t>(grid.rows()),
+                          ValueGrid::kNever)};
   std::vector<std::pair<std::size_t, double>> points;
   for (int j = 0; j < grid.rows(); ++j)
     for (int i = 0; i < grid.columns(); ++i)
       if (const auto state = best_state(grid, values, i, j)) {
         points.emplace_back(*state, values.of[*state]);
+        heights.of[grid.index(i, j, 0)] = values.of[*state] / grid.per_unit();
         greatest = std::max(greatest, values.of[*state]);
         const bool on_cell = i % grid.per_unit() == 0 && j % grid.per_unit() == 0;
         if (const auto action = best_action(grid, values, *state); action && on_cell)
@@ -78,10 +101,13 @@ ValueLayer value_layer(const roadblocks::ValueGrid& grid, const roadblocks::Valu
   for (const auto& [shade_level, d] : by_shade)
     layer.surface +=
         fmt::format("<path fill=\"{0}\" stroke=\"{0}\" stroke-width=\".02\" d=\"{1}\"/>\n", shade(shade_level), d);
+  const double interval = detail::contour_interval(greatest / grid.per_unit());
+  layer.surface += contours(heights, interval, grid.pose(grid.index(0, 0, 0)), side);
   layer.arrows = "<path fill=\"none\" stroke=\"#fff\" stroke-width=\".17\" stroke-opacity=\".45\" d=\"" + layer.arrows +
                  "\"/>\n<path fill=\"none\" stroke=\"#22304a\" stroke-width=\".07\" stroke-opacity=\".75\" d=\"" +
                  layer.arrows + "\"/>\n";
-  layer.scale = fmt::format("0 to {:.0f} cells to go, best heading", greatest / grid.per_unit());
+  layer.scale =
+      fmt::format("0 to {:.0f} cells to go, best heading; a line each {:g}", greatest / grid.per_unit(), interval);
   for (int shown = 0; shown < kShades; shown += 3) layer.colours.push_back(shade(shown));
   return layer;
 }

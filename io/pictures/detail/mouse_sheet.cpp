@@ -96,7 +96,8 @@ std::string MouseSheet::style() const {
          css("run2", 0.16, ";stroke-linejoin:round;stroke-linecap:round") +
          css("shortest", 0.16, ";stroke-linejoin:round;stroke-linecap:round;stroke-opacity:.75") +
          css("fastest", 0.08, ";stroke-linejoin:round;stroke-linecap:round") + css("wedge", 0.04, "") +
-         fmt::format(".taut.mouse .flood text{{font-size:{}px}}\n", svg_number(pitch_ * 0.27));
+         fmt::format(".taut.mouse .flood text{{font-size:{}px}}\n.taut.mouse .marks text{{font-size:{}px}}\n",
+                     svg_number(pitch_ * 0.27), svg_number(pitch_ * 0.2));
 }
 
 std::string MouseSheet::posts() const {

@@ -9,6 +9,7 @@
 
 #include "support/paths.h"
 #include "support/run_program.h"
+#include "support/text.h"
 
 namespace taut::test {
 namespace {
@@ -84,7 +85,18 @@ TEST_F(DriveProgram, DrawsTheValueSurfaceAndItsArrows) {
   EXPECT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("cells to go, best heading"));
   EXPECT_EQ(outcome.out, run_taut(drawn).out);
+  EXPECT_THAT(outcome.out, HasSubstr("; a line each "));
+  EXPECT_EQ(count(outcome.out, "class=\"heights\""), 2U);
   EXPECT_EQ(run_taut("drive " + map + " --show-values").code, 2);
+}
+
+TEST_F(DriveProgram, DrawsAllSamplesOnOneSheet) {
+  const std::size_t samples = json::parse(run_taut("drive " + map + " --all --json -").out)["result"]["samples"].size();
+  ASSERT_GT(samples, 1U);
+  const Outcome sheet = run_taut("drive " + map + " --all --svg -");
+  EXPECT_EQ(sheet.code, 0) << sheet.err;
+  for (std::size_t i = 1; i <= samples; ++i)
+    EXPECT_THAT(sheet.out, HasSubstr("lane.txt, sample " + std::to_string(i) + "<"));
 }
 
 /// The lane's map with so many samples, half of them open.
@@ -146,7 +158,7 @@ TEST_F(DriveProgram, EndsWithItsCode) {
   EXPECT_THAT(wall.err, HasSubstr("<stdin>: the car at start (2, 2) touches the wall"));
   EXPECT_EQ(run_taut("drive " + map + " --sample 9").code, 3);
   EXPECT_EQ(run_taut("drive " + map + " --planner rr").code, 2);
-  EXPECT_EQ(run_taut("drive " + map + " --all --svg x.svg").code, 2);
+  EXPECT_EQ(run_taut("drive " + map + " --all --animate x.svg").code, 2);
 }
 
 }  // namespace

@@ -47,6 +47,26 @@ TEST_F(MousePictures, PlayByThemselves) {
   EXPECT_EQ(run_taut("mouse run --quick --animate - " + data_file("mouse_12.cells")).out, run.out);
 }
 
+TEST_F(MousePictures, ChangeTheirNumbersAsTheMapGrows) {
+  const std::string film = run_taut("mouse run --quick --flood --animate - " + data_file("mouse_12.cells")).out;
+  const std::string still = run_taut("mouse run --quick --flood --svg - " + data_file("mouse_12.cells")).out;
+  const auto numbers = [](const std::string& picture) {
+    const std::size_t from = picture.find("<g class=\"flood\">");
+    return picture.substr(from, picture.find("</g>", from) - from);
+  };
+  EXPECT_EQ(count(numbers(still), "<text"), 144U);
+  EXPECT_EQ(count(numbers(film), "class=\"appears\""), 144U) << "those of the end";
+  EXPECT_GT(count(numbers(film), "class=\"moving\""), 10U) << "those that changed";
+}
+
+TEST_F(MousePictures, StandSideBySideBeforeDuringAndAfterExploring) {
+  const Outcome run = run_taut("mouse run --quick --explorer prove --values - " + data_file("mouse_12.cells"));
+  EXPECT_EQ(run.code, 0) << run.err;
+  for (const char* when : {"before the first step", "at the goal", "at the end of run 1"})
+    EXPECT_THAT(run.out, HasSubstr(when));
+  EXPECT_EQ(count(run.out, "<g class=\"flood\"><text"), 3U);
+}
+
 // Every list of key times rises from 0 to at most 1 and has as many entries as its values.
 TEST_F(MousePictures, KeepTheirKeyTimesInOrder) {
   const std::string film = run_taut("mouse run --quick --explorer dfs --animate - " + data_file("mouse_16.maz")).out;
