@@ -25,6 +25,14 @@ FILES = [
     (8, ['{"acceleration": 2.5, "deceleration": 3}']),
     (9, []),
 ]
+# What robots plan, with how audits_fuzz.cpp takes it; lines of a batch.
+PLANS = [
+    (0, "1 4\n2 2\n4 5\n7 5\n"), (0, "1 4\n4 5\n\n1 4\n7 5\n"), (1, '{"type":"LineString","coordinates":[[1,4],[1,1],[3,1]]}'),
+    (2, "LINESTRING(1 4, 1 1, 3 1)\n"), (3, "a 0 1 1\na 5 6 1\nb 0 6 1\nb 5 1 1\n"), (3, "id,t,x,y\na,0,1,1\nb,0,1,2\n"),
+    (4, "a 0 1 1 0.5\na 2 3 1 0.5\nb 1 2 2 0.25\nb 4 2 0 0.25\nc 3 5 5 1\n"),
+]
+BATCHES = ["1 4 7 5\n+wall 4 5 4 8\n1 4 7 5\n-wall 4 6 4 8\n1 4 7 5 none\n", "1,4 7,5\n-wall 2 2 2 8\n0 0 8 8\n",
+           "-wall 5 6 8 6\n+wall 4 5 8 5\n3 3 6 7.5\n"]
 READ_BY = {".chase": 5, ".map": 4, ".scen": 3, ".json": 8}
 
 
@@ -50,7 +58,14 @@ def main():
     for reader, texts in FILES:
         for i, text in enumerate(texts):
             write(folder / "files_fuzz", f"{reader}_{i}", bytes([reader]) + text.encode())
+    for i, (how, text) in enumerate(PLANS):
+        write(folder / "audits_fuzz", str(i), bytes([how]) + text.encode())
+    for i, text in enumerate(BATCHES):
+        for how in (0, 1):
+            write(folder / "batch_fuzz", f"{how}_{i}", bytes([how]) + text.encode())
     for i in range(50):
+        write(folder / "saved_fuzz", str(i), numbers.randbytes(numbers.randrange(4, 60)))
+        write(folder / "commands_fuzz", str(i), numbers.randbytes(numbers.randrange(4, 60)))
         write(folder / "geometry_fuzz", str(i), numbers.randbytes(numbers.randrange(8, 60)))
         write(folder / "certificates_fuzz", str(i), numbers.randbytes(numbers.randrange(4, 40)))
 

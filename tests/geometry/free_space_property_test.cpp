@@ -12,6 +12,7 @@
 
 #include "support/constraint_walk.h"
 #include "support/random_world.h"
+#include "support/small_world.h"
 
 namespace taut {
 namespace {
@@ -83,6 +84,23 @@ RC_GTEST_PROP(FreeSpace, MeasuresTheClearanceToTheNearestConstraint, ()) {
     RC_ASSERT(clearance.constraint == nearest);
     RC_ASSERT(clearance.distance == segment_distance({p, p}, {constraints[nearest].a, constraints[nearest].b}));
   });
+}
+
+// How far an axis-parallel wall is, is known exactly at once; of a slanted one to rounding.
+TEST(FreeSpace, NamesTheFirstOfEquallyNearConstraintsWhicheverWayTheyLie) {
+  const std::vector<Segment> slanted{{{7, 1}, {-1, 7}}, {{-1, 7}, {7, 1}}, {{-7, -1}, {1, -7}}, {{7, -1}, {-1, -7}}};
+  const std::vector<Segment> straight{{{-5, -1}, {-5, 1}}, {{5, -1}, {5, 0.5}}, {{-1, -5}, {1, -5}}, {{-1, 5}, {0, 5}}};
+  for (const Segment& s : slanted)
+    for (const Segment& t : straight) {
+      const FreeSpace space = test::SmallWorld{{s, t}, {}, test::box_ring(-20, -20, 20, 20)}.space();
+      const auto& constraints = space.constraints();
+      const auto first = std::find_if(constraints.begin(), constraints.end(), [](const Constraint& c) {
+        return compare_segment_distances({{0, 0}, {0, 0}}, {c.a, c.b}, {{0, 0}, {0, 0}}, {{5, 0}, {5, 0}}) == 0;
+      });
+      const Clearance clearance = space.clearance({0, 0});
+      EXPECT_EQ(clearance.distance, 5);
+      EXPECT_EQ(clearance.constraint, first - constraints.begin());
+    }
 }
 
 RC_GTEST_PROP(FreeSpace, HasConstraintsThatMeetOnlyAtEnds, ()) {
