@@ -33,7 +33,8 @@ bool goes_up(const Digits& d, const Integer& kept, std::int64_t excess, Toward t
 }
 
 double made(std::int64_t mantissa, std::int64_t exponent, Toward toward) {
-  if (exponent + std::bit_width(static_cast<std::uint64_t>(mantissa)) > kMostDigits)
+  const auto digits = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(mantissa)));
+  if (exponent + digits > kMostDigits)
     return toward == Toward::down ? std::numeric_limits<double>::max() : std::numeric_limits<double>::infinity();
   return std::ldexp(static_cast<double>(mantissa), static_cast<int>(exponent));
 }
