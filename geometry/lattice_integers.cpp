@@ -11,11 +11,8 @@ namespace taut {
 
 namespace {
 
-mpq_class in_units(double v, const NumberLattice& lattice) {
-  mpz_class power;
-  mpz_ui_pow_ui(power.get_mpz_t(), static_cast<unsigned long>(lattice.base),
-                static_cast<unsigned long>(lattice.exponent));
-  return meaning(v) * power;
+Rational in_units(double v, const NumberLattice& lattice) {
+  return meaning(v) * power(static_cast<unsigned>(lattice.base), static_cast<unsigned>(lattice.exponent));
 }
 
 NumberLattice lattice_of(const World& world) {
@@ -30,14 +27,14 @@ NumberLattice lattice_of(const World& world) {
 }  // namespace
 
 LatticeIntegers::LatticeIntegers(const World& world, std::span<const Point> places) : lattice_(lattice_of(world)) {
-  mpz_class scale = 1;
+  Integer scale = 1;
   for (const Point p : places)
     for (const double v : {p.x, p.y}) {
-      scale = lcm(scale, in_units(v, lattice_).get_den());
+      scale = lcm(scale, denominator(in_units(v, lattice_)));
       if (scale > kLargest) break;
     }
   const Box box = world.box();
-  if (scale <= kLargest) scale_ = scale.get_si();
+  if (scale <= kLargest) scale_ = to_int64(scale);
   if (scale > kLargest || !place(box.min) || !place(box.max))
     throw InputError(world.source(), 0,
                      "start, goal and the world together need coordinates of more than 51 bits over one unit");
@@ -59,9 +56,9 @@ std::optional<std::int64_t> LatticeIntegers::integer(double v) const {
     const double n = detail::integer_over(v, lattice_.exponent);
     if (std::abs(n) < most) return static_cast<std::int64_t>(n) * scale_;
   }
-  const mpq_class n = in_units(v, lattice_) * mpz_class(static_cast<long>(scale_));
-  if (n.get_den() != 1 || abs(n) >= kLargest) return std::nullopt;
-  return n.get_num().get_si();
+  const Rational n = in_units(v, lattice_) * taut::integer(scale_);
+  if (denominator(n) != 1 || abs(n) >= kLargest) return std::nullopt;
+  return to_int64(numerator(n));
 }
 
 }  // namespace taut

@@ -1,8 +1,7 @@
 #include <taut/geometry/length.h>
 
-#include <mpfr.h>
-
 #include <taut/geometry/detail/root_sum.h>
+#include <taut/geometry/exact/as_double.h>
 #include <taut/geometry/exact/twofold.h>
 
 namespace taut {
@@ -10,18 +9,9 @@ namespace taut {
 namespace {
 
 /// For differences so small or large that squares leave the range of doubles.
-double extreme_distance(Point p, Point q, mpfr_rnd_t rounding) {
-  // Any difference of two finite doubles is exact with 2100 bits.
-  mpfr_t dx, dy;
-  mpfr_inits2(2200, dx, dy, static_cast<mpfr_ptr>(nullptr));
-  mpfr_set_d(dx, p.x, MPFR_RNDN);
-  mpfr_sub_d(dx, dx, q.x, MPFR_RNDN);
-  mpfr_set_d(dy, p.y, MPFR_RNDN);
-  mpfr_sub_d(dy, dy, q.y, MPFR_RNDN);
-  mpfr_hypot(dx, dx, dy, rounding);
-  const double result = mpfr_get_d(dx, rounding);
-  mpfr_clears(dx, dy, static_cast<mpfr_ptr>(nullptr));
-  return result;
+double extreme_distance(Point p, Point q, Toward toward) {
+  const Rational dx = Rational(p.x) - Rational(q.x), dy = Rational(p.y) - Rational(q.y);
+  return root_as_double(Rational(dx * dx + dy * dy), toward);
 }
 
 std::strong_ordering ordering(int sign) { return sign <=> 0; }
@@ -31,7 +21,7 @@ std::strong_ordering ordering(int sign) { return sign <=> 0; }
 Interval distance_interval(Point p, Point q) {
   const twofold::Square square =
       twofold::square_of(twofold::absolute_difference(p.x, q.x), twofold::absolute_difference(p.y, q.y));
-  if (!twofold::is_regular(square)) return {extreme_distance(p, q, MPFR_RNDD), extreme_distance(p, q, MPFR_RNDU)};
+  if (!twofold::is_regular(square)) return {extreme_distance(p, q, Toward::down), extreme_distance(p, q, Toward::up)};
   if (square.exact && square.sum > 0) return twofold::enclose_root(square.sum);
   const twofold::Root root = twofold::root_of(square);
   const double unsure = root.exact ? 0 : root.high * twofold::kRootError;

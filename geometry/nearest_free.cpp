@@ -1,6 +1,6 @@
 #include <taut/geometry/nearest_free.h>
 
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,27 +45,27 @@ class SolidSide {
         unit_(space.world().box()) {}
 
   /// What part of the side lies before the place nearest to p.
-  mpq_class foot_of(Point p) const {
+  Rational foot_of(Point p) const {
     const ExactPoint at(p);
-    const mpq_class along = (at.x - a_.x) * ux_ + (at.y - a_.y) * uy_, length = ux_ * ux_ + uy_ * uy_;
-    return along <= 0 ? mpq_class(0) : along >= length ? mpq_class(1) : mpq_class(along / length);
+    const Rational along = (at.x - a_.x) * ux_ + (at.y - a_.y) * uy_, length = ux_ * ux_ + uy_ * uy_;
+    return along <= 0 ? Rational(0) : along >= length ? Rational(1) : Rational(along / length);
   }
 
   /// The free point beside the foot; where a narrow corner leaves no double there, on towards the nearer end.
-  std::pair<Point, double> free_beside(const mpq_class& foot) const {
+  std::pair<Point, double> free_beside(const Rational& foot) const {
     const ExactPoint exact = at(foot);
     const int end = foot * 2 < 1 ? 0 : 1;
-    mpq_class step = mpq_class(1) / (mpz_class(1) << 60);
-    for (mpq_class t = foot; t > 0 && t < 1; t = end == 0 ? mpq_class(foot - step) : mpq_class(foot + step), step *= 2)
+    Rational step = Rational(1) / (Integer(1) << 60);
+    for (Rational t = foot; t > 0 && t < 1; t = end == 0 ? Rational(foot - step) : Rational(foot + step), step *= 2)
       if (const auto q = beside(t)) return {*q, displacement(exact, *q)};
     const Point corner = end == 0 ? side_.a : side_.b;
     return {corner, displacement(exact, corner)};
   }
 
  private:
-  ExactPoint at(const mpq_class& t) const { return {a_.x + t * ux_, a_.y + t * uy_}; }
+  ExactPoint at(const Rational& t) const { return {a_.x + t * ux_, a_.y + t * uy_}; }
 
-  std::optional<Point> beside(const mpq_class& t) const {
+  std::optional<Point> beside(const Rational& t) const {
     const ExactPoint place = at(t);
     if (const auto q = exactly(place); q && is_free(*q)) return q;
     const Point q = round_outward(place, std::span(&side_, 1), unit_);
@@ -77,7 +77,7 @@ class SolidSide {
   const FreeSpace& space_;
   Segment side_;
   ExactPoint a_;
-  mpq_class ux_, uy_;
+  Rational ux_, uy_;
   DecimalUnit unit_;
 };
 

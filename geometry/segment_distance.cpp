@@ -7,9 +7,7 @@
 #include <limits>
 #include <optional>
 
-#include <gmpxx.h>
-#include <mpfr.h>
-
+#include <taut/geometry/exact/as_double.h>
 #include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/written.h>
 
@@ -139,38 +137,28 @@ std::optional<double> quick_root(const Ratio& r) {
   return low / kGrain;
 }
 
-mpq_class exact_squared(Point p, Point a, Point b) {
+Rational exact_squared(Point p, Point a, Point b) {
   const ExactPoint from(a), to(b), at(p);
-  const mpq_class ux = to.x - from.x, uy = to.y - from.y, vx = at.x - from.x, vy = at.y - from.y;
-  const mpq_class along = ux * vx + uy * vy, length = ux * ux + uy * uy;
+  const Rational ux = to.x - from.x, uy = to.y - from.y, vx = at.x - from.x, vy = at.y - from.y;
+  const Rational along = ux * vx + uy * vy, length = ux * ux + uy * uy;
   if (along >= length) {
-    const mpq_class wx = vx - ux, wy = vy - uy;
+    const Rational wx = vx - ux, wy = vy - uy;
     return wx * wx + wy * wy;
   }
   if (along <= 0) return vx * vx + vy * vy;
-  const mpq_class cross = ux * vy - uy * vx;
+  const Rational cross = ux * vy - uy * vx;
   return cross * cross / length;
 }
 
-mpq_class exact_squared(const Segment& s, const Segment& t) {
+Rational exact_squared(const Segment& s, const Segment& t) {
   if (written::segments_meet(s, t)) return 0;
   const double reach = segment_distance_interval(s, t).hi;
-  mpq_class result = -1;
+  Rational result = -1;
   for_each_end(s, t, [&](Point p, Point a, Point b) {
     if (enclose(p, a, b).lo > reach) return;
-    const mpq_class squared = exact_squared(p, a, b);
+    const Rational squared = exact_squared(p, a, b);
     if (result < 0 || squared < result) result = squared;
   });
-  return result;
-}
-
-double nearest_root(const mpq_class& value) {
-  mpfr_t root;
-  mpfr_init2(root, 400);  // so far beyond a double that the second rounding cannot change the first
-  mpfr_set_q(root, value.get_mpq_t(), MPFR_RNDN);
-  mpfr_sqrt(root, root, MPFR_RNDN);
-  const double result = mpfr_get_d(root, MPFR_RNDN);
-  mpfr_clear(root);
   return result;
 }
 
@@ -201,7 +189,7 @@ int compare_segment_distances(const Segment& s1, const Segment& t1, const Segmen
 double segment_distance(const Segment& s, const Segment& t) {
   if (const auto simple = simple_squared(s, t))
     if (const auto root = quick_root(*simple)) return *root;
-  return nearest_root(exact_squared(s, t));
+  return root_as_double(exact_squared(s, t), Toward::nearest);
 }
 
 }  // namespace taut

@@ -112,7 +112,7 @@ bool is_plain(double v) {
   if (!d) return true;
   if (d->places >= 0 && d->places <= kExactPowers)
     return std::fma(v, kPowersOfTen[d->places], -static_cast<double>(d->digits)) == 0;
-  return taut::meaning(v) == mpq_class(v);
+  return taut::meaning(v) == Rational(v);
 }
 
 double sum(double a, double b) {
@@ -141,7 +141,7 @@ double times(std::int64_t n, double a) {
 int compare_sum(double a, double b, double c) {
   const double rough = a + b - c, bound = 4.5e-16 * (std::abs(a) + std::abs(b) + std::abs(c)) + 1e-290;
   if (std::abs(rough) > bound) return rough > 0 ? 1 : -1;
-  return sgn(mpq_class(taut::meaning(a) + taut::meaning(b) - taut::meaning(c)));
+  return sgn(Rational(taut::meaning(a) + taut::meaning(b) - taut::meaning(c)));
 }
 
 bool segments_meet(const Segment& s, const Segment& t) {

@@ -65,8 +65,8 @@ bool all_plain(std::initializer_list<Point> points) {
   return std::all_of(points.begin(), points.end(), [](Point p) { return is_plain(p.x) && is_plain(p.y); });
 }
 
-mpq_class squared_distance(Point p, Point q) {
-  const mpq_class dx = meaning(p.x) - meaning(q.x), dy = meaning(p.y) - meaning(q.y);
+Rational squared_distance(Point p, Point q) {
+  const Rational dx = meaning(p.x) - meaning(q.x), dy = meaning(p.y) - meaning(q.y);
   return dx * dx + dy * dy;
 }
 
@@ -83,8 +83,8 @@ int circle_in_integers(const double* n) {
   for (int i = 0; i < 6; ++i) largest = std::max(largest, std::abs(v[i] = n[i] - n[6 + i % 2]));
   if (largest < 0x1p29)
     return sign(circle_determinant(wide(v[0]), wide(v[1]), wide(v[2]), wide(v[3]), wide(v[4]), wide(v[5])));
-  mpz_class z[6];
-  for (int i = 0; i < 6; ++i) z[i] = v[i];
+  Integer z[6];
+  for (int i = 0; i < 6; ++i) z[i] = Integer(v[i]);
   return sgn(circle_determinant(z[0], z[1], z[2], z[3], z[4], z[5]));
 }
 
@@ -95,9 +95,9 @@ int circle_in_doubles(Point a, Point b, Point c, Point d) {
 }
 
 int circle_in_rationals(Point a, Point b, Point c, Point d) {
-  const mpq_class x = meaning(d.x), y = meaning(d.y);
-  const mpq_class ax = meaning(a.x) - x, ay = meaning(a.y) - y, bx = meaning(b.x) - x, by = meaning(b.y) - y,
-                  cx = meaning(c.x) - x, cy = meaning(c.y) - y;
+  const Rational x = meaning(d.x), y = meaning(d.y);
+  const Rational ax = meaning(a.x) - x, ay = meaning(a.y) - y, bx = meaning(b.x) - x, by = meaning(b.y) - y,
+                 cx = meaning(c.x) - x, cy = meaning(c.y) - y;
   return sgn(circle_determinant(ax, ay, bx, by, cx, cy));
 }
 
@@ -115,8 +115,8 @@ int exact_orientation(Point a, Point b, Point c) {
   if (taut::detail::to_integers(values, 6, n))
     return sign(wide(n[0] - n[4]) * wide(n[3] - n[5]) - wide(n[1] - n[5]) * wide(n[2] - n[4]));
   if (all_plain({a, b, c})) return taut::detail::exact_orientation(a, b, c);
-  const mpq_class x = meaning(c.x), y = meaning(c.y);
-  return sgn(mpq_class((meaning(a.x) - x) * (meaning(b.y) - y) - (meaning(a.y) - y) * (meaning(b.x) - x)));
+  const Rational x = meaning(c.x), y = meaning(c.y);
+  return sgn(Rational((meaning(a.x) - x) * (meaning(b.y) - y) - (meaning(a.y) - y) * (meaning(b.x) - x)));
 }
 
 }  // namespace detail

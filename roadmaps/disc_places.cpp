@@ -1,6 +1,6 @@
 #include <taut/roadmaps/disc_places.h>
 
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +24,8 @@ bool is_nearer(Point p, const Segment& s, double r) {
   if (distance.lo >= wanted.hi) return false;
   if (distance.hi < wanted.lo) return true;
   const ExactPoint a(s.a), b(s.b), q(p);
-  const mpq_class ux = b.x - a.x, uy = b.y - a.y, vx = q.x - a.x, vy = q.y - a.y, uu = ux * ux + uy * uy;
-  const mpq_class along = vx * ux + vy * uy, off = ux * vy - uy * vx, r2 = meaning(r) * meaning(r);
+  const Rational ux = b.x - a.x, uy = b.y - a.y, vx = q.x - a.x, vy = q.y - a.y, uu = ux * ux + uy * uy;
+  const Rational along = vx * ux + vy * uy, off = ux * vy - uy * vx, r2 = meaning(r) * meaning(r);
   if (along <= 0) return vx * vx + vy * vy < r2;
   if (along < uu) return off * off < r2 * uu;
   return (vx - ux) * (vx - ux) + (vy - uy) * (vy - uy) < r2;
@@ -52,14 +52,14 @@ struct DiscPlaces::Impl {
 
   /// The free decimals beside a candidate: those around it, the nearest first, then further and further outwards.
   std::optional<Point> free_beside(Point p, const DiscCandidate& candidate) const {
-    const mpq_class x = meaning(p.x) + mpq_class(candidate.at.x), y = meaning(p.y) + mpq_class(candidate.at.y);
+    const Rational x = meaning(p.x) + Rational(candidate.at.x), y = meaning(p.y) + Rational(candidate.at.y);
     const Point centre{unit.nearest(x), unit.nearest(y)};
     if (is_free(centre)) return centre;
     if (const auto q = free_around(centre, {x, y})) return q;
     const double first = std::abs(unit.step(centre.x, 1) - centre.x);
     for (double step = 2 * first; step < 1e-3 * r; step *= 2) {
-      const Point q{unit.nearest(x + mpq_class(step * candidate.outwards.x)),
-                    unit.nearest(y + mpq_class(step * candidate.outwards.y))};
+      const Point q{unit.nearest(x + Rational(step * candidate.outwards.x)),
+                    unit.nearest(y + Rational(step * candidate.outwards.y))};
       if (is_free(q)) return q;
     }
     return std::nullopt;

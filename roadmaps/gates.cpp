@@ -16,7 +16,7 @@ namespace taut {
 
 namespace {
 
-std::strong_ordering compare(const mpq_class& a, const mpq_class& b) { return cmp(a, b) <=> 0; }
+std::strong_ordering compare(const Rational& a, const Rational& b) { return cmp(a, b) <=> 0; }
 
 std::vector<detail::FoundGate> find_gates(const WallIndex& walls) {
   std::vector<detail::FoundGate> found;
@@ -25,9 +25,9 @@ std::vector<detail::FoundGate> find_gates(const WallIndex& walls) {
   return found;
 }
 
-mpq_class squared(const detail::FoundGate& found) {
-  const mpq_class square = squared_width(found.shape);
-  return found.to_opening ? mpq_class(4 * square) : square;
+Rational squared(const detail::FoundGate& found) {
+  const Rational square = squared_width(found.shape);
+  return found.to_opening ? Rational(4 * square) : square;
 }
 
 Gate gate_of(const detail::FoundGate& found, const WallIndex& walls) {
@@ -45,10 +45,10 @@ Gate gate_of(const detail::FoundGate& found, const WallIndex& walls) {
 }
 
 /// The order of the gates: widths exactly, then by place.
-std::vector<std::uint32_t> order_of(const std::vector<mpq_class>& squares, const std::vector<Gate>& gates) {
+std::vector<std::uint32_t> order_of(const std::vector<Rational>& squares, const std::vector<Gate>& gates) {
   std::vector<double> rough;
   rough.reserve(squares.size());
-  for (const mpq_class& q : squares) rough.push_back(q.get_d());
+  for (const Rational& q : squares) rough.push_back(to_double(q));
   std::vector<std::uint32_t> order(gates.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto place = [&](std::uint32_t i) { return std::tuple(gates[i].end, gates[i].foot, gates[i].facing); };
@@ -64,12 +64,10 @@ std::vector<std::uint32_t> order_of(const std::vector<mpq_class>& squares, const
 /// The distance of two points, when it is a fraction with a small denominator.
 std::optional<std::string> printed_distance(Point p, Point q, int times) {
   const ExactPoint from(p), to(q);
-  const mpq_class dx = from.x - to.x, dy = from.y - to.y, square = dx * dx + dy * dy;
-  if (!mpz_perfect_square_p(square.get_num_mpz_t()) || !mpz_perfect_square_p(square.get_den_mpz_t()))
-    return std::nullopt;
-  mpq_class root(sqrt(square.get_num()), sqrt(square.get_den()));
-  root *= times;
-  return root.get_den() <= 1000 ? std::optional(root.get_str()) : std::nullopt;
+  const Rational dx = from.x - to.x, dy = from.y - to.y, square = dx * dx + dy * dy;
+  if (!is_square(numerator(square)) || !is_square(denominator(square))) return std::nullopt;
+  const Rational root = times * fraction(sqrt(numerator(square)), sqrt(denominator(square)));
+  return denominator(root) <= 1000 ? std::optional(text_of(root)) : std::nullopt;
 }
 
 }  // namespace
@@ -78,7 +76,7 @@ Gates::Gates(const FreeSpace& space) {
   auto exact = std::make_shared<ExactGates>(ExactGates{WallIndex(space), {}, {}, {}, {}});
   const std::vector<detail::FoundGate> found = find_gates(exact->walls);
   std::vector<Gate> gates;
-  std::vector<mpq_class> squares;
+  std::vector<Rational> squares;
   for (const detail::FoundGate& one : found) {
     gates.push_back(gate_of(one, exact->walls));
     squares.push_back(squared(one));
@@ -99,7 +97,7 @@ const std::vector<Gate>& Gates::gates() const { return exact_->gates; }
 bool Gates::is_opening(std::uint32_t constraint) const { return exact_->walls.is_opening(constraint); }
 
 std::strong_ordering Gates::compare_width(std::uint32_t i, double diameter) const {
-  const mpq_class d = meaning(diameter);
+  const Rational d = meaning(diameter);
   return compare(exact_->squared[i], d * d);
 }
 

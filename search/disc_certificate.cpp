@@ -1,6 +1,6 @@
 #include <taut/search/disc_certificate.h>
 
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <algorithm>
 #include <array>
@@ -202,7 +202,7 @@ Int distance(const PlaceGrid& grid, const std::vector<Place>& path, const FreeSp
   for (std::size_t i = 0; i < legs.size(); ++i)
     if (contacts.crossed[i] != kNone || !contacts.touching[i].empty()) return 0;
   const double least = tree.nearest().distance * kRounding - 2 * space.report().displacement;
-  return least > 0 ? std::max<Int>(0, grid.down(mpq_class(least)) - 1) : 0;
+  return least > 0 ? std::max<Int>(0, grid.down(Rational(least)) - 1) : 0;
 }
 
 }  // namespace

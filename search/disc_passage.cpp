@@ -19,7 +19,7 @@ using detail::squared_distance;
 /// The nearest wall to a point; the lowest index among equals.
 struct NearestWall {
   std::uint32_t constraint = kNone;
-  mpq_class squared;
+  Rational squared;
 };
 
 NearestWall nearest_wall(const Gates& gates, Point p) {
@@ -36,7 +36,7 @@ NearestWall nearest_wall(const Gates& gates, Point p) {
   }
   for (const auto& [distance, c] : near) {
     if (distance.lo > least.hi) continue;
-    const mpq_class squared = squared_distance(p, walls.segment(c));
+    const Rational squared = squared_distance(p, walls.segment(c));
     if (result.constraint == kNone || squared < result.squared) result = {c, squared};
   }
   return result;
@@ -57,7 +57,7 @@ std::optional<std::vector<BarrierPiece>> blocked_at(const Gates& gates, Point p,
 }
 
 /// How many gates are narrower than the square root of `squared`.
-std::uint32_t count_narrower(const Gates& gates, const mpq_class& squared) {
+std::uint32_t count_narrower(const Gates& gates, const Rational& squared) {
   const auto& widths = gates.exact().squared;
   return static_cast<std::uint32_t>(std::lower_bound(widths.begin(), widths.end(), squared) - widths.begin());
 }
@@ -87,7 +87,7 @@ Ends limit_of_ends(const Gates& gates, Point s, Point g) {
 DiscPassage disc_passage(const Gates& gates, Point s, Point g, double r) {
   if (auto wall = blocked_at(gates, s, r)) return {DiscStatus::start_blocked, std::move(*wall)};
   if (auto wall = blocked_at(gates, g, r)) return {DiscStatus::goal_blocked, std::move(*wall)};
-  const mpq_class diameter = 2 * meaning(r);
+  const Rational diameter = 2 * meaning(r);
   auto chain = detail::separating_chain(gates, s, g, count_narrower(gates, diameter * diameter));
   if (!chain) return {};
   return {DiscStatus::none, std::move(chain->pieces)};

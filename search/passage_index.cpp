@@ -39,7 +39,7 @@ bool all_plain(const std::vector<Point>& points) {
 bool both_plain(double r) { return written::is_plain(r) && written::is_plain(std::nextafter(r, HUGE_VAL)); }
 
 /// The largest discs through each gate; many gates are alike.
-std::vector<double> radii_of(const std::vector<mpq_class>& squares) {
+std::vector<double> radii_of(const std::vector<Rational>& squares) {
   std::vector<double> radii;
   radii.reserve(squares.size());
   for (std::size_t i = 0; i < squares.size(); ++i)
@@ -64,7 +64,7 @@ struct PassageIndex::Impl {
   bool plain;                 // all vertices mean the doubles they are
 
   Segment wall(std::uint32_t c) const { return gates.exact().walls.segment(c); }
-  mpq_class squared(const PassagePlace& p) const {
+  Rational squared(const PassagePlace& p) const {
     return detail::squared_distance(p.point, wall(finder.nearest_wall(p)));
   }
 

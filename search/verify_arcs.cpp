@@ -1,7 +1,7 @@
 #include <taut/search/verify_arcs.h>
 
 #include <fmt/format.h>
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <cmath>
 #include <memory>
@@ -15,8 +15,8 @@ namespace {
 
 /// a + b sqrt(c) with a c that all numbers of one question share.
 struct QuadraticNumber {
-  mpq_class a, b;
-  const mpq_class* c;
+  Rational a, b;
+  const Rational* c;
 
   QuadraticNumber operator+(const QuadraticNumber& o) const { return {a + o.a, b + o.b, c}; }
   QuadraticNumber operator-(const QuadraticNumber& o) const { return {a - o.a, b - o.b, c}; }
@@ -24,7 +24,7 @@ struct QuadraticNumber {
   int sign() const {
     if (sgn(*c) == 0 || sgn(b) == 0) return sgn(a);
     if (sgn(a) == 0 || sgn(a) == sgn(b)) return sgn(b);
-    const mpq_class difference = a * a - b * b * *c;
+    const Rational difference = a * a - b * b * *c;
     return sgn(difference) * sgn(a);
   }
 };
@@ -46,9 +46,9 @@ struct End {
 class ExactLeg {
  public:
   ExactLeg(const End& p, const End& q, double r) : r2_(meaning(r) * meaning(r)) {
-    const mpq_class dx = meaning(q.at.x) - meaning(p.at.x), dy = meaning(q.at.y) - meaning(p.at.y),
-                    d2 = dx * dx + dy * dy;
-    const mpq_class k = meaning(r) * (q.turn - p.turn);
+    const Rational dx = meaning(q.at.x) - meaning(p.at.x), dy = meaning(q.at.y) - meaning(p.at.y),
+                   d2 = dx * dx + dy * dy;
+    const Rational k = meaning(r) * (q.turn - p.turn);
     root_ = d2 - k * k;
     if (sgn(d2) == 0 || sgn(root_) < 0) return;
     const ExactPosition normal{QuadraticNumber{k * dx / d2, -dy / d2, &root_},
@@ -68,9 +68,9 @@ class ExactLeg {
   bool exists() const { return exists_; }
   const ExactPosition& from() const { return *from_; }
   const ExactPosition& to() const { return *to_; }
-  const mpq_class& root() const { return root_; }
+  const Rational& root() const { return root_; }
   ExactPosition place(Point p) const { return {number(meaning(p.x)), number(meaning(p.y))}; }
-  QuadraticNumber number(const mpq_class& v) const { return {v, 0, &root_}; }
+  QuadraticNumber number(const Rational& v) const { return {v, 0, &root_}; }
 
   bool keeps_away(const Segment& wall) const {
     const ExactPosition a = place(wall.a), b = place(wall.b);
@@ -109,20 +109,20 @@ class ExactLeg {
     return sgn(root_) == 0 || cross(way, radius).sign() * end.turn < 0;
   }
 
-  mpq_class r2_, root_;
+  Rational r2_, root_;
   std::optional<ExactPosition> from_, to_;
   bool exists_ = false;
 };
 
 constexpr int kBits = 512;
 struct Fine {
-  mpf_class x, y;
+  BigFloat x, y;
 };
-mpf_class fine(double v) { return mpf_class(meaning(v), kBits); }
+BigFloat fine(double v) { return BigFloat(meaning(v), kBits); }
 Fine fine(const ExactPosition& p) {
-  const mpf_class root = sqrt(mpf_class(*p.x.c, kBits));
-  return {mpf_class(p.x.a, kBits) + mpf_class(p.x.b, kBits) * root,
-          mpf_class(p.y.a, kBits) + mpf_class(p.y.b, kBits) * root};
+  const BigFloat root = sqrt(BigFloat(*p.x.c, kBits));
+  return {BigFloat(p.x.a, kBits) + BigFloat(p.x.b, kBits) * root,
+          BigFloat(p.y.a, kBits) + BigFloat(p.y.b, kBits) * root};
 }
 
 class Arc {
@@ -133,8 +133,8 @@ class Arc {
       p->x -= fine(end.at.x);
       p->y -= fine(end.at.y);
     }
-    const mpf_class together = from_.x * to_.x + from_.y * to_.y, t(end.turn, kBits);
-    mpf_class mx(0, kBits), my(0, kBits);
+    const BigFloat together = from_.x * to_.x + from_.y * to_.y, t(end.turn, kBits);
+    BigFloat mx(0, kBits), my(0, kBits);
     if (together > 0) {
       mx = from_.x + to_.x;
       my = from_.y + to_.y;
@@ -142,58 +142,58 @@ class Arc {
       mx = t * (to_.y - from_.y);
       my = t * (from_.x - to_.x);
     }
-    middle_x_ = mpq_class(mx);
-    middle_y_ = mpq_class(my);
+    middle_x_ = Rational(mx);
+    middle_y_ = Rational(my);
   }
 
   bool is_sound() const { return turn_from(middle_x_, middle_y_) > 0 && turn_to(middle_x_, middle_y_) > 0; }
 
   bool keeps_away(const Segment& wall) const {
-    const mpq_class fx = meaning(wall.b.x) - meaning(wall.a.x), fy = meaning(wall.b.y) - meaning(wall.a.y);
-    mpq_class x = meaning(wall.a.x) - meaning(end_.at.x), y = meaning(wall.a.y) - meaning(end_.at.y);
-    mpq_class t = -(x * fx + y * fy) / (fx * fx + fy * fy);
+    const Rational fx = meaning(wall.b.x) - meaning(wall.a.x), fy = meaning(wall.b.y) - meaning(wall.a.y);
+    Rational x = meaning(wall.a.x) - meaning(end_.at.x), y = meaning(wall.a.y) - meaning(end_.at.y);
+    Rational t = -(x * fx + y * fy) / (fx * fx + fy * fy);
     if (t < 0) t = 0;
     if (t > 1) t = 1;
     x += t * fx;
     y += t * fy;
     if (x * x + y * y >= 4 * meaning(r_) * meaning(r_)) return true;
     if (x == 0 && y == 0) {
-      x = t == 0 ? fx : mpq_class(-fx);
-      y = t == 0 ? fy : mpq_class(-fy);
+      x = t == 0 ? fx : Rational(-fx);
+      y = t == 0 ? fy : Rational(-fy);
     }
     return !passes(x, y);
   }
 
   bool crosses_opening(const Segment& s) const {
-    const mpf_class ax = fine(s.a.x), ay = fine(s.a.y), r = fine(r_);
-    const mpf_class x = ax - fine(end_.at.x), y = ay - fine(end_.at.y), fx = fine(s.b.x) - ax, fy = fine(s.b.y) - ay;
-    const mpf_class F = fx * fx + fy * fy, half = (x * fx + y * fy) / F;
-    const mpf_class disc = half * half - (x * x + y * y - r * r) / F;
+    const BigFloat ax = fine(s.a.x), ay = fine(s.a.y), r = fine(r_);
+    const BigFloat x = ax - fine(end_.at.x), y = ay - fine(end_.at.y), fx = fine(s.b.x) - ax, fy = fine(s.b.y) - ay;
+    const BigFloat F = fx * fx + fy * fy, half = (x * fx + y * fy) / F;
+    const BigFloat disc = half * half - (x * x + y * y - r * r) / F;
     if (disc <= tiny()) return false;
     for (const int way : {-1, 1}) {
-      const mpf_class at = -half + way * sqrt(disc);
+      const BigFloat at = -half + way * sqrt(disc);
       if (at <= tiny() || at >= 1 - tiny()) continue;
-      const mpf_class px = x + at * fx, py = y + at * fy;
-      const mpf_class after = end_.turn * (from_.x * py - from_.y * px), before = end_.turn * (px * to_.y - py * to_.x);
+      const BigFloat px = x + at * fx, py = y + at * fy;
+      const BigFloat after = end_.turn * (from_.x * py - from_.y * px), before = end_.turn * (px * to_.y - py * to_.x);
       if (after > tiny() && before > tiny()) return true;
     }
     return false;
   }
 
  private:
-  static mpf_class tiny() { return mpf_class("1e-100", kBits); }
-  int turn_from(const mpq_class& x, const mpq_class& y) const {
+  static BigFloat tiny() { return BigFloat("1e-100", kBits); }
+  int turn_from(const Rational& x, const Rational& y) const {
     const ExactPosition radius = in_.to() - in_.place(end_.at);
     return end_.turn * cross(radius, {in_.number(x), in_.number(y)}).sign();
   }
-  int turn_to(const mpq_class& x, const mpq_class& y) const {
+  int turn_to(const Rational& x, const Rational& y) const {
     const ExactPosition radius = out_.from() - out_.place(end_.at);
     return end_.turn * cross({out_.number(x), out_.number(y)}, radius).sign();
   }
   /// Is the direction strictly within one of the halves, or the middle itself?
-  bool passes(const mpq_class& x, const mpq_class& y) const {
-    const int beside = end_.turn * sgn(mpq_class(middle_x_ * y - middle_y_ * x));
-    const bool same = sgn(mpq_class(middle_x_ * x + middle_y_ * y)) > 0;
+  bool passes(const Rational& x, const Rational& y) const {
+    const int beside = end_.turn * sgn(Rational(middle_x_ * y - middle_y_ * x));
+    const bool same = sgn(Rational(middle_x_ * x + middle_y_ * y)) > 0;
     if (beside == 0) return same;
     return beside > 0 ? turn_to(x, y) > 0 && (same || turn_from(x, y) >= 0)
                       : turn_from(x, y) > 0 && (same || turn_to(x, y) >= 0);
@@ -204,7 +204,7 @@ class Arc {
   const ExactLeg& out_;
   double r_;
   Fine from_, to_;
-  mpq_class middle_x_, middle_y_;
+  Rational middle_x_, middle_y_;
 };
 
 std::string text(const Segment& s) { return fmt::format("({}, {}) to ({}, {})", s.a.x, s.a.y, s.b.x, s.b.y); }

@@ -55,7 +55,7 @@ class Axis {
     if (!c.line && !d.line)
       return forward_ ? order(coordinate(c.point), coordinate(d.point))
                       : order(coordinate(d.point), coordinate(c.point));
-    const mpq_class difference = exact_coordinate(c) - exact_coordinate(d);
+    const Rational difference = exact_coordinate(c) - exact_coordinate(d);
     return forward_ ? sgn(difference) : -sgn(difference);
   }
 
@@ -64,7 +64,7 @@ class Axis {
  private:
   double coordinate(Point p) const { return by_x_ ? p.x : p.y; }
   static int order(double c, double d) { return (c > d) - (c < d); }
-  mpq_class exact_coordinate(const Cut& c) const {
+  Rational exact_coordinate(const Cut& c) const {
     const ExactPoint p = exact(c);
     return by_x_ ? p.x : p.y;
   }

@@ -234,7 +234,7 @@ class Union {
     const ExactPoint a(stretches_[i.stretch].side.a), b(stretches_[i.stretch].side.b);
     return {factor * (b.x - a.x), factor * (b.y - a.y)};
   }
-  static int cross(const ExactPoint& u, const ExactPoint& v) { return sgn(mpq_class(u.x * v.y - u.y * v.x)); }
+  static int cross(const ExactPoint& u, const ExactPoint& v) { return sgn(Rational(u.x * v.y - u.y * v.x)); }
   /// 0: clockwise of o by less than half a turn; 1: by half a turn or more.
   static int half(const ExactPoint& o, const ExactPoint& u) { return cross(o, u) < 0 ? 0 : 1; }
 

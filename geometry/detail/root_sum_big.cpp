@@ -1,40 +1,27 @@
-// GMP and MPFR: whatever doubles could not decide.
+// Integers of any length: whatever doubles could not decide.
 #include <taut/geometry/detail/root_sum.h>
 
-#include <gmpxx.h>
-#include <mpfr.h>
+#include <algorithm>
 
+#include <taut/geometry/exact/as_double.h>
+#include <taut/geometry/exact/numbers.h>
 #include <taut/geometry/expects.h>
 
 namespace taut::detail {
 
 namespace {
 
-class Float {
- public:
-  explicit Float(mpfr_prec_t precision) { mpfr_init2(value_, precision); }
-  ~Float() { mpfr_clear(value_); }
-  Float(const Float&) = delete;
-  Float& operator=(const Float&) = delete;
-
-  operator mpfr_ptr() { return value_; }
-  operator mpfr_srcptr() const { return value_; }
-
- private:
-  mpfr_t value_;
-};
-
 struct BigTerm {
-  mpq_class square;
+  Rational square;
   std::int64_t count;
 };
 using BigTerms = std::vector<BigTerm>;
 
-mpq_class exact(const twofold::Pair& p) { return mpq_class(p.high) + mpq_class(p.low); }
+Rational exact(const twofold::Pair& p) { return Rational(p.high) + Rational(p.low); }
 
-mpq_class exact(const twofold::Square& s) {
-  if (s.exact) return mpq_class(s.sum);
-  const mpq_class dx = exact(s.dx), dy = exact(s.dy);
+Rational exact(const twofold::Square& s) {
+  if (s.exact) return Rational(s.sum);
+  const Rational dx = exact(s.dx), dy = exact(s.dy);
   return dx * dx + dy * dy;
 }
 
@@ -46,15 +33,15 @@ BigTerms big_terms(std::span<const RootTerm> terms) {
 }
 
 /// sqrt(v) where that is rational.
-std::optional<mpq_class> rational_root(const mpq_class& v) {
-  if (!mpz_perfect_square_p(v.get_num_mpz_t()) || !mpz_perfect_square_p(v.get_den_mpz_t())) return std::nullopt;
-  return mpq_class(sqrt(v.get_num()), sqrt(v.get_den()));
+std::optional<Rational> rational_root(const Rational& v) {
+  if (!is_square(numerator(v)) || !is_square(denominator(v))) return std::nullopt;
+  return fraction(sqrt(numerator(v)), sqrt(denominator(v)));
 }
 
 /// The sum as rational multiples of roots no two of which are rationally dependent; the first is sqrt(1).
 struct RootClass {
-  mpq_class square;
-  mpq_class factor;
+  Rational square;
+  Rational factor;
 };
 
 std::vector<RootClass> classes(const BigTerms& terms) {
@@ -64,11 +51,11 @@ std::vector<RootClass> classes(const BigTerms& terms) {
     for (RootClass& c : all) {
       const auto ratio = rational_root(t.square / c.square);
       if (!ratio) continue;
-      c.factor += *ratio * mpz_class(static_cast<long>(t.count));
+      c.factor += *ratio * integer(t.count);
       placed = true;
       break;
     }
-    if (!placed) all.push_back({t.square, mpz_class(static_cast<long>(t.count))});
+    if (!placed) all.push_back({t.square, integer(t.count)});
   }
   return all;
 }
@@ -79,74 +66,61 @@ bool is_rational(const std::vector<RootClass>& all) {
   return true;
 }
 
-/// The sum of the terms, enclosed.
-struct BigInterval {
-  Float lo, hi;
+/// The digits of sqrt(v) before the point in binary, to within one; 0 and less for what begins behind it.
+std::int64_t digits_of_root(const Rational& v) {
+  return sgn(v) == 0 ? 0 : (bits(numerator(v)) - bits(denominator(v))) / 2;
+}
 
-  BigInterval(const BigTerms& terms, mpfr_prec_t precision) : lo(precision), hi(precision) {
-    mpfr_set_zero(lo, 1);
-    mpfr_set_zero(hi, 1);
-    Float root(precision);
-    for (const BigTerm& t : terms) {
-      add(lo, root, t, MPFR_RNDD);
-      add(hi, root, t, MPFR_RNDU);
-    }
+/// The sum of the terms, enclosed by lo 2^exponent and hi 2^exponent: of the largest root so many digits are known.
+struct BigInterval {
+  std::int64_t exponent = INT64_MIN;
+  Integer lo = 0, hi = 0;
+
+  BigInterval(const BigTerms& terms, std::int64_t digits) {
+    for (const BigTerm& t : terms) exponent = std::max(exponent, digits_of_root(t.square) - digits);
+    for (const BigTerm& t : terms) add(t);
   }
 
  private:
-  static void add(Float& sum, Float& root, const BigTerm& t, mpfr_rnd_t outward) {
-    const mpfr_rnd_t rounding = t.count > 0 ? outward : (outward == MPFR_RNDD ? MPFR_RNDU : MPFR_RNDD);
-    mpfr_set_q(root, t.square.get_mpq_t(), rounding);
-    mpfr_sqrt(root, root, rounding);
-    mpfr_mul_si(root, root, static_cast<long>(t.count), outward);
-    mpfr_add(sum, sum, root, outward);
+  void add(const BigTerm& t) {
+    const Integer over = shifted(numerator(t.square), std::max<std::int64_t>(0, -2 * exponent)),
+                  under = shifted(denominator(t.square), std::max<std::int64_t>(0, 2 * exponent));
+    const Integer square = over / under, root = sqrt(square), count = integer(t.count);
+    const bool exact = root * root == square && square * under == over;
+    const Integer least = root * count, most = exact ? least : Integer(least + count);
+    lo += t.count > 0 ? least : most;
+    hi += t.count > 0 ? most : least;
   }
 };
 
-constexpr mpfr_prec_t kFirstPrecision = 192, kClassPrecision = 384;
+constexpr std::int64_t kFirstPrecision = 192, kClassPrecision = 384;
 
 /// Doubles the precision until decide(enclosure) answers. An irrational sum is never where an answer changes, so only a
 /// rational one needs to be known as such: `rational(value)` answers for it.
-template <class Decide, class Rational>
-auto decide_sum(const BigTerms& terms, Decide decide, Rational rational) {
-  for (mpfr_prec_t precision = kFirstPrecision;; precision *= 2) {
+template <class Decide, class OfRational>
+auto decide_sum(const BigTerms& terms, Decide decide, OfRational rational) {
+  for (std::int64_t precision = kFirstPrecision;; precision *= 2) {
     if (precision == kClassPrecision)
       if (const auto all = classes(terms); is_rational(all)) return rational(all.front().factor);
     if (const auto answer = decide(BigInterval(terms, precision))) return *answer;
   }
 }
 
-double nearest(const mpq_class& v) {
-  Float result(53);
-  mpfr_set_q(result, v.get_mpq_t(), MPFR_RNDN);
-  return mpfr_get_d(result, MPFR_RNDN);
+/// The nearest integer, of two the even one. Precondition: v 2^exponent >= 0.
+Integer rounded_half_even(const Integer& v, std::int64_t exponent) {
+  if (exponent >= 0 || v == 0) return v == 0 ? v : shifted(v, exponent);
+  const Integer floor = shifted(v, exponent), rest = v - shifted(floor, -exponent), half = shifted(1, -exponent - 1);
+  return rest > half || (rest == half && is_odd(floor)) ? Integer(floor + 1) : floor;
 }
 
-mpz_class power_of_ten(int exponent) {
-  mpz_class power;
-  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(exponent));
-  return power;
+Integer rounded_half_even(const Rational& v) {
+  const Integer floor = floor_of(v);
+  const int side = cmp(Rational(v - floor), fraction(1, 2));
+  return side > 0 || (side == 0 && is_odd(floor)) ? Integer(floor + 1) : floor;
 }
 
-mpz_class rounded_half_even(const mpq_class& v) {
-  mpz_class floor, twice_rest;
-  mpz_fdiv_qr(floor.get_mpz_t(), twice_rest.get_mpz_t(), v.get_num_mpz_t(), v.get_den_mpz_t());
-  twice_rest *= 2;
-  const int side = cmp(twice_rest, v.get_den());
-  if (side > 0 || (side == 0 && mpz_odd_p(floor.get_mpz_t()))) ++floor;
-  return floor;
-}
-
-mpz_class scaled_and_rounded(const Float& v, const mpz_class& scale, mpfr_rnd_t outward) {
-  Float scaled(mpfr_get_prec(v));
-  mpfr_mul_z(scaled, v, scale.get_mpz_t(), outward);
-  mpz_class result;
-  mpfr_get_z(result.get_mpz_t(), scaled, MPFR_RNDN);
-  return result;
-}
-
-std::string with_point(const mpz_class& digits, int places) {
-  std::string text = digits.get_str();
+std::string with_point(const Integer& digits, int places) {
+  std::string text = text_of(digits);
   const auto wanted = static_cast<std::size_t>(places);
   if (text.size() <= wanted) text.insert(0, wanted + 1 - text.size(), '0');
   if (places > 0) text.insert(text.size() - wanted, 1, '.');
@@ -157,30 +131,31 @@ std::string with_point(const mpz_class& digits, int places) {
 
 int sign_by_big_numbers(std::span<const RootTerm> terms) {
   const auto decide = [](const BigInterval& sum) -> std::optional<int> {
-    if ((mpfr_sgn)(sum.lo) > 0) return 1;
-    if ((mpfr_sgn)(sum.hi) < 0) return -1;
+    if (sgn(sum.lo) > 0) return 1;
+    if (sgn(sum.hi) < 0) return -1;
     return std::nullopt;
   };
-  return decide_sum(big_terms(terms), decide, [](const mpq_class& v) { return sgn(v); });
+  return decide_sum(big_terms(terms), decide, [](const Rational& v) { return sgn(v); });
 }
 
 double nearest_by_big_numbers(std::span<const RootTerm> terms) {
   const auto decide = [](const BigInterval& sum) -> std::optional<double> {
-    const double lo = mpfr_get_d(sum.lo, MPFR_RNDN), hi = mpfr_get_d(sum.hi, MPFR_RNDN);
+    const auto toward = Toward::nearest;
+    const double lo = as_double(sum.lo, sum.exponent, toward), hi = as_double(sum.hi, sum.exponent, toward);
     return lo == hi ? std::optional(lo) : std::nullopt;
   };
-  return decide_sum(big_terms(terms), decide, [](const mpq_class& v) { return nearest(v); });
+  return decide_sum(big_terms(terms), decide, [](const Rational& v) { return as_double(v, Toward::nearest); });
 }
 
 std::string decimals_by_big_numbers(std::span<const RootTerm> terms, int places) {
   TAUT_EXPECTS(places >= 0);
-  const mpz_class scale = power_of_ten(places);
-  const auto decide = [&](const BigInterval& sum) -> std::optional<mpz_class> {
-    const mpz_class lo = scaled_and_rounded(sum.lo, scale, MPFR_RNDD),
-                    hi = scaled_and_rounded(sum.hi, scale, MPFR_RNDU);
+  const Integer scale = power(10, static_cast<unsigned>(places));
+  const auto decide = [&](const BigInterval& sum) -> std::optional<Integer> {
+    const Integer lo = rounded_half_even(Integer(sum.lo * scale), sum.exponent),
+                  hi = rounded_half_even(Integer(sum.hi * scale), sum.exponent);
     return lo == hi ? std::optional(lo) : std::nullopt;
   };
-  const auto rational = [&](const mpq_class& v) { return rounded_half_even(v * scale); };
+  const auto rational = [&](const Rational& v) { return rounded_half_even(Rational(v * scale)); };
   return with_point(decide_sum(big_terms(terms), decide, rational), places);
 }
 

@@ -23,8 +23,8 @@ bool on_free_side(Point p, std::span<const Segment> edges) {
                      [p](const Segment& e) { return written::orientation(e.a, e.b, p) <= 0; });
 }
 
-mpq_class squared_distance(const ExactPoint& a, const ExactPoint& b) {
-  const mpq_class dx = a.x - b.x, dy = a.y - b.y;
+Rational squared_distance(const ExactPoint& a, const ExactPoint& b) {
+  const Rational dx = a.x - b.x, dy = a.y - b.y;
   return dx * dx + dy * dy;
 }
 
@@ -34,61 +34,44 @@ double step(double from, int ulps) {
   return from;
 }
 
-mpz_class power_of_ten(int exponent) {
-  mpz_class result;
-  mpz_ui_pow_ui(result.get_mpz_t(), 10, static_cast<unsigned long>(exponent));
-  return result;
-}
+Integer power_of_ten(int exponent) { return power(10, static_cast<unsigned>(exponent)); }
 
-mpq_class over_power(const mpz_class& digits, int places) {
-  if (places <= 0) return mpz_class(digits * power_of_ten(-places));
-  mpq_class result(digits, power_of_ten(places));
-  result.canonicalize();
-  return result;
+Rational over_power(const Integer& digits, int places) {
+  if (places <= 0) return Integer(digits * power_of_ten(-places));
+  return fraction(digits, power_of_ten(places));
 }
 
 /// The nearest integer; halves go up.
-mpz_class rounded(const mpq_class& q) {
-  mpz_class result;
-  const mpz_class twice = 2 * q.get_num() + q.get_den(), whole = 2 * q.get_den();
-  mpz_fdiv_q(result.get_mpz_t(), twice.get_mpz_t(), whole.get_mpz_t());
-  return result;
-}
+Integer rounded(const Rational& q) { return floor_of_ratio(2 * numerator(q) + denominator(q), 2 * denominator(q)); }
 
 /// Eight coordinates as integers over one denominator, so that there are no common divisors on the way.
 struct Common {
-  mpz_class ax, ay, bx, by, cx, cy, dx, dy;
-  mpz_class denominator;
+  Integer ax, ay, bx, by, cx, cy, dx, dy;
+  Integer denominator;
 };
 
 Common common(const Segment& s, const Segment& t) {
   const double values[] = {s.a.x, s.a.y, s.b.x, s.b.y, t.a.x, t.a.y, t.b.x, t.b.y};
   if (const int places = detail::common_places(values, 8); places >= 0) {
-    const auto integer = [places](double v) { return mpz_class(detail::integer_over(v, places)); };
+    const auto integer = [places](double v) { return Integer(detail::integer_over(v, places)); };
     return {integer(s.a.x), integer(s.a.y), integer(s.b.x), integer(s.b.y),      integer(t.a.x),
             integer(t.a.y), integer(t.b.x), integer(t.b.y), power_of_ten(places)};
   }
-  std::array<mpq_class, 8> exact;
-  mpz_class whole = 1;
+  std::array<Rational, 8> exact;
+  Integer whole = 1;
   for (std::size_t i = 0; i < 8; ++i) {
     exact[i] = meaning(values[i]);
-    whole = lcm(whole, exact[i].get_den());
+    whole = lcm(whole, denominator(exact[i]));
   }
-  const auto integer = [&](std::size_t i) { return mpz_class(exact[i].get_num() * (whole / exact[i].get_den())); };
+  const auto integer = [&](std::size_t i) { return Integer(numerator(exact[i]) * (whole / denominator(exact[i]))); };
   return {integer(0), integer(1), integer(2), integer(3), integer(4), integer(5), integer(6), integer(7), whole};
-}
-
-mpq_class ratio(const mpz_class& numerator, const mpz_class& denominator) {
-  mpq_class result(numerator, denominator);
-  result.canonicalize();
-  return result;
 }
 
 /// Points around an exact point, the nearer ones first (as far as doubles can tell).
 template <class Step>
 std::vector<Point> surroundings(const ExactPoint& exact, Point centre, Step step_from) {
   const ExactPoint here(centre);
-  const double off_x = mpq_class(exact.x - here.x).get_d(), off_y = mpq_class(exact.y - here.y).get_d();
+  const double off_x = to_double(Rational(exact.x - here.x)), off_y = to_double(Rational(exact.y - here.y));
   std::vector<std::pair<double, Point>> by_distance;
   for (int i = -2; i <= 2; ++i)
     for (int j = -2; j <= 2; ++j) {
@@ -116,9 +99,9 @@ Point free_direction(std::span<const Segment> edges) {
 
 }  // namespace
 
-mpq_class meaning(double v) {
-  if (const auto d = written::decimal(v)) return over_power(mpz_class(static_cast<long>(d->digits)), d->places);
-  return mpq_class(v);
+Rational meaning(double v) {
+  if (const auto d = written::decimal(v)) return over_power(integer(d->digits), d->places);
+  return Rational(v);
 }
 
 DecimalUnit::DecimalUnit(double largest) {
@@ -129,29 +112,29 @@ DecimalUnit::DecimalUnit(double largest) {
 DecimalUnit::DecimalUnit(const Box& box)
     : DecimalUnit(std::max({std::abs(box.min.x), std::abs(box.min.y), std::abs(box.max.x), std::abs(box.max.y)})) {}
 
-double DecimalUnit::nearest(const mpq_class& q) const {
-  const mpz_class digits =
-      rounded(places_ >= 0 ? mpq_class(q * power_of_ten(places_)) : mpq_class(q / power_of_ten(-places_)));
+double DecimalUnit::nearest(const Rational& q) const {
+  const Integer digits =
+      rounded(places_ >= 0 ? Rational(q * power_of_ten(places_)) : Rational(q / power_of_ten(-places_)));
   if (abs(digits) > 1'000'000'000'000'000) return nearest_double(q);
-  return written::number(digits.get_si(), places_);
+  return written::number(to_int64(digits), places_);
 }
 
 double DecimalUnit::step(double from, int steps) const {
-  return steps == 0 ? from : nearest(meaning(from) + over_power(mpz_class(steps), places_));
+  return steps == 0 ? from : nearest(meaning(from) + over_power(Integer(steps), places_));
 }
 
 ExactPoint line_crossing(const Segment& s, const Segment& t) {
   const Common n = common(s, t);
-  const mpz_class sx = n.bx - n.ax, sy = n.by - n.ay, tx = n.dx - n.cx, ty = n.dy - n.cy;
-  const mpz_class along = (n.cx - n.ax) * ty - (n.cy - n.ay) * tx, whole = sx * ty - sy * tx;
-  const mpz_class denominator = whole * n.denominator;
-  return {ratio(n.ax * whole + along * sx, denominator), ratio(n.ay * whole + along * sy, denominator)};
+  const Integer sx = n.bx - n.ax, sy = n.by - n.ay, tx = n.dx - n.cx, ty = n.dy - n.cy;
+  const Integer along = (n.cx - n.ax) * ty - (n.cy - n.ay) * tx, whole = sx * ty - sy * tx;
+  const Integer denominator = whole * n.denominator;
+  return {fraction(n.ax * whole + along * sx, denominator), fraction(n.ay * whole + along * sy, denominator)};
 }
 
-double nearest_double(const mpq_class& q) {
-  const double toward_zero = q.get_d();
+double nearest_double(const Rational& q) {
+  const double toward_zero = to_double(q);
   const double away = std::nextafter(toward_zero, sgn(q) < 0 ? -kInfinity : kInfinity);
-  const mpq_class below = abs(q - mpq_class(toward_zero)), above = abs(mpq_class(away) - q);
+  const Rational below = abs(q - Rational(toward_zero)), above = abs(Rational(away) - q);
   return above < below ? away : toward_zero;
 }
 
@@ -163,7 +146,7 @@ std::optional<Point> exactly(const ExactPoint& p) {
 }
 
 double displacement(const ExactPoint& exact, Point rounded) {
-  const double squared = squared_distance(exact, ExactPoint(rounded)).get_d();
+  const double squared = to_double(squared_distance(exact, ExactPoint(rounded)));
   return squared == 0 ? 0 : std::nextafter(std::sqrt(std::nextafter(squared, kInfinity)), kInfinity);
 }
 

@@ -1,7 +1,7 @@
 // Exact constructions and their rounding, for the few places that need a point that is no input.
 #pragma once
 
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <optional>
 #include <span>
@@ -12,16 +12,16 @@
 namespace taut {
 
 /// What a number means (written.h), exactly.
-mpq_class meaning(double v);
+Rational meaning(double v);
 
 /// A point with rational coordinates.
 struct ExactPoint {
-  mpq_class x;
-  mpq_class y;
+  Rational x;
+  Rational y;
 
   /// What the point means.
   explicit ExactPoint(Point p) : x(meaning(p.x)), y(meaning(p.y)) {}
-  ExactPoint(mpq_class abscissa, mpq_class ordinate) : x(std::move(abscissa)), y(std::move(ordinate)) {}
+  ExactPoint(Rational abscissa, Rational ordinate) : x(std::move(abscissa)), y(std::move(ordinate)) {}
 
   friend bool operator==(const ExactPoint& a, const ExactPoint& b) { return a.x == b.x && a.y == b.y; }
   friend bool operator<(const ExactPoint& a, const ExactPoint& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; }
@@ -35,7 +35,7 @@ class DecimalUnit {
   explicit DecimalUnit(const Box& box);
 
   /// The multiple nearest to q; the nearest double where q is too large to have 15 digits left.
-  double nearest(const mpq_class& q) const;
+  double nearest(const Rational& q) const;
   Point nearest(const ExactPoint& p) const { return {nearest(p.x), nearest(p.y)}; }
   /// `steps` multiples from a rounded coordinate.
   double step(double from, int steps) const;
@@ -49,7 +49,7 @@ class DecimalUnit {
 ExactPoint line_crossing(const Segment& s, const Segment& t);
 
 /// The double nearest to q; of two equally near ones the one nearer to zero.
-double nearest_double(const mpq_class& q);
+double nearest_double(const Rational& q);
 
 /// Both coordinates rounded to the nearest doubles.
 Point nearest_point(const ExactPoint& p);

@@ -13,7 +13,6 @@ namespace {
 
 constexpr std::size_t kFew = 6;       // pieces whose curves are crossed pair by pair
 constexpr double kFinest = 1.0 / 64;  // of the radius: no smaller squares
-constexpr mp_bitcnt_t kBits = 256;
 
 double distance_to(const Offset<double>& a, const Offset<double>& b, const Offset<double>& q) {
   return length(away_from(a, b, q));
@@ -23,8 +22,6 @@ double distance_to_square(const Offset<double>& centre, double half) {
   return std::hypot(std::max(0.0, std::abs(centre.x) - half), std::max(0.0, std::abs(centre.y) - half));
 }
 
-double rounded_down(const mpf_class& v) { return v.get_d(); }  // towards 0
-
 }  // namespace
 
 template <class T>
@@ -32,8 +29,7 @@ Offset<T> DiscSearch::relative(Point q) const {
   if constexpr (std::is_same_v<T, double>)
     return {q.x - p_.x, q.y - p_.y};
   else
-    return {mpf_class(mpq_class(meaning(q.x) - meaning(p_.x)), kBits),
-            mpf_class(mpq_class(meaning(q.y) - meaning(p_.y)), kBits)};
+    return {big_float(Rational(meaning(q.x) - meaning(p_.x))), big_float(Rational(meaning(q.y) - meaning(p_.y)))};
 }
 
 template <class T>
@@ -41,7 +37,7 @@ T DiscSearch::radius() const {
   if constexpr (std::is_same_v<T, double>)
     return r_;
   else
-    return mpf_class(meaning(r_), kBits);
+    return big_float(meaning(r_));
 }
 
 template <class T>
@@ -68,7 +64,7 @@ std::vector<Offset<T>> DiscSearch::solutions(const Curve& s, const std::optional
   if constexpr (std::is_same_v<T, double>)
     tiny *= 1e-9;
   else
-    tiny >>= 200;
+    tiny = halved(tiny, 200);
   return crossings(piece, outline<T>(*t), tiny);
 }
 
@@ -137,7 +133,7 @@ void DiscSearch::take_free(const Square& square) {
   const auto nearest = [&](double c) {
     return c > square.half ? c - square.half : c < -square.half ? c + square.half : 0;
   };
-  offer({mpf_class(nearest(square.centre.x), kBits), mpf_class(nearest(square.centre.y), kBits)}, square.pieces);
+  offer({big_float(Rational(nearest(square.centre.x))), big_float(Rational(nearest(square.centre.y)))}, square.pieces);
 }
 
 std::vector<DiscSearch::Curve> DiscSearch::curves(const Square& square) const {
@@ -184,19 +180,19 @@ void DiscSearch::examine(const Square& square, const Made& made, const Offset<do
   if (length(q) > best_ + slack) return;
   for (const std::uint32_t i : square.pieces)
     if (const Piece& piece = pieces_[i]; !piece.opening && distance_to(piece.a, piece.b, q) < r_ - slack) return;
-  const std::vector<Offset<mpf_class>> fine = solutions<mpf_class>(made.s, made.t);
+  const std::vector<Offset<BigFloat>> fine = solutions<BigFloat>(made.s, made.t);
   if (made.solution < fine.size() && keeps_distance(fine[made.solution], square.pieces))
     offer(fine[made.solution], square.pieces);
 }
 
-bool DiscSearch::keeps_distance(const Offset<mpf_class>& q, const std::vector<std::uint32_t>& pieces) const {
-  const mpf_class r = radius<mpf_class>();
-  mpf_class least = r * r;
-  least -= mpf_class(least >> 130);
+bool DiscSearch::keeps_distance(const Offset<BigFloat>& q, const std::vector<std::uint32_t>& pieces) const {
+  const BigFloat r = radius<BigFloat>();
+  BigFloat least = r * r;
+  least -= halved(least, 130);
   return std::ranges::all_of(pieces, [&](std::uint32_t i) {
     if (pieces_[i].opening) return true;
     const Segment s = walls_.segment(pieces_[i].constraint);
-    const Offset<mpf_class> away = away_from(relative<mpf_class>(s.a), relative<mpf_class>(s.b), q);
+    const Offset<BigFloat> away = away_from(relative<BigFloat>(s.a), relative<BigFloat>(s.b), q);
     return dot(away, away) >= least;
   });
 }
@@ -228,10 +224,10 @@ bool DiscSearch::is_outside(const Offset<double>& q, const std::vector<std::uint
   return !at_opening && walls_.space().locate({p_.x + q.x, p_.y + q.y}).kind == Location::Kind::outside;
 }
 
-void DiscSearch::offer(const Offset<mpf_class>& q, const std::vector<std::uint32_t>& pieces) {
-  const double distance = rounded_down(length(q));
-  if (distance > best_ || is_outside({q.x.get_d(), q.y.get_d()}, pieces)) return;
-  best_ = (*offer_)({q, distance, outwards({q.x.get_d(), q.y.get_d()}, pieces)});
+void DiscSearch::offer(const Offset<BigFloat>& q, const std::vector<std::uint32_t>& pieces) {
+  const double distance = to_double(length(q));
+  if (distance > best_ || is_outside({to_double(q.x), to_double(q.y)}, pieces)) return;
+  best_ = (*offer_)({q, distance, outwards({to_double(q.x), to_double(q.y)}, pieces)});
 }
 
 }  // namespace taut::detail

@@ -1,7 +1,7 @@
 // The nearest places of a disc, as candidates. Private.
 #pragma once
 
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <cstdint>
 #include <functional>
@@ -16,7 +16,7 @@ namespace taut::detail {
 
 /// Where a place may be, relative to the point asked about: known to some 60 digits.
 struct DiscCandidate {
-  Offset<mpf_class> at;
+  Offset<BigFloat> at;
   double distance = 0;      ///< from that point, rounded down
   Offset<double> outwards;  ///< away from what it touches
 };
@@ -64,10 +64,10 @@ class DiscSearch {
   void examine(const Square& square);
   void examine(const Square& square, const Made& made, const Offset<double>& q);
   void take_free(const Square& square);
-  bool keeps_distance(const Offset<mpf_class>& q, const std::vector<std::uint32_t>& pieces) const;
+  bool keeps_distance(const Offset<BigFloat>& q, const std::vector<std::uint32_t>& pieces) const;
   Offset<double> outwards(const Offset<double>& q, const std::vector<std::uint32_t>& pieces) const;
   bool is_outside(const Offset<double>& q, const std::vector<std::uint32_t>& pieces) const;
-  void offer(const Offset<mpf_class>& q, const std::vector<std::uint32_t>& pieces);
+  void offer(const Offset<BigFloat>& q, const std::vector<std::uint32_t>& pieces);
 
   template <class T>
   Offset<T> relative(Point q) const;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <taut/geometry/written.h>
 
@@ -230,8 +230,8 @@ bool parallel(const Segment& s, const Segment& t) {
   if ((sx == 0 || sy == 0) && (tx == 0 || ty == 0)) return sx == 0 ? tx == 0 : ty == 0;
   const double left = sx * ty, right = sy * tx;
   if (std::abs(left - right) > 1e-14 * (std::abs(left) + std::abs(right))) return false;
-  const mpq_class ux = mpq_class(s.b.x) - s.a.x, uy = mpq_class(s.b.y) - s.a.y;
-  return ux * (mpq_class(t.b.y) - t.a.y) == uy * (mpq_class(t.b.x) - t.a.x);
+  const Rational ux = Rational(s.b.x) - s.a.x, uy = Rational(s.b.y) - s.a.y;
+  return ux * (Rational(t.b.y) - t.a.y) == uy * (Rational(t.b.x) - t.a.x);
 }
 
 VoronoiPoint voronoi_point(const std::array<Segment, 3>& sites, Point guess) {

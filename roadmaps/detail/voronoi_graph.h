@@ -1,7 +1,7 @@
 // CGAL's segment Delaunay graph with what a Voronoi roadmap needs in it. Private; for one file, CGAL costs seconds.
 #pragma once
 
-#include <CGAL/Gmpq.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Mpzf.h>
 #include <CGAL/Segment_Delaunay_graph_2.h>
 #include <CGAL/Segment_Delaunay_graph_filtered_traits_2.h>
@@ -25,7 +25,7 @@ using Kernel = CGAL::Simple_cartesian<double>;
 #ifdef CGAL_HAS_MPZF
 using Exact = CGAL::Simple_cartesian<CGAL::Mpzf>;
 #else
-using Exact = CGAL::Simple_cartesian<CGAL::Gmpq>;
+using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;
 #endif
 using FilteredTraits =
     CGAL::Segment_Delaunay_graph_filtered_traits_without_intersections_2<Kernel, CGAL::Field_with_sqrt_tag, Exact>;

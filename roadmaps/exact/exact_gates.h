@@ -1,7 +1,7 @@
 // What Gates keeps: exact widths and shapes, and what the gates connect.
 #pragma once
 
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <vector>
 
@@ -17,7 +17,7 @@ struct ExactGates {
   std::vector<Gate> gates;
   std::vector<GateShape> shapes;
   /// Squares of the widths, those to openings doubled first.
-  std::vector<mpq_class> squared;
+  std::vector<Rational> squared;
   /// The vertices that a gate connects: its end, and its foot or facing's a.
   std::vector<std::array<std::uint32_t, 2>> nodes;
 };

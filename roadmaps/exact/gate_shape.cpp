@@ -20,7 +20,7 @@ bool exact_difference(double a, double b, double& d) {
   return (a - (d - part)) - (b + part) == 0;
 }
 
-mpq_class dot(const mpq_class& ux, const mpq_class& uy, const mpq_class& vx, const mpq_class& vy) {
+Rational dot(const Rational& ux, const Rational& uy, const Rational& vx, const Rational& vy) {
   return ux * vx + uy * vy;
 }
 
@@ -59,13 +59,13 @@ bool disc_meets_integer(const std::int64_t* v) {
 bool disc_meets_rational(const GateShape& shape, const Segment& wall) {
   const ExactPoint foot = exact_foot(shape);
   const ExactPoint end(shape.end), from(wall.a), to(wall.b);
-  const mpq_class mx = (foot.x + end.x) / 2, my = (foot.y + end.y) / 2;
-  const mpq_class hx = foot.x - mx, hy = foot.y - my, reach = dot(hx, hy, hx, hy);
-  const mpq_class ax = from.x - mx, ay = from.y - my, bx = to.x - mx, by = to.y - my;
-  const mpq_class ux = bx - ax, uy = by - ay, along = -dot(ax, ay, ux, uy), length = dot(ux, uy, ux, uy);
+  const Rational mx = (foot.x + end.x) / 2, my = (foot.y + end.y) / 2;
+  const Rational hx = foot.x - mx, hy = foot.y - my, reach = dot(hx, hy, hx, hy);
+  const Rational ax = from.x - mx, ay = from.y - my, bx = to.x - mx, by = to.y - my;
+  const Rational ux = bx - ax, uy = by - ay, along = -dot(ax, ay, ux, uy), length = dot(ux, uy, ux, uy);
   if (along <= 0) return dot(ax, ay, ax, ay) <= reach;
   if (along >= length) return dot(bx, by, bx, by) <= reach;
-  const mpq_class cross = ax * uy - ay * ux;
+  const Rational cross = ax * uy - ay * ux;
   return cross * cross <= reach * length;
 }
 
@@ -97,14 +97,14 @@ ExactPoint exact_foot(const GateShape& shape) {
   ExactPoint a(shape.facing.a);
   const ExactPoint b(shape.facing.b), end(shape.end);
   if (shape.exact()) return a;
-  const mpq_class ux = b.x - a.x, uy = b.y - a.y;
-  const mpq_class t = dot(ux, uy, end.x - a.x, end.y - a.y) / dot(ux, uy, ux, uy);
+  const Rational ux = b.x - a.x, uy = b.y - a.y;
+  const Rational t = dot(ux, uy, end.x - a.x, end.y - a.y) / dot(ux, uy, ux, uy);
   return {a.x + t * ux, a.y + t * uy};
 }
 
-mpq_class squared_width(const GateShape& shape) {
+Rational squared_width(const GateShape& shape) {
   const ExactPoint foot = exact_foot(shape), end(shape.end);
-  const mpq_class dx = foot.x - end.x, dy = foot.y - end.y;
+  const Rational dx = foot.x - end.x, dy = foot.y - end.y;
   return dx * dx + dy * dy;
 }
 
@@ -165,11 +165,11 @@ bool nearer_than_gate(const GateShape& shape, bool to_end, const Segment& wall) 
   if (distance > radius + slack) return false;
   if (distance < radius - slack) return true;
   const ExactPoint from(wall.a), to(wall.b), q = to_end ? ExactPoint(shape.end) : exact_foot(shape);
-  const mpq_class px = q.x - from.x, py = q.y - from.y, vx = to.x - from.x, vy = to.y - from.y;
-  const mpq_class along = dot(px, py, vx, vy), length = dot(vx, vy, vx, vy), reach = squared_width(shape);
+  const Rational px = q.x - from.x, py = q.y - from.y, vx = to.x - from.x, vy = to.y - from.y;
+  const Rational along = dot(px, py, vx, vy), length = dot(vx, vy, vx, vy), reach = squared_width(shape);
   if (along <= 0) return dot(px, py, px, py) < reach;
   if (along >= length) return dot(px - vx, py - vy, px - vx, py - vy) < reach;
-  const mpq_class cross = px * vy - py * vx;
+  const Rational cross = px * vy - py * vx;
   return cross * cross < reach * length;
 }
 
@@ -179,7 +179,7 @@ bool disc_entered(const GateShape& shape, Point at, const Segment& wall) {
   // The gate stands upright on `facing`: its direction at the end is the one towards the line.
   const int side = written::orientation(shape.facing.a, shape.facing.b, at);
   const ExactPoint a(shape.facing.a), b(shape.facing.b), from(at), to(away);
-  const mpq_class nx = -(b.y - a.y), ny = b.x - a.x;
+  const Rational nx = -(b.y - a.y), ny = b.x - a.x;
   return sgn(nx * (to.x - from.x) + ny * (to.y - from.y)) * side < 0;
 }
 

@@ -1,7 +1,7 @@
 // The exact side of a gate: its width, its foot, what its disc touches.
 #pragma once
 
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <optional>
 
@@ -23,7 +23,7 @@ struct GateShape {
 std::optional<GateShape> gate_to_inside(Point p, const Segment& c);
 
 /// |end - foot|^2.
-mpq_class squared_width(const GateShape& shape);
+Rational squared_width(const GateShape& shape);
 
 ExactPoint exact_foot(const GateShape& shape);
 

@@ -1,7 +1,7 @@
 // Signs of numbers with one or two square roots: enclosed first, exact when the enclosure cannot tell.
 #pragma once
 
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/interval.h>
@@ -17,7 +17,7 @@ inline Interval meant<Interval>(double v) {
   return written::enclosure(v);
 }
 template <>
-inline mpq_class meant<mpq_class>(double v) {
+inline Rational meant<Rational>(double v) {
   return meaning(v);
 }
 
@@ -29,22 +29,22 @@ struct Surd {
 };
 
 /// The sign of a + b * sqrt(R).
-inline int surd_sign(const mpq_class& a, const mpq_class& b, const mpq_class& R) {
+inline int surd_sign(const Rational& a, const Rational& b, const Rational& R) {
   const int sa = sgn(a), sb = sgn(R) == 0 ? 0 : sgn(b);
   if (sb == 0 || sa == sb) return sa;
   if (sa == 0) return sb;
-  const mpq_class left = a * a, right = b * b * R;
+  const Rational left = a * a, right = b * b * R;
   const int order = cmp(left, right);
   return order > 0 ? sa : order < 0 ? sb : 0;
 }
 
 /// The sign of P + Q * sqrt(R2), where P and Q are surds over R1.
-inline int surd_sign(const Surd<mpq_class>& P, const Surd<mpq_class>& Q, const mpq_class& R1, const mpq_class& R2) {
+inline int surd_sign(const Surd<Rational>& P, const Surd<Rational>& Q, const Rational& R1, const Rational& R2) {
   const int sp = surd_sign(P.a, P.b, R1), sq = sgn(R2) == 0 ? 0 : surd_sign(Q.a, Q.b, R1);
   if (sq == 0 || sp == sq) return sp;
   if (sp == 0) return sq;
-  const mpq_class a = P.a * P.a + P.b * P.b * R1 - R2 * (Q.a * Q.a + Q.b * Q.b * R1);
-  const mpq_class b = 2 * (P.a * P.b - R2 * Q.a * Q.b);
+  const Rational a = P.a * P.a + P.b * P.b * R1 - R2 * (Q.a * Q.a + Q.b * Q.b * R1);
+  const Rational b = 2 * (P.a * P.b - R2 * Q.a * Q.b);
   const int order = surd_sign(a, b, R1);
   return order > 0 ? sp : order < 0 ? sq : 0;
 }

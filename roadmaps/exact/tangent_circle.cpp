@@ -25,26 +25,26 @@ Vector<Number> vector_of(const PlainDirection& v) {
 /// The sign of a * b in the product that `times` makes of two vectors.
 template <class Times>
 int product_sign(const SurdDirection& a, const SurdDirection& b, Times times) {
-  const Surd<mpq_class> P{times(a.ax, a.ay, b.ax, b.ay), times(a.bx, a.by, b.ax, b.ay)};
-  const Surd<mpq_class> Q{times(a.ax, a.ay, b.bx, b.by), times(a.bx, a.by, b.bx, b.by)};
+  const Surd<Rational> P{times(a.ax, a.ay, b.ax, b.ay), times(a.bx, a.by, b.ax, b.ay)};
+  const Surd<Rational> Q{times(a.ax, a.ay, b.bx, b.by), times(a.bx, a.by, b.bx, b.by)};
   return surd_sign(P, Q, a.R, b.R);
 }
 
-mpq_class cross(const mpq_class& ax, const mpq_class& ay, const mpq_class& bx, const mpq_class& by) {
+Rational cross(const Rational& ax, const Rational& ay, const Rational& bx, const Rational& by) {
   return ax * by - ay * bx;
 }
 
-mpq_class dot(const mpq_class& ax, const mpq_class& ay, const mpq_class& bx, const mpq_class& by) {
+Rational dot(const Rational& ax, const Rational& ay, const Rational& bx, const Rational& by) {
   return ax * bx + ay * by;
 }
 
 bool is_outer(const TangentPoint& p) { return p.here.side == p.other.side; }
 
-/// The sign of f(Interval) or, when that cannot tell, of f(mpq_class).
+/// The sign of f(Interval) or, when that cannot tell, of f(Rational).
 template <class F>
 int rational_sign(F f) {
   if (const auto known = sign(f(Interval()))) return *known;
-  return sgn(f(mpq_class()));
+  return sgn(f(Rational()));
 }
 
 }  // namespace
@@ -64,8 +64,8 @@ TangentPoint::TangentPoint(const TangentEnd& this_end, const TangentEnd& there, 
 }
 
 SurdDirection TangentPoint::exact() const {
-  const TangentFrame<mpq_class> frame(here, other, r);
-  const mpq_class side = -here.side;
+  const TangentFrame<Rational> frame(here, other, r);
+  const Rational side = -here.side;
   return {side * frame.k * frame.dx, side * frame.k * frame.dy, -side * frame.dy, side * frame.dx, frame.R};
 }
 
@@ -83,14 +83,14 @@ int dot_sign(const TangentPoint& a, const TangentPoint& b) {
 
 int cross_sign(const TangentPoint& a, const SurdDirection& b) { return product_sign(a.exact(), b, cross); }
 
-int cross_sign(const TangentPoint& a, const mpq_class& x, const mpq_class& y) {
+int cross_sign(const TangentPoint& a, const Rational& x, const Rational& y) {
   const SurdDirection e = a.exact();
   return surd_sign(cross(e.ax, e.ay, x, y), cross(e.bx, e.by, x, y), e.R);
 }
 
 int cross_sign(const TangentPoint& a, const PlainDirection& v) {
   if (const auto known = sign(a.x * v.y - a.y * v.x)) return *known;
-  const auto exact = vector_of<mpq_class>(v);
+  const auto exact = vector_of<Rational>(v);
   return cross_sign(a, exact.x, exact.y);
 }
 

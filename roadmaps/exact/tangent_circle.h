@@ -1,7 +1,7 @@
 // Points of one circle in exact order around it, and which walls cut its arcs.
 #pragma once
 
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <taut/roadmaps/exact/tangent_line.h>
 
@@ -9,7 +9,7 @@ namespace taut {
 
 /// A direction from a centre, (a + b sqrt(R)) in each coordinate, up to a positive factor.
 struct SurdDirection {
-  mpq_class ax, ay, bx, by, R;
+  Rational ax, ay, bx, by, R;
 };
 
 /// Where a tangent touches a circle, as a direction from its centre. `side` is the side that the tangent has the centre
@@ -33,7 +33,7 @@ struct TangentPoint {
 int cross_sign(const TangentPoint& a, const TangentPoint& b);
 int dot_sign(const TangentPoint& a, const TangentPoint& b);
 int cross_sign(const TangentPoint& a, const SurdDirection& b);
-int cross_sign(const TangentPoint& a, const mpq_class& x, const mpq_class& y);
+int cross_sign(const TangentPoint& a, const Rational& x, const Rational& y);
 /// A rational direction v, enclosed first.
 struct PlainDirection {
   PlainDirection() = default;

@@ -10,7 +10,7 @@ namespace taut {
 TangentLine::TangentLine(const TangentEnd& from, const TangentEnd& to, double r)
     : from_(from), to_(to), r_(r), frame_(from, to, r) {
   const auto known = sign(frame_.R);
-  if (!known) exact_ = std::make_unique<TangentFrame<mpq_class>>(from, to, r);
+  if (!known) exact_ = std::make_unique<TangentFrame<Rational>>(from, to, r);
   exists_ = from.side == to.side || (known ? *known : sgn(exact_->R)) >= 0;
   S_ = root(frame_.R);
 }
@@ -19,8 +19,8 @@ template <class Question>
 int TangentLine::decide(Question question) const {
   const Surd<Interval> near = question(frame_);
   if (const auto known = sign(near.a + near.b * S_)) return *known;
-  if (!exact_) exact_ = std::make_unique<TangentFrame<mpq_class>>(from_, to_, r_);
-  const Surd<mpq_class> value = question(*exact_);
+  if (!exact_) exact_ = std::make_unique<TangentFrame<Rational>>(from_, to_, r_);
+  const Surd<Rational> value = question(*exact_);
   return surd_sign(value.a, value.b, exact_->R);
 }
 

@@ -157,7 +157,7 @@ class TangentLine {
   TangentFrame<Interval> frame_;
   Interval S_;
   bool exists_ = false;
-  mutable std::unique_ptr<TangentFrame<mpq_class>> exact_;
+  mutable std::unique_ptr<TangentFrame<Rational>> exact_;
 };
 
 }  // namespace taut

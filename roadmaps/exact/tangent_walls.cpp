@@ -71,16 +71,16 @@ bool in_sector(const Triangulation& tri, const Tri::Sector& sector, int bend, Tu
 }
 
 bool is_nearer(Point p, const Segment& s, double r) {
-  const mpq_class fx = meaning(s.b.x) - meaning(s.a.x), fy = meaning(s.b.y) - meaning(s.a.y),
+  const Rational fx = meaning(s.b.x) - meaning(s.a.x), fy = meaning(s.b.y) - meaning(s.a.y),
                   r2 = meaning(r) * meaning(r);
-  const mpq_class x = meaning(p.x) - meaning(s.a.x), y = meaning(p.y) - meaning(s.a.y), F = fx * fx + fy * fy;
-  const mpq_class along = x * fx + y * fy, off = fx * y - fy * x;
+  const Rational x = meaning(p.x) - meaning(s.a.x), y = meaning(p.y) - meaning(s.a.y), F = fx * fx + fy * fy;
+  const Rational along = x * fx + y * fy, off = fx * y - fy * x;
   if (along <= 0) return x * x + y * y < r2;
   if (along < F) return off * off < r2 * F;
   return (x - fx) * (x - fx) + (y - fy) * (y - fy) < r2;
 }
 
-int sign_of(const mpq_class& v) { return sgn(v); }
+int sign_of(const Rational& v) { return sgn(v); }
 
 }  // namespace
 
@@ -152,27 +152,27 @@ CircleObstacles TangentWalls::around(Point centre, double r) const {
 
 void TangentWalls::add_crossings(Point centre, double r, CircleObstacles& result) const {
   if (openings_.empty()) return;
-  const mpq_class r2 = meaning(r) * meaning(r);
+  const Rational r2 = meaning(r) * meaning(r);
   const double reach = 1.001 * r + 1e-12 * (std::abs(centre.x) + std::abs(centre.y));
   opening_boxes_.meeting(
       {{centre.x - reach, centre.y - reach}, {centre.x + reach, centre.y + reach}}, [&](std::uint32_t i) {
         const std::uint32_t c = openings_[i];
         const Segment s = walls_.segment(c);
-        const mpq_class fx = meaning(s.b.x) - meaning(s.a.x), fy = meaning(s.b.y) - meaning(s.a.y);
-        const mpq_class x = meaning(s.a.x) - meaning(centre.x), y = meaning(s.a.y) - meaning(centre.y);
+        const Rational fx = meaning(s.b.x) - meaning(s.a.x), fy = meaning(s.b.y) - meaning(s.a.y);
+        const Rational x = meaning(s.a.x) - meaning(centre.x), y = meaning(s.a.y) - meaning(centre.y);
         for (const std::uint32_t v : walls_.ends()[c]) {
           const Point p = walls_.triangulation().points[v];
-          const mpq_class px = meaning(p.x) - meaning(centre.x), py = meaning(p.y) - meaning(centre.y);
+          const Rational px = meaning(p.x) - meaning(centre.x), py = meaning(p.y) - meaning(centre.y);
           if (!walls_.is_wall_vertex(v) && px * px + py * py == r2)
             result.crossings.push_back({{px, py, 0, 0, 0}, kNone, v});
         }
         // The points a + t f with |a + t f|^2 = r^2.
-        const mpq_class F = fx * fx + fy * fy, half = (x * fx + y * fy) / F;
-        const mpq_class R = half * half - (x * x + y * y - r2) / F;
+        const Rational F = fx * fx + fy * fy, half = (x * fx + y * fy) / F;
+        const Rational R = half * half - (x * x + y * y - r2) / F;
         if (sgn(R) <= 0) return;
         for (const int way : {-1, 1}) {
-          const mpq_class t = -half, rest = 1 - t, w = way;
-          if (surd_sign(t, w, R) <= 0 || surd_sign(rest, mpq_class(-way), R) <= 0) continue;
+          const Rational t = -half, rest = 1 - t, w = way;
+          if (surd_sign(t, w, R) <= 0 || surd_sign(rest, Rational(-way), R) <= 0) continue;
           result.crossings.push_back({{x + t * fx, y + t * fy, w * fx, w * fy, R}, c, kNone});
         }
       });
@@ -185,10 +185,10 @@ bool TangentWalls::arc_is_free(const TangentPoint& a, const TangentPoint& b, con
     const auto same = [&](const TangentPoint& p) {
       if (cross_sign(p, crossing.at) != 0) return false;
       const SurdDirection e = p.exact();
-      const Surd<mpq_class> P{e.ax * crossing.at.ax + e.ay * crossing.at.ay,
-                              e.bx * crossing.at.ax + e.by * crossing.at.ay};
-      const Surd<mpq_class> Q{e.ax * crossing.at.bx + e.ay * crossing.at.by,
-                              e.bx * crossing.at.bx + e.by * crossing.at.by};
+      const Surd<Rational> P{e.ax * crossing.at.ax + e.ay * crossing.at.ay,
+                             e.bx * crossing.at.ax + e.by * crossing.at.ay};
+      const Surd<Rational> Q{e.ax * crossing.at.bx + e.ay * crossing.at.by,
+                             e.bx * crossing.at.bx + e.by * crossing.at.by};
       return surd_sign(P, Q, e.R, crossing.at.R) > 0;
     };
     const bool at_a = same(a), at_b = same(b);
@@ -199,9 +199,9 @@ bool TangentWalls::arc_is_free(const TangentPoint& a, const TangentPoint& b, con
     }
     if (!at_a && !at_b) return false;
     const Segment s = walls_.segment(crossing.opening);
-    const mpq_class fx = meaning(s.b.x) - meaning(s.a.x), fy = meaning(s.b.y) - meaning(s.a.y);
-    const mpq_class plain = fx * crossing.at.ax + fy * crossing.at.ay,
-                    rooted = fx * crossing.at.bx + fy * crossing.at.by;
+    const Rational fx = meaning(s.b.x) - meaning(s.a.x), fy = meaning(s.b.y) - meaning(s.a.y);
+    const Rational plain = fx * crossing.at.ax + fy * crossing.at.ay,
+                   rooted = fx * crossing.at.bx + fy * crossing.at.by;
     const int to_left = surd_sign(plain, rooted, crossing.at.R);  // going counter-clockwise
     const int solid = space().constraints()[crossing.opening].solid_left ? 1 : -1;
     if (at_a ? to_left == solid : to_left == -solid) return false;
@@ -212,14 +212,14 @@ bool TangentWalls::arc_is_free(const TangentPoint& a, const TangentPoint& b, con
 bool TangentWalls::arc_passes_vertex(Point centre, std::uint32_t v, bool before, bool after) const {
   const Triangulation& tri = walls_.triangulation();
   const Point at = tri.points[v];
-  const mpq_class ux = meaning(centre.y) - meaning(at.y),
-                  uy = meaning(at.x) - meaning(centre.x);  // the way counter-clockwise
+  const Rational ux = meaning(centre.y) - meaning(at.y),
+                 uy = meaning(at.x) - meaning(centre.x);  // the way counter-clockwise
   const std::span<const Tri::Sector> sectors = tri.sectors_at(v);
   return std::any_of(sectors.begin(), sectors.end(), [&](const Tri::Sector& sector) {
     const auto holds = [&](int way) {
       const auto part = [&](Point bound, bool crossed) {
-        const mpq_class fx = meaning(bound.x) - meaning(at.x), fy = meaning(bound.y) - meaning(at.y);
-        const mpq_class value = crossed ? mpq_class(fx * uy - fy * ux) : mpq_class(fx * ux + fy * uy);
+        const Rational fx = meaning(bound.x) - meaning(at.x), fy = meaning(bound.y) - meaning(at.y);
+        const Rational value = crossed ? Rational(fx * uy - fy * ux) : Rational(fx * ux + fy * uy);
         return way * sign_of(value);
       };
       return in_sector(

@@ -99,7 +99,7 @@ class Run {
 
   double way_length(const ContourPlace& a, const ContourPlace& b, Turn turn) const {
     if (a.station == b.station && a.stand.at == b.stand.at) return 0;
-    const auto as_point = [](const ContourPlace& p) { return Point{p.stand.at.x.get_d(), p.stand.at.y.get_d()}; };
+    const auto as_point = [](const ContourPlace& p) { return Point{to_double(p.stand.at.x), to_double(p.stand.at.y)}; };
     Point last = as_point(a);
     double length = 0;
     const auto to = [&](Point p) {
@@ -129,10 +129,10 @@ class Run {
 
   /// Keeps the nearest places seen so far.
   struct Nearest {
-    std::optional<mpq_class> distance;
+    std::optional<Rational> distance;
     std::vector<ContourPlace> places;
 
-    void offer(const mpq_class& d, ContourPlace place) {
+    void offer(const Rational& d, ContourPlace place) {
       if (distance && d > *distance) return;
       if (!distance || d < *distance) places.clear();
       distance = d;
@@ -159,7 +159,7 @@ class Run {
   /// Is p, on the m-line, at `after` or beyond, and not beyond the goal?
   bool is_between(const ExactPoint& p, const ExactPoint& after) const {
     const ExactPoint g(goal_);
-    const auto ordered = [](const mpq_class& a, const mpq_class& b, const mpq_class& c) {
+    const auto ordered = [](const Rational& a, const Rational& b, const Rational& c) {
       return (a <= b && b <= c) || (a >= b && b >= c);
     };
     return ordered(after.x, p.x, g.x) && ordered(after.y, p.y, g.y);

@@ -23,7 +23,7 @@ bool sensible(double v) { return v >= 1e-9 && v <= 1e9; }
 /// a - b, rounded up.
 double difference_up(double a, double b) {
   const double d = a - b;
-  return mpq_class(d) < mpq_class(a) - mpq_class(b) ? std::nextafter(d, std::numeric_limits<double>::infinity()) : d;
+  return Rational(d) < Rational(a) - Rational(b) ? std::nextafter(d, std::numeric_limits<double>::infinity()) : d;
 }
 
 }  // namespace
@@ -48,14 +48,14 @@ std::optional<std::string> validate(const Leg& leg, const CarShape& shape) {
   if (!is_heading(leg.from.heading) || !is_heading(leg.to.heading)) return "has a heading that is none";
   const detail::Turn turn(leg.from.heading, leg.to.heading);
   if (turn.sine == 0 && turn.cosine < 0) return "turns by 180 degrees";
-  const LegGeometry<mpq_class> geometry(leg);
+  const LegGeometry<Rational> geometry(leg);
   if (geometry.sense == 0) {
     if (detail::cross(geometry.to, geometry.u) != 0) return "is straight, but not along its heading";
     return sgn(geometry.t1) < 0 ? std::optional<std::string>("goes against its own direction") : std::nullopt;
   }
   if (sgn(geometry.t1) < 0 || sgn(geometry.t2) < 0) return "goes against its own direction";
-  if (geometry.radius < mpq_class(shape.radius))
-    return "bends with radius " + taut::text(geometry.radius.get_d()) + ", below the least one";
+  if (geometry.radius < Rational(shape.radius))
+    return "bends with radius " + taut::text(to_double(geometry.radius)) + ", below the least one";
   return std::nullopt;
 }
 

@@ -1,6 +1,6 @@
 #include <taut/robots/car/verify_drive.h>
 
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <algorithm>
 #include <array>
@@ -17,47 +17,47 @@ namespace {
 
 /// c[0] + c[1] t + c[2] t^2
 struct Quadratic {
-  std::array<mpq_class, 3> c;
+  std::array<Rational, 3> c;
 
   friend Quadratic operator+(Quadratic a, const Quadratic& b) {
     for (std::size_t i = 0; i < 3; ++i) a.c[i] += b.c[i];
     return a;
   }
-  friend Quadratic operator*(const mpq_class& k, Quadratic a) {
-    for (mpq_class& x : a.c) x *= k;
+  friend Quadratic operator*(const Rational& k, Quadratic a) {
+    for (Rational& x : a.c) x *= k;
     return a;
   }
-  friend Quadratic operator-(const Quadratic& a, const Quadratic& b) { return a + mpq_class(-1) * b; }
+  friend Quadratic operator-(const Quadratic& a, const Quadratic& b) { return a + Rational(-1) * b; }
 };
 
 /// p + q sqrt(d)
 struct Surd {
-  mpq_class p, q, d;
+  Rational p, q, d;
 
   int sign() const {
     const int a = sgn(p), b = sgn(d) == 0 ? 0 : sgn(q);
     if (a == b || b == 0) return a;
     if (a == 0) return b;
-    const mpq_class rest = p * p - q * q * d;
+    const Rational rest = p * p - q * q * d;
     return sgn(rest) * a;
   }
 };
 
 Surd value(const Quadratic& f, const Surd& t) {
-  const mpq_class square = t.p * t.p + t.q * t.q * t.d;
+  const Rational square = t.p * t.p + t.q * t.q * t.d;
   return {f.c[0] + f.c[1] * t.p + f.c[2] * square, t.q * (f.c[1] + 2 * f.c[2] * t.p), t.d};
 }
 
 /// The sign right after t.
 int sign_after(const Quadratic& f, const Surd& t) {
   if (const int s = value(f, t).sign(); s != 0) return s;
-  const mpq_class twice = 2 * f.c[2];
+  const Rational twice = 2 * f.c[2];
   if (const int s = Surd{f.c[1] + twice * t.p, twice * t.q, t.d}.sign(); s != 0) return s;
   return sgn(f.c[2]);
 }
 
 /// Adds the roots in [0, end).
-void add_roots(const Quadratic& f, const mpq_class& end, std::vector<Surd>& roots) {
+void add_roots(const Quadratic& f, const Rational& end, std::vector<Surd>& roots) {
   const auto add = [&](Surd t) {
     if (t.sign() >= 0 && Surd{end - t.p, -t.q, t.d}.sign() > 0) roots.push_back(std::move(t));
   };
@@ -65,32 +65,32 @@ void add_roots(const Quadratic& f, const mpq_class& end, std::vector<Surd>& root
     if (sgn(f.c[1]) != 0) add({-f.c[0] / f.c[1], 0, 0});
     return;
   }
-  const mpq_class d = f.c[1] * f.c[1] - 4 * f.c[2] * f.c[0];
+  const Rational d = f.c[1] * f.c[1] - 4 * f.c[2] * f.c[0];
   if (sgn(d) < 0) return;
-  const mpq_class by = 1 / (2 * f.c[2]);
+  const Rational by = 1 / (2 * f.c[2]);
   for (const int side : {-1, 1}) add({-f.c[1] * by, side * by, d});
 }
 
 struct ExactVector {
-  mpq_class x, y;
+  Rational x, y;
 };
 ExactVector operator-(const ExactVector& a, const ExactVector& b) { return {a.x - b.x, a.y - b.y}; }
 ExactVector operator+(const ExactVector& a, const ExactVector& b) { return {a.x + b.x, a.y + b.y}; }
-ExactVector times(const mpq_class& k, const ExactVector& a) { return {k * a.x, k * a.y}; }
-mpq_class inner(const ExactVector& a, const ExactVector& b) { return a.x * b.x + a.y * b.y; }
-mpq_class outer(const ExactVector& a, const ExactVector& b) { return a.x * b.y - a.y * b.x; }
+ExactVector times(const Rational& k, const ExactVector& a) { return {k * a.x, k * a.y}; }
+Rational inner(const ExactVector& a, const ExactVector& b) { return a.x * b.x + a.y * b.y; }
+Rational outer(const ExactVector& a, const ExactVector& b) { return a.x * b.y - a.y * b.x; }
 ExactVector turned(const ExactVector& a) { return {-a.y, a.x}; }
 ExactVector place(Point p) { return {p.x, p.y}; }
 ExactVector direction(int heading) {
   const HeadingVector h = heading_vector(heading);
-  return {mpq_class(h.x) / kHeadingScale, mpq_class(h.y) / kHeadingScale};
+  return {Rational(h.x) / kHeadingScale, Rational(h.y) / kHeadingScale};
 }
 
 /// A motion from t = 0 to `end`: a point X of the plane is, in the frame of the first pose, at X(t) = (x0 + x1 t + x2
 /// t^2) / weight, and a point of the car goes the other way round.
 struct Piece {
   ExactVector at, along;  ///< the first pose
-  mpq_class end;
+  Rational end;
   bool straight = true;
   ExactVector pivot;  ///< of an arc
   int sense = 0;      ///< of a straight piece: of the gear
@@ -100,11 +100,11 @@ struct Piece {
   /// The motion of a point for t, or against it, times the weight.
   std::pair<Quadratic, Quadratic> moved(const ExactVector& p, int way) const {
     if (straight) {
-      const ExactVector d = times(mpq_class(way * sense), along);
+      const ExactVector d = times(Rational(way * sense), along);
       return {{{p.x, d.x, 0}}, {{p.y, d.y, 0}}};
     }
     // (1 - t^2, 2 t) / (1 + t^2) is the cosine and the sine.
-    const ExactVector r = p - pivot, q = times(mpq_class(2 * way * sense), turned(r));
+    const ExactVector r = p - pivot, q = times(Rational(2 * way * sense), turned(r));
     return {{{pivot.x + r.x, q.x, pivot.x - r.x}}, {{pivot.y + r.y, q.y, pivot.y - r.y}}};
   }
 };
@@ -122,26 +122,26 @@ std::vector<Line> lines_of(const Piece& piece, const CarShape& shape, const Segm
       return axis.x * moved.first + axis.y * moved.second - inner(axis, piece.at) * weight;
     };
     const Quadratic ahead = along(piece.along), aside = along(left);
-    const mpq_class front(shape.front), back(shape.back), half(shape.half_width);
+    const Rational front(shape.front), back(shape.back), half(shape.half_width);
     lines[0].push_back(ahead - front * weight);
-    lines[1].push_back(mpq_class(-1) * (ahead + back * weight));
+    lines[1].push_back(Rational(-1) * (ahead + back * weight));
     lines[2].push_back(aside - half * weight);
-    lines[3].push_back(mpq_class(-1) * (aside + half * weight));
+    lines[3].push_back(Rational(-1) * (aside + half * weight));
   }
   const ExactVector a = place(wall.a), d = place(wall.b) - a;
   for (const double along : {shape.front, -shape.back})
     for (const double aside : {shape.half_width, -shape.half_width}) {
-      const ExactVector corner = piece.at + times(mpq_class(along), piece.along) + times(mpq_class(aside), left);
+      const ExactVector corner = piece.at + times(Rational(along), piece.along) + times(Rational(aside), left);
       const auto [x, y] = piece.moved(corner, 1);
       const Quadratic side = d.x * y - d.y * x - outer(d, a) * weight;
       lines[4].push_back(side);
-      lines[5].push_back(mpq_class(-1) * side);
+      lines[5].push_back(Rational(-1) * side);
     }
   return lines;
 }
 
 /// Is there a t in [0, end] at which, for each line, some condition is < 0?
-bool is_met(const std::vector<Line>& lines, const mpq_class& end) {
+bool is_met(const std::vector<Line>& lines, const Rational& end) {
   std::vector<Surd> times{{0, 0, 0}};
   for (const Line& line : lines)
     for (const Quadratic& f : line) add_roots(f, end, times);
@@ -158,9 +158,9 @@ std::vector<Piece> pieces_of(const Leg& leg) {
   const int gear = leg.backward ? -1 : 1;
   const ExactVector from = place(leg.from.at), to = place(leg.to.at), u = direction(leg.from.heading),
                     v = direction(leg.to.heading);
-  const mpq_class sine = outer(u, v), cosine = inner(u, v);
+  const Rational sine = outer(u, v), cosine = inner(u, v);
   std::vector<Piece> pieces;
-  const auto add_straight = [&](const ExactVector& at, const ExactVector& along, const mpq_class& length) {
+  const auto add_straight = [&](const ExactVector& at, const ExactVector& along, const Rational& length) {
     pieces.push_back({at, along, length, true, {}, gear});
   };
   if (sgn(sine) == 0) {
@@ -168,14 +168,14 @@ std::vector<Piece> pieces_of(const Leg& leg) {
     return pieces;
   }
   // The tangents meet x before the arc's line and y after it; the arc uses up the shorter one.
-  const mpq_class x = gear * outer(to - from, v) / sine, y = gear * outer(u, to - from) / sine;
-  const mpq_class used = std::min(x, y), half = abs(sine) / (1 + cosine), radius = used / half;
+  const Rational x = gear * outer(to - from, v) / sine, y = gear * outer(u, to - from) / sine;
+  const Rational used = std::min(x, y), half = abs(sine) / (1 + cosine), radius = used / half;
   const int sense = sgn(sine);
-  const ExactVector begin = from + times(mpq_class(gear * (x - used)), u);
-  const ExactVector pivot = begin + times(mpq_class(sense * gear * radius), turned(u));
+  const ExactVector begin = from + times(Rational(gear * (x - used)), u);
+  const ExactVector pivot = begin + times(Rational(sense * gear * radius), turned(u));
   if (x > used) add_straight(from, u, x - used);
   pieces.push_back({begin, u, half, false, pivot, sense});
-  if (y > used) add_straight(to - times(mpq_class(gear * (y - used)), v), v, y - used);
+  if (y > used) add_straight(to - times(Rational(gear * (y - used)), v), v, y - used);
   return pieces;
 }
 
@@ -188,7 +188,7 @@ bool crosses(const Leg& leg, const Segment& opening, bool solid_left) {
     const Quadratic left = d.x * y - d.y * x - outer(d, a) * weight;
     const Quadratic after_a = d.x * x + d.y * y - inner(d, a) * weight;
     const Quadratic after_b = d.x * x + d.y * y - inner(d, b) * weight;
-    const mpq_class minus(-1);
+    const Rational minus(-1);
     if (is_met({{solid_left ? minus * left : left}, {minus * after_a}, {after_b}}, piece.end)) return true;
   }
   return false;

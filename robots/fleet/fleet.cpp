@@ -42,7 +42,7 @@ struct Motion {
     const ExactPoint p(a), q(b);
     if (waits() || time <= from) return p;
     if (time >= to) return q;
-    const mpq_class part = (meaning(time) - meaning(from)) / (meaning(to) - meaning(from));
+    const Rational part = (meaning(time) - meaning(from)) / (meaning(to) - meaning(from));
     return {p.x + part * (q.x - p.x), p.y + part * (q.y - p.y)};
   }
 };
@@ -93,12 +93,12 @@ struct Meeting {
 
   bool collides_exactly() const {
     const ExactPoint a = p.exactly_at(from), b = q.exactly_at(from), c = p.exactly_at(to), g = q.exactly_at(to);
-    const mpq_class dx = b.x - a.x, dy = b.y - a.y, ux = g.x - c.x - dx, uy = g.y - c.y - dy;
-    const mpq_class reach = meaning(p.radius) + meaning(q.radius), square = reach * reach;
-    const mpq_class length = ux * ux + uy * uy, along = -(ux * dx + uy * dy);
+    const Rational dx = b.x - a.x, dy = b.y - a.y, ux = g.x - c.x - dx, uy = g.y - c.y - dy;
+    const Rational reach = meaning(p.radius) + meaning(q.radius), square = reach * reach;
+    const Rational length = ux * ux + uy * uy, along = -(ux * dx + uy * dy);
     if (along <= 0) return dx * dx + dy * dy < square;
     if (along >= length) return (dx + ux) * (dx + ux) + (dy + uy) * (dy + uy) < square;
-    const mpq_class across = dx * uy - dy * ux;
+    const Rational across = dx * uy - dy * ux;
     return across * across < square * length;
   }
 

@@ -1,6 +1,6 @@
 #include <taut/search/detail/direction.h>
 
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <cmath>
 
@@ -27,9 +27,9 @@ Vector<Number> turned(Number x, Number y, int quarters) {
 
 Vector<double> rough(const Direction& d) { return turned(d.to.x - d.from.x, d.to.y - d.from.y, d.quarters); }
 
-Vector<mpq_class> exact(const Direction& d) {
+Vector<Rational> exact(const Direction& d) {
   const ExactPoint from(d.from), to(d.to);
-  return turned(mpq_class(to.x - from.x), mpq_class(to.y - from.y), d.quarters);
+  return turned(Rational(to.x - from.x), Rational(to.y - from.y), d.quarters);
 }
 
 double size(Point p) { return std::abs(p.x) + std::abs(p.y); }
@@ -51,8 +51,8 @@ int turn(const Direction& u, const Direction& v) {
   const double bound = 2e-15 * far * (far + size(u.from) + size(v.from)) + 1e-290;
   if (det > bound) return 1;
   if (-det > bound) return -1;
-  const Vector<mpq_class> p = exact(u), q = exact(v);
-  return sgn(mpq_class(p.x * q.y - p.y * q.x));
+  const Vector<Rational> p = exact(u), q = exact(v);
+  return sgn(Rational(p.x * q.y - p.y * q.x));
 }
 
 bool angle_less(const Direction& u, const Direction& v) {
@@ -69,7 +69,7 @@ int compare_along(Point a, Point b, Point p, Point q) {
   if (a.x == b.x && p.y == q.y) return 0;
   if (a.y == b.y && p.x == q.x) return 0;
   const ExactPoint from(a), to(b), one(p), other(q);
-  return sgn(mpq_class((to.x - from.x) * (one.x - other.x) + (to.y - from.y) * (one.y - other.y)));
+  return sgn(Rational((to.x - from.x) * (one.x - other.x) + (to.y - from.y) * (one.y - other.y)));
 }
 
 }  // namespace taut::detail

@@ -61,19 +61,19 @@ std::vector<std::uint32_t> components_at(const FreeSpace& space, Point p) {
 
 }  // namespace
 
-mpq_class squared_distance(Point p, const Segment& c) {
+Rational squared_distance(Point p, const Segment& c) {
   if (const auto shape = gate_to_inside(p, c)) return squared_width(*shape);
   const bool to_a = dot_sign(c.a, c.b, p) <= 0;
   const Point end = to_a ? c.a : c.b;
   return squared_width({p, {end, end}});
 }
 
-double root_below(const mpq_class& squared) {
+double root_below(const Rational& squared) {
   const auto fits = [&](double r) {
-    const mpq_class exact = meaning(r);
+    const Rational exact = meaning(r);
     return exact * exact <= squared;
   };
-  double r = std::sqrt(squared.get_d());
+  double r = std::sqrt(to_double(squared));
   while (!fits(r)) r = std::nextafter(r, 0.0);
   for (double next = r; fits(next = std::nextafter(r, HUGE_VAL));) r = next;
   return r;

@@ -1,7 +1,7 @@
 // What a disc meets at its ends, exactly. Private.
 #pragma once
 
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <optional>
 
@@ -11,10 +11,10 @@
 namespace taut::detail {
 
 /// |p - c|^2.
-mpq_class squared_distance(Point p, const Segment& c);
+Rational squared_distance(Point p, const Segment& c);
 
 /// The largest double r with r^2 <= squared.
-double root_below(const mpq_class& squared);
+double root_below(const Rational& squared);
 
 /// The largest double that is not above the distance of p and c, taken as the doubles they are, when doubles are sure
 /// of it.

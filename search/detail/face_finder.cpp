@@ -172,7 +172,7 @@ std::uint32_t FaceFinder::face_beyond_openings(Point p, std::uint32_t wall, std:
 std::uint32_t FaceFinder::lowest_nearest(Point p, const std::vector<NearWall>& near) const {
   const WallIndex& walls = gates_.exact().walls;
   std::uint32_t best = kNone;
-  std::optional<mpq_class> least;  // of the best, when it was needed
+  std::optional<Rational> least;  // of the best, when it was needed
   for (const NearWall& wall : near) {
     const std::uint32_t c = wall.constraint;
     if (best == kNone) {

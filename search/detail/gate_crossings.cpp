@@ -10,12 +10,12 @@ namespace taut::detail {
 
 namespace {
 
-mpq_class cross(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+Rational cross(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-mpq_class part_along(const ExactPoint& a, const ExactPoint& b, const ExactPoint& p) {
-  const mpq_class ux = b.x - a.x, uy = b.y - a.y;
+Rational part_along(const ExactPoint& a, const ExactPoint& b, const ExactPoint& p) {
+  const Rational ux = b.x - a.x, uy = b.y - a.y;
   return (ux * (p.x - a.x) + uy * (p.y - a.y)) / (ux * ux + uy * uy);
 }
 
@@ -28,27 +28,27 @@ void sort_once(std::vector<GateCrossing>& crossings) {
 
 }  // namespace
 
-ExactPoint point_along(const Segment& c, const mpq_class& t) {
+ExactPoint point_along(const Segment& c, const Rational& t) {
   const ExactPoint a(c.a), b(c.b);
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
 }
 
-mpq_class place_along(const Segment& c, const ExactPoint& p) { return part_along(ExactPoint(c.a), ExactPoint(c.b), p); }
+Rational place_along(const Segment& c, const ExactPoint& p) { return part_along(ExactPoint(c.a), ExactPoint(c.b), p); }
 
 void append_crossings(const ExactPoint& p, const ExactPoint& q, const WallIndex& walls, std::uint32_t c,
                       std::vector<GateCrossing>& to) {
   const Segment s = walls.segment(c);
   const ExactPoint a(s.a), b(s.b);
-  const mpq_class of_a = cross(p, q, a), of_b = cross(p, q, b);
+  const Rational of_a = cross(p, q, a), of_b = cross(p, q, b);
   if (sgn(of_a) * sgn(of_b) > 0) return;
   const auto pass = [&](const ExactPoint& at, int end) {
-    const mpq_class t = part_along(p, q, at);
+    const Rational t = part_along(p, q, at);
     if (t > 0 && t < 1) to.push_back({t, kNone, {}, walls.ends()[c][end], kNone});
   };
   if (of_a == 0) pass(a, 0);
   if (of_b == 0) pass(b, 1);
   if (of_a == 0 || of_b == 0) return;
-  const mpq_class of_p = cross(a, b, p), of_q = cross(a, b, q);
+  const Rational of_p = cross(a, b, p), of_q = cross(a, b, q);
   if (sgn(of_p) * sgn(of_q) >= 0) return;
   to.push_back({of_p / (of_p - of_q), c, of_a / (of_a - of_b), kNone, kNone});
 }

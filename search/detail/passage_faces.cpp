@@ -240,7 +240,7 @@ std::uint32_t PassageFaces::beside_wall(std::uint32_t constraint, bool left, Poi
   return piece_face(constraint, static_cast<std::uint32_t>(after - all.begin()), left);
 }
 
-std::uint32_t PassageFaces::beside_opening(std::uint32_t constraint, bool left, const mpq_class& along,
+std::uint32_t PassageFaces::beside_opening(std::uint32_t constraint, bool left, const Rational& along,
                                            const Direction& outward) const {
   const std::span<const Stop> all = stops(constraint);
   const auto at = std::partition_point(all.begin(), all.end(), [&](const Stop& stop) { return stop.along < along; });

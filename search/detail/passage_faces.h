@@ -1,7 +1,7 @@
 // The faces between constraints and gates. Private.
 #pragma once
 
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <cstdint>
 #include <span>
@@ -22,8 +22,8 @@ class PassageFaces {
   struct Stop {
     std::uint32_t constraint = kNone;
     std::uint32_t node = kNone;
-    Point end;        ///< of walls: who stands upright here
-    mpq_class along;  ///< of openings: (place - a) / (b - a)
+    Point end;       ///< of walls: who stands upright here
+    Rational along;  ///< of openings: (place - a) / (b - a)
   };
   /// A piece of a gate.
   struct Piece {
@@ -50,7 +50,7 @@ class PassageFaces {
   /// The face beside a wall, to the left of a -> b or the right, at p's foot on it.
   std::uint32_t beside_wall(std::uint32_t constraint, bool left, Point p) const;
   /// The face beside an opening, at `along` of it; where a gate meets it there, the one next to the direction.
-  std::uint32_t beside_opening(std::uint32_t constraint, bool left, const mpq_class& along,
+  std::uint32_t beside_opening(std::uint32_t constraint, bool left, const Rational& along,
                                const Direction& outward) const;
   /// The face at a vertex, in a direction; on a gate, the one to its left.
   std::uint32_t at_vertex(std::uint32_t vertex, const Direction& outward) const { return at_node(vertex, outward); }

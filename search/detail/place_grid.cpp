@@ -20,15 +20,14 @@ PlaceGrid::PlaceGrid(const World& world, std::span<const Point> places) : intege
   const Box box = world.box();
   double largest = 1;
   for (const double v : {box.min.x, box.min.y, box.max.x, box.max.y}) largest = std::max(largest, std::abs(v));
-  const double multiples = largest * units().get_d();
+  const double multiples = largest * to_double(Rational(units()));
   while (finer_ < kMostFiner && multiples * std::ldexp(1, finer_ + 1) < kLargest) ++finer_;
 }
 
-mpz_class PlaceGrid::units() const {
-  mpz_class power;
-  mpz_ui_pow_ui(power.get_mpz_t(), static_cast<unsigned long>(integers_.lattice().base),
-                static_cast<unsigned long>(integers_.lattice().exponent));
-  return power * mpz_class(static_cast<long>(scale()));
+Integer PlaceGrid::units() const {
+  const auto base = static_cast<unsigned>(integers_.lattice().base),
+             exponent = static_cast<unsigned>(integers_.lattice().exponent);
+  return power(base, exponent) * integer(scale());
 }
 
 std::optional<PlaceGrid::Place> PlaceGrid::exactly(Point p) const {
@@ -37,15 +36,15 @@ std::optional<PlaceGrid::Place> PlaceGrid::exactly(Point p) const {
   return Place{(*place)[0] << finer_, (*place)[1] << finer_};
 }
 
-std::int64_t PlaceGrid::down(const mpq_class& v) const {
-  const mpq_class n = v * units();
-  return mpz_class(n.get_num() / n.get_den()).get_si();  // of what is not negative
+std::int64_t PlaceGrid::down(const Rational& v) const {
+  const Rational n = v * units();
+  return to_int64(floor_of(n));
 }
 
 PlaceGrid::Place PlaceGrid::nearest(Point p) const { return {rounded(p.x), rounded(p.y)}; }
 
 Point PlaceGrid::point(Place p) const {
-  const double n = units().get_d();
+  const double n = to_double(Rational(units()));
   return {static_cast<double>(p[0]) / n, static_cast<double>(p[1]) / n};
 }
 
@@ -64,10 +63,8 @@ std::optional<PlaceGrid::Place> PlaceGrid::on(const Segment& piece, Point foot) 
 }
 
 std::int64_t PlaceGrid::rounded(double v) const {
-  const mpq_class n = meaning(v) * units() * 2 + 1;  // floor((2 v + 1) / 2)
-  mpz_class down;
-  mpz_fdiv_q(down.get_mpz_t(), n.get_num_mpz_t(), mpz_class(n.get_den() * 2).get_mpz_t());
-  return down.get_si();
+  const Rational n = meaning(v) * units() * 2 + 1;  // floor((2 v + 1) / 2)
+  return to_int64(floor_of(Rational(n / 2)));
 }
 
 }  // namespace taut::detail

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <taut/geometry/lattice_integers.h>
 #include <taut/geometry/point.h>
@@ -28,13 +28,13 @@ class PlaceGrid {
   Place nearest(Point p) const;
   Point point(Place p) const;  ///< to rounding
   /// A length that is not negative, rounded down.
-  std::int64_t down(const mpq_class& length) const;
+  std::int64_t down(const Rational& length) const;
   /// On the piece, whose ends are on the unhalved grid: the nearest of 2^finer parts to `foot`, of a piece along an
   /// axis the nearest multiple.
   std::optional<Place> on(const Segment& piece, Point foot) const;
 
  private:
-  mpz_class units() const;  // so many make 1
+  Integer units() const;  // so many make 1
   std::int64_t rounded(double v) const;
 
   LatticeIntegers integers_;

@@ -15,15 +15,15 @@ namespace {
 
 TEST(LineCrossing, IsExact) {
   const ExactPoint p = line_crossing({{0, 0}, {3, 1}}, {{0, 1}, {3, 0}});
-  EXPECT_EQ(p, ExactPoint(mpq_class(3, 2), mpq_class(1, 2)));
+  EXPECT_EQ(p, ExactPoint(Rational(3, 2), Rational(1, 2)));
   const ExactPoint third = line_crossing({{0, 0}, {1, 1}}, {{0, 1}, {2, -3}});
-  EXPECT_EQ(third, ExactPoint(mpq_class(1, 3), mpq_class(1, 3)));
+  EXPECT_EQ(third, ExactPoint(Rational(1, 3), Rational(1, 3)));
 }
 
 TEST(LineCrossing, HoldsFromTheSmallestToTheLargestNumbers) {
   for (const double unit : {0x1p-1000, 0x1p-300, 1.0, 0x1p240}) {
     const ExactPoint p = line_crossing({{0, 0}, {unit, unit}}, {{0, unit}, {2 * unit, -3 * unit}});
-    EXPECT_EQ(p.x * 3, mpq_class(unit));
+    EXPECT_EQ(p.x * 3, Rational(unit));
   }
 }
 

@@ -25,17 +25,16 @@ int worlds(int usual) {
 }
 
 /// What a number means, by the C library's digits and nothing of the product: fifteen digits that read back, or itself.
-mpq_class meaning(double v) {
+Rational meaning(double v) {
   char text[64];
   std::snprintf(text, sizeof text, "%.14e", v);
-  if (std::strtod(text, nullptr) != v) return mpq_class(v);
+  if (std::strtod(text, nullptr) != v) return Rational(v);
   const std::string digits(text);
   const std::size_t e = digits.find('e'), dot = digits.find('.');
   const int exponent = std::atoi(digits.c_str() + e + 1) - static_cast<int>(e - dot - 1);
-  mpz_class power;
-  mpz_ui_pow_ui(power.get_mpz_t(), 10, static_cast<unsigned long>(std::abs(exponent)));
-  const mpq_class whole(mpz_class(digits.substr(0, dot) + digits.substr(dot + 1, e - dot - 1)));
-  return exponent < 0 ? mpq_class(whole / power) : mpq_class(whole * power);
+  const Integer scale = power(10, static_cast<unsigned>(std::abs(exponent)));
+  const Rational whole(Integer(digits.substr(0, dot) + digits.substr(dot + 1, e - dot - 1)));
+  return exponent < 0 ? Rational(whole / scale) : Rational(whole * scale);
 }
 
 test::RationalPoint meaning(Point p) { return {meaning(p.x), meaning(p.y)}; }

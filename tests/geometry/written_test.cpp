@@ -5,8 +5,8 @@
 #include <random>
 #include <string>
 
-#include <gmpxx.h>
 #include <gtest/gtest.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/predicates.h>
@@ -76,7 +76,7 @@ TEST(WrittenNumber, AddsAsPeopleDo) {
   EXPECT_EQ(written::compare_sum(0.1, 0.2, 0.1 + 0.2), -1);
 }
 
-mpq_class exact_area(Point a, Point b, Point c) {
+Rational exact_area(Point a, Point b, Point c) {
   const ExactPoint p(a), q(b), r(c);
   return (p.x - r.x) * (q.y - r.y) - (p.y - r.y) * (q.x - r.x);
 }
@@ -128,9 +128,9 @@ TEST(WrittenCircle, SaysWhatTheDecimalsSay) {
     }
     if (k % 2 == 0) p[3].x = std::nextafter(p[3].x, k % 4 == 0 ? 1e9 : -1e9);
     const ExactPoint a(p[0]), b(p[1]), c(p[2]), d(p[3]);
-    const mpq_class ax = a.x - d.x, ay = a.y - d.y, bx = b.x - d.x, by = b.y - d.y, cx = c.x - d.x, cy = c.y - d.y;
-    const mpq_class det = (ax * ax + ay * ay) * (bx * cy - by * cx) - (bx * bx + by * by) * (ax * cy - ay * cx) +
-                          (cx * cx + cy * cy) * (ax * by - ay * bx);
+    const Rational ax = a.x - d.x, ay = a.y - d.y, bx = b.x - d.x, by = b.y - d.y, cx = c.x - d.x, cy = c.y - d.y;
+    const Rational det = (ax * ax + ay * ay) * (bx * cy - by * cx) - (bx * bx + by * by) * (ax * cy - ay * cx) +
+                         (cx * cx + cy * cy) * (ax * by - ay * bx);
     ASSERT_EQ(written::side_of_circle(p[0], p[1], p[2], p[3]), sgn(det));
     zeros += sgn(det) == 0;
   }

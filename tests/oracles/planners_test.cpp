@@ -58,7 +58,7 @@ class Drawn {
   }
 
   std::optional<double> exact_length() const {
-    const mpq_class side = mpq_class(side_) / unit_;
+    const Rational side = Rational(side_) / unit_;
     std::vector<RationalWall> walls;
     for (const Wall& wall : walls_) walls.push_back({rational(wall.a), rational(wall.b)});
     return test::arrangement_path(side, side, walls, start.exact, goal.exact);
@@ -89,14 +89,14 @@ class Drawn {
 
   int between(int a, int b) { return a + static_cast<int>(engine_() % static_cast<unsigned>(b - a + 1)); }
   Point point(Step p) const { return {double(p.x) / unit_, double(p.y) / unit_}; }
-  RationalPoint rational(Step p) const { return {mpq_class(p.x) / unit_, mpq_class(p.y) / unit_}; }
+  RationalPoint rational(Step p) const { return {Rational(p.x) / unit_, Rational(p.y) / unit_}; }
 
   /// Where it can be written: in at most twelve decimals.
   std::optional<Place> written(const RationalPoint& p) const {
-    const auto number = [](const mpq_class& v) -> std::optional<double> {
-      const mpq_class scaled = v * mpq_class("1000000000000");
-      if (scaled.get_den() != 1) return std::nullopt;
-      return std::strtod((scaled.get_num().get_str() + "e-12").c_str(), nullptr);
+    const auto number = [](const Rational& v) -> std::optional<double> {
+      const Rational scaled = v * Rational("1000000000000");
+      if (denominator(scaled) != 1) return std::nullopt;
+      return std::strtod((text_of(numerator(scaled)) + "e-12").c_str(), nullptr);
     };
     const auto x = number(p.x), y = number(p.y);
     if (!x || !y) return std::nullopt;
@@ -109,7 +109,7 @@ class Drawn {
     const int dx = s.b.x - s.a.x, dy = s.b.y - s.a.y, ex = t.b.x - t.a.x, ey = t.b.y - t.a.y;
     const int area = dx * ey - dy * ex;
     if (area == 0) return std::nullopt;
-    const mpq_class along = mpq_class((t.a.x - s.a.x) * ey - (t.a.y - s.a.y) * ex) / area;
+    const Rational along = Rational((t.a.x - s.a.x) * ey - (t.a.y - s.a.y) * ex) / area;
     if (along < 0 || along > 1) return std::nullopt;
     return written({(s.a.x + along * dx) / unit_, (s.a.y + along * dy) / unit_});
   }
@@ -120,10 +120,10 @@ class Drawn {
       if (const auto place = crossing()) return *place;
     if (kind == 1 && !walls_.empty()) {
       const Wall& wall = walls_[engine_() % walls_.size()];
-      return *written({mpq_class(wall.a.x + wall.b.x) / (2 * unit_), mpq_class(wall.a.y + wall.b.y) / (2 * unit_)});
+      return *written({Rational(wall.a.x + wall.b.x) / (2 * unit_), Rational(wall.a.y + wall.b.y) / (2 * unit_)});
     }
     if (kind == 2)
-      return *written({mpq_class(between(0, 8 * side_)) / (8 * unit_), mpq_class(between(0, 8 * side_)) / (8 * unit_)});
+      return *written({Rational(between(0, 8 * side_)) / (8 * unit_), Rational(between(0, 8 * side_)) / (8 * unit_)});
     return *written(rational({between(0, side_), between(0, side_)}));
   }
 

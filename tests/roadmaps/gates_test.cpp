@@ -1,8 +1,8 @@
 #include <taut/roadmaps/gates.h>
 
-#include <gmpxx.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <set>
 #include <tuple>
@@ -24,34 +24,34 @@ FreeSpace room(const std::vector<Segment>& walls) {
   return FreeSpace(World(parts));
 }
 
-struct Rational {
-  mpq_class x, y;
-  friend bool operator==(const Rational& a, const Rational& b) { return a.x == b.x && a.y == b.y; }
+struct ExactPlace {
+  Rational x, y;
+  friend bool operator==(const ExactPlace& a, const ExactPlace& b) { return a.x == b.x && a.y == b.y; }
 };
 
-Rational rational(Point p) { return {meaning(p.x), meaning(p.y)}; }
-Rational minus(const Rational& a, const Rational& b) { return {a.x - b.x, a.y - b.y}; }
-mpq_class dot(const Rational& a, const Rational& b) { return a.x * b.x + a.y * b.y; }
+ExactPlace rational(Point p) { return {meaning(p.x), meaning(p.y)}; }
+ExactPlace minus(const ExactPlace& a, const ExactPlace& b) { return {a.x - b.x, a.y - b.y}; }
+Rational dot(const ExactPlace& a, const ExactPlace& b) { return a.x * b.x + a.y * b.y; }
 
 /// The point of a b nearest to p.
-Rational nearest(const Rational& p, Point a, Point b) {
-  const Rational from = rational(a), u = minus(rational(b), from);
-  mpq_class t = dot(minus(p, from), u) / dot(u, u);
+ExactPlace nearest(const ExactPlace& p, Point a, Point b) {
+  const ExactPlace from = rational(a), u = minus(rational(b), from);
+  Rational t = dot(minus(p, from), u) / dot(u, u);
   if (t < 0) t = 0;
   if (t > 1) t = 1;
   return {from.x + t * u.x, from.y + t * u.y};
 }
 
 /// Is a point of a b, other than p and q, in the closed disc on p q?
-bool in_disc(const Rational& p, const Rational& q, Point a, Point b) {
-  const Rational m{(p.x + q.x) / 2, (p.y + q.y) / 2}, x = nearest(m, a, b);
-  const mpq_class inside = dot(minus(x, p), minus(x, q));
+bool in_disc(const ExactPlace& p, const ExactPlace& q, Point a, Point b) {
+  const ExactPlace m{(p.x + q.x) / 2, (p.y + q.y) / 2}, x = nearest(m, a, b);
+  const Rational inside = dot(minus(x, p), minus(x, q));
   return inside < 0 || (inside == 0 && !(x == p) && !(x == q));
 }
 
 /// Is a point of a b nearer to q than p is?
-bool is_nearer(const Rational& p, const Rational& q, Point a, Point b) {
-  const Rational to_p = minus(p, q), to_x = minus(nearest(q, a, b), q);
+bool is_nearer(const ExactPlace& p, const ExactPlace& q, Point a, Point b) {
+  const ExactPlace to_p = minus(p, q), to_x = minus(nearest(q, a, b), q);
   return dot(to_x, to_x) < dot(to_p, to_p);
 }
 
@@ -67,12 +67,12 @@ Named named(const Gates& gates) {
 /// Every end against every constraint, every candidate against every wall.
 Named brute_force(const Gates& gates) {
   const auto& all = gates.space().constraints();
-  const auto no_wall = [&](auto is_in_the_way, const Rational& p, const Rational& q) {
+  const auto no_wall = [&](auto is_in_the_way, const ExactPlace& p, const ExactPlace& q) {
     for (std::uint32_t c = 0; c < all.size(); ++c)
       if (!gates.is_opening(c) && is_in_the_way(p, q, all[c].a, all[c].b)) return false;
     return true;
   };
-  const auto is_gate = [&](const Rational& p, bool p_is_wall, const Rational& q, bool q_is_wall) {
+  const auto is_gate = [&](const ExactPlace& p, bool p_is_wall, const ExactPlace& q, bool q_is_wall) {
     if (p_is_wall && q_is_wall) return no_wall(in_disc, p, q);
     return p_is_wall ? no_wall(is_nearer, p, q) : no_wall(is_nearer, q, p);
   };
@@ -85,7 +85,7 @@ Named brute_force(const Gates& gates) {
   for (const Constraint& from : all)
     for (const Point end : {from.a, from.b})
       for (std::uint32_t c = 0; c < all.size(); ++c) {
-        const Rational p = rational(end), q = nearest(p, all[c].a, all[c].b);
+        const ExactPlace p = rational(end), q = nearest(p, all[c].a, all[c].b);
         const Point foot{nearest_double(q.x), nearest_double(q.y)};
         const bool foot_is_end = q == rational(all[c].a) || q == rational(all[c].b);
         const bool here = is_wall_end(end), there = foot_is_end ? is_wall_end(foot) : !gates.is_opening(c);

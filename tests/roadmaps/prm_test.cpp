@@ -1,7 +1,7 @@
 #include <taut/geometry/exact/exact_point.h>
 #include <taut/roadmaps/prm.h>
 
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -57,18 +57,18 @@ bool joins(const Roadmap& graph, Point p, Point q) {
 }
 
 /// The squared distance of p and the segment a b, as a fraction.
-mpq_class squared_distance(Point p, Point a, Point b) {
+Rational squared_distance(Point p, Point a, Point b) {
   const ExactPoint at(p), from(a), to(b);
-  const mpq_class ux = to.x - from.x, uy = to.y - from.y;
-  const mpq_class length = ux * ux + uy * uy;
-  mpq_class t = length == 0 ? mpq_class(0) : mpq_class(((at.x - from.x) * ux + (at.y - from.y) * uy) / length);
-  t = t < 0 ? mpq_class(0) : t > 1 ? mpq_class(1) : t;
-  const mpq_class dx = from.x + t * ux - at.x, dy = from.y + t * uy - at.y;
+  const Rational ux = to.x - from.x, uy = to.y - from.y;
+  const Rational length = ux * ux + uy * uy;
+  Rational t = length == 0 ? Rational(0) : Rational(((at.x - from.x) * ux + (at.y - from.y) * uy) / length);
+  t = t < 0 ? Rational(0) : t > 1 ? Rational(1) : t;
+  const Rational dx = from.x + t * ux - at.x, dy = from.y + t * uy - at.y;
   return dx * dx + dy * dy;
 }
 
 /// Of segments that do not cross.
-mpq_class squared_distance(const Segment& s, const Constraint& c) {
+Rational squared_distance(const Segment& s, const Constraint& c) {
   return std::min({squared_distance(s.a, c.a, c.b), squared_distance(s.b, c.a, c.b), squared_distance(c.a, s.a, s.b),
                    squared_distance(c.b, s.a, s.b)});
 }
@@ -83,11 +83,11 @@ RC_GTEST_PROP(Prm, HasOnlyEdgesThatTheCheckAcceptsAndThatKeepTheClearance, ()) {
   const FreeSpace space = world.space();
   const PrmOptions options = any_options();
   const Roadmap graph = prm(space, options);
-  const mpq_class least = meaning(options.clearance) * meaning(options.clearance);
+  const Rational least = meaning(options.clearance) * meaning(options.clearance);
   for (Roadmap::Vertex v = 0; v < graph.vertex_count(); ++v) {
     const Point p = graph.point(v);
     for (const Constraint& c : space.constraints()) {
-      const mpq_class squared = squared_distance(Segment{p, p}, c);
+      const Rational squared = squared_distance(Segment{p, p}, c);
       RC_ASSERT(squared > 0 && squared >= least);
     }
     for (const auto w : graph.neighbours(v)) {

@@ -12,7 +12,7 @@ if(NOT version MATCHES "version 14\\.")
 endif()
 
 set(sources)
-foreach(folder geometry roadmaps search robots io cli python tests bench)
+foreach(folder geometry roadmaps search robots io web cli python tests bench)
   file(GLOB_RECURSE found ${ROOT}/${folder}/*.h ${ROOT}/${folder}/*.cpp)
   list(APPEND sources ${found})
 endforeach()

@@ -13,8 +13,8 @@ using P = RationalPoint;
 using Sectors = std::set<std::size_t>;
 
 P minus(const P& p, const P& q) { return {p.x - q.x, p.y - q.y}; }
-int cross(const P& u, const P& v) { return sgn(mpq_class(u.x * v.y - u.y * v.x)); }
-int dot(const P& u, const P& v) { return sgn(mpq_class(u.x * v.x + u.y * v.y)); }
+int cross(const P& u, const P& v) { return sgn(Rational(u.x * v.y - u.y * v.x)); }
+int dot(const P& u, const P& v) { return sgn(Rational(u.x * v.x + u.y * v.y)); }
 int side(const P& a, const P& b, const P& p) { return cross(minus(b, a), minus(p, a)); }
 bool on(const P& p, const RationalWall& w) { return side(w.a, w.b, p) == 0 && dot(minus(w.a, p), minus(w.b, p)) <= 0; }
 bool same_ray(const P& u, const P& v) { return cross(u, v) == 0 && dot(u, v) > 0; }
@@ -54,8 +54,7 @@ class Around {
 
 class Search {
  public:
-  Search(const mpq_class& width, const mpq_class& height, std::vector<RationalWall> walls, const P& start,
-         const P& goal)
+  Search(const Rational& width, const Rational& height, std::vector<RationalWall> walls, const P& start, const P& goal)
       : width_(width), height_(height), walls_(std::move(walls)) {
     const P corners[] = {{0, 0}, {width, 0}, {width, height}, {0, height}};
     for (int i = 0; i < 4; ++i) walls_.push_back({corners[i], corners[(i + 1) % 4]});
@@ -97,7 +96,7 @@ class Search {
  private:
   double distance(std::size_t p, std::size_t q) const {
     const P d = minus(places_[p], places_[q]);
-    return std::sqrt(mpq_class(d.x * d.x + d.y * d.y).get_d());
+    return std::sqrt(to_double(Rational(d.x * d.x + d.y * d.y)));
   }
 
   /// Is a sector within the box? On its rim the rim's own rays bound it.
@@ -145,7 +144,7 @@ class Search {
     return at;
   }
 
-  mpq_class width_, height_;
+  Rational width_, height_;
   std::vector<RationalWall> walls_;
   std::vector<P> places_;
   std::vector<Around> around_;
@@ -155,7 +154,7 @@ class Search {
 
 }  // namespace
 
-std::optional<double> arrangement_path(const mpq_class& width, const mpq_class& height,
+std::optional<double> arrangement_path(const Rational& width, const Rational& height,
                                        const std::vector<RationalWall>& walls, const RationalPoint& start,
                                        const RationalPoint& goal) {
   if (start == goal) return 0;

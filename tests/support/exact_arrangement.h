@@ -1,6 +1,6 @@
 // Shortest paths among thin walls by an exact rational arrangement: a second opinion that shares no code with the product.
 #pragma once
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <optional>
 #include <vector>
@@ -10,7 +10,7 @@
 namespace taut::test {
 
 struct RationalPoint {
-  mpq_class x, y;
+  Rational x, y;
 
   friend bool operator==(const RationalPoint& p, const RationalPoint& q) { return p.x == q.x && p.y == q.y; }
   friend bool operator<(const RationalPoint& p, const RationalPoint& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; }
@@ -23,7 +23,7 @@ struct RationalWall {
 /// The length of the shortest path (docs/definitions.md, 2) in the closed box [0, width] x [0, height] between two
 /// points in it, among walls of no thickness in it. Walls are not split: what a leg meets, and on which side, is decided
 /// at each point where it touches one. Nothing when there is no path. O(n^4) or so.
-std::optional<double> arrangement_path(const mpq_class& width, const mpq_class& height,
+std::optional<double> arrangement_path(const Rational& width, const Rational& height,
                                        const std::vector<RationalWall>& walls, const RationalPoint& start,
                                        const RationalPoint& goal);
 

@@ -27,7 +27,7 @@ int orientation(Point a, Point b, const Spot& c);
 /// Are a and b on the same ray out of v? Precondition: all three are in line, neither is v.
 bool same_way(const ExactPoint& v, const ExactPoint& a, const ExactPoint& b);
 
-mpq_class squared_distance(const ExactPoint& a, const ExactPoint& b);
+Rational squared_distance(const ExactPoint& a, const ExactPoint& b);
 
 /// Where the line through p and q meets the one through a and b. Precondition: they are not parallel.
 ExactPoint crossing(const Spot& p, const Spot& q, Point a, Point b);
@@ -36,6 +36,6 @@ ExactPoint crossing(const Spot& p, const Spot& q, Point a, Point b);
 ExactPoint nearest_on(Point a, Point b, const ExactPoint& p);
 
 /// The sign of sqrt(a) + sqrt(b) - sqrt(c) - sqrt(d). Exact. Precondition: none is negative.
-int compare_roots(const mpq_class& a, const mpq_class& b, const mpq_class& c, const mpq_class& d);
+int compare_roots(const Rational& a, const Rational& b, const Rational& c, const Rational& d);
 
 }  // namespace taut::bug::detail

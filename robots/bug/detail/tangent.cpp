@@ -38,7 +38,7 @@ class Tangent {
  private:
   using Kind = Sight::Step::Kind;
 
-  mpq_class distance(const ExactPoint& p) const { return squared_distance(p, goal_.exact); }
+  Rational distance(const ExactPoint& p) const { return squared_distance(p, goal_.exact); }
   const ExactPoint& here() const { return x_.at; }
   Point vertex(std::uint32_t v) const { return places_.tri().points[v]; }
 
@@ -73,9 +73,9 @@ class Tangent {
   /// Goes straight on until `hit`, or what is in the way from there, is within range; not when there is no such pair of
   /// doubles.
   bool approach(const ExactPoint& hit) {
-    const double dx = here().x.get_d() - hit.x.get_d(), dy = here().y.get_d() - hit.y.get_d();
+    const double dx = to_double(here().x) - to_double(hit.x), dy = to_double(here().y) - to_double(hit.y);
     const double part = options_.range * (1 - 0x1p-30) / std::hypot(dx, dy);
-    const Point p{hit.x.get_d() + part * dx, hit.y.get_d() + part * dy};
+    const Point p{to_double(hit.x) + part * dx, to_double(hit.y) + part * dy};
     if (!(part > 0) || ExactPoint(p) == here()) return false;
     const Walk there = walk_to(places_.tri(), x_, here(), Spot(p));
     if (!there.reached || there.end.kind != Stand::Kind::open || distance(ExactPoint(p)) >= distance(here()))
@@ -260,13 +260,13 @@ class Tangent {
   const SensorRange range_;
   Logbook log_;
   Stand x_;
-  mpq_class limit_;          // squared
+  Rational limit_;           // squared
   bool is_straight_ = true;  // nothing has been in the way since the start or the last leave
   bool finished_ = false;
   // Following:
   Turn turn_ = Turn::left;
   ContourPlace start_, front_;  // the part of the contour in between is seen
-  mpq_class followed_;          // squared
+  Rational followed_;           // squared
 };
 
 }  // namespace

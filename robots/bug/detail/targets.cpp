@@ -16,7 +16,7 @@ int Targets::compare(const ExactPoint& p, const ExactPoint& q) const {
   return compare_roots(squared_distance(stand_.at, p), distance(p), squared_distance(stand_.at, q), distance(q));
 }
 
-std::optional<Corner> Targets::best_corner(const Sight& sight, const mpq_class& limit) const {
+std::optional<Corner> Targets::best_corner(const Sight& sight, const Rational& limit) const {
   std::optional<Corner> best;
   for (const std::uint32_t v : sight.corners()) {
     const ExactPoint p(vertex(v));
@@ -58,8 +58,8 @@ Turn Targets::better(const ContourPlace& hit, const ViewEnd& left, const ViewEnd
 int Targets::compare_slopes(const ContourPlace& hit) const {
   const auto slope = [&](Turn turn) {
     const ExactPoint &h = hit.stand.at, to = places_.next_vertex(hit, turn).stand.at;
-    const mpq_class along = (to.x - h.x) * (goal_.exact.x - h.x) + (to.y - h.y) * (goal_.exact.y - h.y);
-    return mpq_class(along * abs(along) / squared_distance(h, to));
+    const Rational along = (to.x - h.x) * (goal_.exact.x - h.x) + (to.y - h.y) * (goal_.exact.y - h.y);
+    return Rational(along * abs(along) / squared_distance(h, to));
   };
   return cmp(slope(Turn::right), slope(Turn::left));
 }

@@ -30,7 +30,7 @@ class Targets {
   int compare(const ExactPoint& p, const ExactPoint& q) const;
 
   /// The best corner in view with d(v)^2 below the limit to which the robot can go straight.
-  std::optional<Corner> best_corner(const Sight& sight, const mpq_class& limit) const;
+  std::optional<Corner> best_corner(const Sight& sight, const Rational& limit) const;
 
   /// Of the part of a contour in view that holds `hit`, the end to that side.
   ViewEnd end(const Sight& sight, const ContourPlace& hit, Turn turn) const;
@@ -39,7 +39,7 @@ class Targets {
   Turn better(const ContourPlace& hit, const ViewEnd& left, const ViewEnd& right) const;
 
  private:
-  mpq_class distance(const ExactPoint& p) const { return squared_distance(p, goal_.exact); }
+  Rational distance(const ExactPoint& p) const { return squared_distance(p, goal_.exact); }
   Point vertex(std::uint32_t v) const { return places_.tri().points[v]; }
   bool is_preferred(Point v) const;
   /// Negative when the contour falls steeper towards the goal to the left of `hit`.

@@ -31,7 +31,7 @@ class SpotCoordinates {
   const Point* points_;
 };
 
-Point as_point(const ExactPoint& p) { return {p.x.get_d(), p.y.get_d()}; }
+Point as_point(const ExactPoint& p) { return {to_double(p.x), to_double(p.y)}; }
 
 }  // namespace
 
@@ -119,7 +119,7 @@ Sight::Step Sight::within_range(const ContourPlace& from, Contours::At edge, Ste
   step.kind = Step::Kind::range;
   if (part > 0)
     for (double less = 0x1p-45; less <= 0x1p-30; less *= 8) {
-      const mpq_class t = std::clamp(part - less, 0.0, 1.0);
+      const Rational t = std::clamp(part - less, 0.0, 1.0);
       const ExactPoint end{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
       if (t == 0 || !range_.reaches(stand_.at, end)) continue;
       step.end = places_.side(edge, end);

@@ -15,17 +15,17 @@ class SensorRange {
  public:
   explicit SensorRange(double range);
 
-  bool reaches(const mpq_class& squared) const { return endless_ || squared <= squared_; }
+  bool reaches(const Rational& squared) const { return endless_ || squared <= squared_; }
   bool reaches(const ExactPoint& from, const ExactPoint& to) const {
     return endless_ || reaches(squared_distance(from, to));
   }
   double value() const { return value_; }
-  const mpq_class& squared() const { return squared_; }  ///< precondition: it is finite
+  const Rational& squared() const { return squared_; }  ///< precondition: it is finite
 
  private:
   double value_;
   bool endless_;
-  mpq_class squared_;
+  Rational squared_;
 };
 
 /// All that is seen from a stand within a range: closed, so corners on a ray that touches others count. Keeps

@@ -21,7 +21,7 @@ struct Turn {
   static constexpr std::int64_t kOne = std::int64_t{kHeadingScale} * kHeadingScale;
 };
 
-/// Relative to leg.from.at. Q is Approx or mpq_class. Precondition: the headings differ by less than 180 degrees.
+/// Relative to leg.from.at. Q is Approx or Rational. Precondition: the headings differ by less than 180 degrees.
 template <class Q>
 struct LegGeometry {
   explicit LegGeometry(const Leg& leg)
@@ -60,9 +60,9 @@ struct LegGeometry {
 
  private:
   static Approx positive(Approx a) { return {a.v > 0 ? a.v : 0, a.e}; }
-  static mpq_class positive(const mpq_class& a) { return sgn(a) > 0 ? a : mpq_class(0); }
+  static Rational positive(const Rational& a) { return sgn(a) > 0 ? a : Rational(0); }
   static Approx smaller(Approx a, Approx b) { return {a.v < b.v ? a.v : b.v, a.e > b.e ? a.e : b.e}; }
-  static mpq_class smaller(const mpq_class& a, const mpq_class& b) { return a < b ? a : b; }
+  static Rational smaller(const Rational& a, const Rational& b) { return a < b ? a : b; }
 };
 
 }  // namespace taut::car::detail

@@ -89,12 +89,11 @@ bool PreparedLeg::meets(const NearWall& wall, const Leg& at, const CarShape& sha
 }
 
 bool PreparedLeg::may_leave(const Segment& opening, bool solid_left, const Leg& at) const {
-  const LegGeometry<mpq_class> geometry(at);
-  const mpq_class way = geometry.gear * geometry.t1;
-  const Vec<mpq_class> from{mpq_class(at.from.at.x), mpq_class(at.from.at.y)}, tip = from + way * geometry.u;
-  const Vec<mpq_class> a{mpq_class(opening.a.x), mpq_class(opening.a.y)},
-      d = difference<mpq_class>(opening.a, opening.b);
-  const int side = sgn(cross(d, Vec<mpq_class>(tip - a)));
+  const LegGeometry<Rational> geometry(at);
+  const Rational way = geometry.gear * geometry.t1;
+  const Vec<Rational> from{Rational(at.from.at.x), Rational(at.from.at.y)}, tip = from + way * geometry.u;
+  const Vec<Rational> a{Rational(opening.a.x), Rational(opening.a.y)}, d = difference<Rational>(opening.a, opening.b);
+  const int side = sgn(cross(d, Vec<Rational>(tip - a)));
   const int solid = solid_left ? 1 : -1;
   return side == solid || orientation(opening.a, opening.b, at.from.at) == solid ||
          orientation(opening.a, opening.b, at.to.at) == solid;

@@ -2,7 +2,7 @@
 // Private.
 #pragma once
 
-#include <gmpxx.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,11 +45,11 @@ struct Approx {
 
 /// A polynomial in an infinitesimal eps > 0 with rational coefficients, ordered by its lowest one that is not 0.
 struct Infinitesimal {
-  std::vector<mpq_class> c;
+  std::vector<Rational> c;
 
-  Infinitesimal(mpq_class value = 0) : c{std::move(value)} {}  // NOLINT(google-explicit-constructor)
-  Infinitesimal(double value) : c{mpq_class(value)} {}         // NOLINT(google-explicit-constructor)
-  Infinitesimal(int value) : c{mpq_class(value)} {}            // NOLINT(google-explicit-constructor)
+  Infinitesimal(Rational value = 0) : c{std::move(value)} {}  // NOLINT(google-explicit-constructor)
+  Infinitesimal(double value) : c{Rational(value)} {}         // NOLINT(google-explicit-constructor)
+  Infinitesimal(int value) : c{Rational(value)} {}            // NOLINT(google-explicit-constructor)
 
   friend Infinitesimal operator+(Infinitesimal a, const Infinitesimal& b) {
     a.c.resize(std::max(a.c.size(), b.c.size()));
@@ -62,7 +62,7 @@ struct Infinitesimal {
     return a;
   }
   friend Infinitesimal operator-(Infinitesimal a) {
-    for (mpq_class& x : a.c) x = -x;
+    for (Rational& x : a.c) x = -x;
     return a;
   }
   friend Infinitesimal operator*(const Infinitesimal& a, const Infinitesimal& b) {
@@ -91,16 +91,16 @@ struct Signs<Approx> {
 };
 
 template <>
-struct Signs<mpq_class> {
+struct Signs<Rational> {
   static constexpr bool doubt = false;
-  int operator()(const mpq_class& a) const { return sgn(a); }
+  int operator()(const Rational& a) const { return sgn(a); }
 };
 
 template <>
 struct Signs<Infinitesimal> {
   static constexpr bool doubt = false;
   int operator()(const Infinitesimal& a) const {
-    for (const mpq_class& x : a.c)
+    for (const Rational& x : a.c)
       if (sgn(x) != 0) return sgn(x);
     return 0;
   }
@@ -114,7 +114,7 @@ N drawn_in(double size) {
 }
 template <>
 inline Infinitesimal drawn_in<Infinitesimal>(double size) {
-  Infinitesimal number{mpq_class(size)};
+  Infinitesimal number{Rational(size)};
   number.c.emplace_back(-1);
   return number;
 }

@@ -11,7 +11,7 @@ namespace taut::car::detail {
 
 enum class Answer : std::uint8_t { no, yes, doubt };
 
-/// N is Approx (answers may be `doubt`), mpq_class (the closed rectangle: touching is meeting), or Infinitesimal (the
+/// N is Approx (answers may be `doubt`), Rational (the closed rectangle: touching is meeting), or Infinitesimal (the
 /// open one: exact). Everything is relative to leg.from.at.
 
 /// A rectangle along a heading.
@@ -127,7 +127,7 @@ Answer meets(const ArcSweep<N>& s, const Vec<N>& a, const Vec<N>& b) {
 /// includes.
 template <class N>
 struct LegSweep {
-  using Constant = std::conditional_t<std::is_same_v<N, Approx>, Approx, mpq_class>;
+  using Constant = std::conditional_t<std::is_same_v<N, Approx>, Approx, Rational>;
 
   LegSweep(const Leg& leg, const CarShape& shape) {
     const LegGeometry<Constant> g(leg);

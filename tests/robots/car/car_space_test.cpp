@@ -126,7 +126,7 @@ void compare_methods(bool quarters, int cases, int& met, int& touched) {
     const Case c = draw.next();
     const bool exact = drive_meets(c.leg, c.shape, c.wall);
     EXPECT_EQ(swept<detail::Infinitesimal>(c) == Answer::yes, exact) << "case " << i;
-    const Answer quick = swept<detail::Approx>(c), closed = swept<mpq_class>(c);
+    const Answer quick = swept<detail::Approx>(c), closed = swept<Rational>(c);
     EXPECT_TRUE(quick == Answer::doubt || (quick == Answer::yes) == exact) << "case " << i;
     EXPECT_TRUE(!exact || closed == Answer::yes) << "case " << i;
     detail::NearWall wall(c.wall, c.leg.from.at);
@@ -183,7 +183,7 @@ TEST(Sweep, LetsTheCarTouchAndSlideAlongAWall) {
   for (const Segment wall : {Segment{{-1, 0.5}, {9, 0.5}}, Segment{{5, -1}, {5, 1}}, Segment{{1, -0.5}, {1, -2}}}) {
     EXPECT_FALSE(drive_meets(straight, kCar, wall));
     EXPECT_EQ(swept<detail::Infinitesimal>({kCar, straight, wall}), Answer::no);
-    EXPECT_EQ(swept<mpq_class>({kCar, straight, wall}), Answer::yes) << "the closed car does";
+    EXPECT_EQ(swept<Rational>({kCar, straight, wall}), Answer::yes) << "the closed car does";
   }
   EXPECT_TRUE(drive_meets(straight, kCar, {{std::nextafter(5, 0), -1}, {5, 1}}));
 }

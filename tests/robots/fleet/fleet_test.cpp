@@ -1,9 +1,9 @@
 // Robots with times: who collides with whom, when and where.
 #include <gmock/gmock.h>
-#include <gmpxx.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
+#include <taut/geometry/exact/numbers.h>
 
 #include <cmath>
 #include <limits>
@@ -71,28 +71,28 @@ TEST(Fleet, GivesThemByTime) {
 /// The least squared distance of two robots while both move, over all pairs of legs, in rationals: coordinates and
 /// times are whole or halves.
 bool meet(const Robot& a, const Robot& b) {
-  const mpq_class reach = mpq_class(a.radius) + mpq_class(b.radius);
+  const Rational reach = Rational(a.radius) + Rational(b.radius);
   for (std::size_t i = 0; i + 1 < a.points.size(); ++i)
     for (std::size_t k = 0; k + 1 < b.points.size(); ++k) {
-      const mpq_class from = std::max(a.points[i].time, b.points[k].time);
-      const mpq_class to = std::min(a.points[i + 1].time, b.points[k + 1].time);
+      const Rational from = std::max(a.points[i].time, b.points[k].time);
+      const Rational to = std::min(a.points[i + 1].time, b.points[k + 1].time);
       if (from > to) continue;
-      const auto at = [](const Robot& r, std::size_t leg, const mpq_class& time) {
+      const auto at = [](const Robot& r, std::size_t leg, const Rational& time) {
         const TimedPoint &p = r.points[leg], &q = r.points[leg + 1];
-        const mpq_class part = (time - p.time) / (mpq_class(q.time) - p.time);
-        return std::pair<mpq_class, mpq_class>(p.at.x + part * (mpq_class(q.at.x) - p.at.x),
-                                               p.at.y + part * (mpq_class(q.at.y) - p.at.y));
+        const Rational part = (time - p.time) / (Rational(q.time) - p.time);
+        return std::pair<Rational, Rational>(p.at.x + part * (Rational(q.at.x) - p.at.x),
+                                             p.at.y + part * (Rational(q.at.y) - p.at.y));
       };
-      const auto apart = [&](const mpq_class& time) {
+      const auto apart = [&](const Rational& time) {
         const auto [x, y] = at(a, i, time);
         const auto [u, v] = at(b, k, time);
-        return std::pair<mpq_class, mpq_class>(u - x, v - y);
+        return std::pair<Rational, Rational>(u - x, v - y);
       };
       // The sign of the quadratic |d + t (e - d)|^2 - reach^2 at its ends and at its lowest point.
       const auto [dx, dy] = apart(from);
       const auto [ex, ey] = apart(to);
-      const mpq_class qa = (ex - dx) * (ex - dx) + (ey - dy) * (ey - dy), qb = 2 * (dx * (ex - dx) + dy * (ey - dy)),
-                      qc = dx * dx + dy * dy - reach * reach;
+      const Rational qa = (ex - dx) * (ex - dx) + (ey - dy) * (ey - dy), qb = 2 * (dx * (ex - dx) + dy * (ey - dy)),
+                     qc = dx * dx + dy * dy - reach * reach;
       if (qc < 0 || qa + qb + qc < 0) return true;
       if (qa > 0 && qb < 0 && -qb < 2 * qa && 4 * qa * qc < qb * qb) return true;
     }
