@@ -118,6 +118,7 @@ std::vector<Command> all_commands(CommandLine& app) {
   commands.push_back(reach_command(app));
   commands.push_back(generate_command(app));
   commands.push_back(convert_command(app));
+  commands.push_back(view_command(app));
   commands.push_back(space_command(app));
   commands.push_back(batch_command(app));
   commands.push_back(matrix_command(app));
