@@ -31,6 +31,7 @@ Command passage_command(CommandLine& app);
 Command reach_command(CommandLine& app);
 Command generate_command(CommandLine& app);
 Command convert_command(CommandLine& app);
+Command view_command(CommandLine& app);
 Command space_command(CommandLine& app);
 Command batch_command(CommandLine& app);
 Command matrix_command(CommandLine& app);

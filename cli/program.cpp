@@ -96,16 +96,16 @@ struct Adder {
 };
 
 // In the order of --help.
-constexpr Adder kAdders[] = {{"solve", solve_command, nullptr},       {"check", check_command, nullptr},
-                             {"verify", verify_command, nullptr},     {"audit", audit_command, nullptr},
-                             {"roadmap", roadmap_command, nullptr},   {"compare", compare_command, nullptr},
-                             {"passage", passage_command, nullptr},   {"reach", reach_command, nullptr},
-                             {"generate", generate_command, nullptr}, {"convert", convert_command, nullptr},
-                             {"space", space_command, nullptr},       {"batch", batch_command, nullptr},
-                             {"matrix", matrix_command, nullptr},     {"grid", nullptr, grid_commands},
-                             {"diff", diff_command, nullptr},         {"mouse", nullptr, mouse_commands},
-                             {"chase", nullptr, chase_commands},      {"bug", nullptr, bug_commands},
-                             {"drive", drive_command, nullptr}};
+constexpr Adder kAdders[] = {{"solve", solve_command, nullptr},     {"view", view_command, nullptr},
+                             {"check", check_command, nullptr},     {"verify", verify_command, nullptr},
+                             {"audit", audit_command, nullptr},     {"roadmap", roadmap_command, nullptr},
+                             {"compare", compare_command, nullptr}, {"passage", passage_command, nullptr},
+                             {"reach", reach_command, nullptr},     {"generate", generate_command, nullptr},
+                             {"convert", convert_command, nullptr}, {"space", space_command, nullptr},
+                             {"batch", batch_command, nullptr},     {"matrix", matrix_command, nullptr},
+                             {"grid", nullptr, grid_commands},      {"diff", diff_command, nullptr},
+                             {"mouse", nullptr, mouse_commands},    {"chase", nullptr, chase_commands},
+                             {"bug", nullptr, bug_commands},        {"drive", drive_command, nullptr}};
 
 // All of them; only the first word's where that names one, none where it needs none: the others' hundreds of options
 // take longer than many an answer.

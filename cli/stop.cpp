@@ -28,7 +28,8 @@ namespace {
 
 // Lives as long as the process: the watching thread outlives main().
 struct Shared {
-  std::mutex mutex;  // of last_words
+  std::mutex mutex;  // of last_words and on_signal
+  std::function<void()> on_signal;
   std::function<void(const Stop&)> last_words;
   std::atomic<const char*> stage{""};
   std::atomic<int> group{0};        // of a program that was started
@@ -91,6 +92,13 @@ timespec until(const timespec& deadline) {
   leave();
 }
 
+// Was there something else to do?
+bool do_instead() {
+  const std::lock_guard lock(shared().mutex);
+  if (shared().on_signal) shared().on_signal();
+  return shared().on_signal != nullptr;
+}
+
 void* watch(void*) {
   Shared& s = shared();
   for (;;) {
@@ -98,6 +106,7 @@ void* watch(void*) {
     const int signal = sigtimedwait(&s.signals, nullptr, s.deadline ? &rest : nullptr);
     if (signal < 0 && errno == EINTR) continue;
     if (signal > 0 && s.ending.load()) stop_while_finishing();
+    if (signal > 0 && do_instead()) continue;
     if (signal > 0) stop(signal == SIGTERM ? "terminated" : "interrupted");
     if (!s.ending.load()) stop(s.deadline_reason.c_str());
     s.deadline.reset();
@@ -162,6 +171,11 @@ void kill_with_us(int group) noexcept { shared().group = group; }
 void on_stop(std::function<void(const Stop&)> last_words) {
   const std::lock_guard lock(shared().mutex);
   shared().last_words = std::move(last_words);
+}
+
+void instead_of_stopping(std::function<void()> work) {
+  const std::lock_guard lock(shared().mutex);
+  shared().on_signal = std::move(work);
 }
 
 void finish() {

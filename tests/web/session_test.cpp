@@ -143,7 +143,7 @@ TEST(Session, ReadsAndWritesBytesThatAreNoText) {
 
 TEST(Session, GivesPlacesToBeginWithWhereTheWorldHasNone) {
   Session session;
-  const json world = ask(session, {{"do", "load"}, {"bytes", "0 0 1 0\n1 0 1 1\n"}});
+  const json world = ask(session, {{"do", "load"}, {"bytes", "0 0 1 0\n0.5 -1 0.5 1\n"}});
   EXPECT_TRUE(world["start"].is_null());
   const json path = ask(session, {{"do", "path"}, {"start", world["ends"]["start"]}, {"goal", world["ends"]["goal"]}});
   EXPECT_EQ(path["status"], "found");
@@ -174,7 +174,7 @@ TEST(Session, AnswersOneHundredDragsAsOneOffQueriesDo) {
   ask(session, {{"do", "load"}, {"bytes", data("maze_25x25.txt")}});
   const FreeSpace space(read_world(data("maze_25x25.txt")));
   for (int i = 0; i < 100; ++i) {
-    const Point from{0.5 + i * 7 % 25, 0.5 + i * 11 % 25}, to{0.25 + i * 13 % 25, 0.75 + i * 3 % 25};
+    const Point from{1.25 + i * 7 % 25, 1.25 + i * 11 % 25}, to{0.75 + i * 13 % 25, 1 + i * 3 % 25};
     const json path =
         ask(session, {{"do", "path"}, {"start", {from.x, from.y}}, {"goal", {to.x, to.y}}, {"digits", 20}});
     const auto expected = shortest_path(space, from, to);
