@@ -199,6 +199,7 @@ int drive_on_map(const DriveOptions& options, std::string_view bytes, const std:
     answer.files.push_back({output.svg, picture_of(logbook.last(), map.course, options, source, false)});
   if (!output.animation.empty())
     answer.files.push_back({output.animation, picture_of(logbook.last(), map.course, options, source, true)});
+  add_reports(answer, options.report, title_of(source), "outcome");
   return run.end(std::move(answer));
 }
 
