@@ -8,6 +8,7 @@
 #include <taut/cli/chase/options.h>
 #include <taut/cli/command.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/report_files.h>
 #include <taut/cli/run.h>
 
 namespace taut::cli {
@@ -21,6 +22,7 @@ struct ChaseCompareOptions {
   ChaseRuleOptions rules;
   CommonOptions common;
   std::string csv;
+  ReportOptions report;  // its page alone: --csv has columns of its own
 };
 
 void add_compare_options(CommandLine& app, ChaseCompareOptions& options) {
@@ -30,6 +32,7 @@ void add_compare_options(CommandLine& app, ChaseCompareOptions& options) {
                  "Write the rows as a table: map, planner, caught (1 or 0), time, moves, cost, ...")
       .type_name("FILE")
       .group("Output");
+  add_html_option(app, options.report);
   explain_chase_planners(app);
   app.example("taut chase compare data/town_60x40.chase --free-planning --csv chases.csv");
 }
@@ -112,11 +115,13 @@ class Comparison {
 
 int run_compare(const ChaseCompareOptions& options, Run& run) {
   run.promise(options.csv);
+  promise_reports(options.report, run);
   run.sources(options.files);
   Comparison comparison(options.rules, run);
   for (const std::string& file : options.files) comparison.add(file);
   Answer answer = comparison.answer();
   if (!options.csv.empty()) answer.files.push_back({options.csv, comparison.csv()});
+  add_reports(answer, options.report, "chases", "planner");
   return run.end(std::move(answer));
 }
 

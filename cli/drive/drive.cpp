@@ -45,8 +45,8 @@ std::string first_given(const CommandLine& app, std::initializer_list<const char
 
 /// Each option is for roadblock maps, for general cars or for both: none is ignored.
 void require_one_kind(const CommandLine& app, const DriveOptions& options) {
-  const std::string for_maps = first_given(
-      app, {"--sample", "--all", "--open", "--planner", "--policy", "--walls", "--show-values", "--controls"});
+  const std::string for_maps = first_given(app, {"--sample", "--all", "--open", "--planner", "--policy", "--walls",
+                                                 "--show-values", "--controls", "--html"});
   const std::string for_cars =
       first_given(app, {"--from", "--to", "--weight", "--wall-thickness", "--polygons", "--format", "--resolution",
                         "--snap", "--unknown-free", "--repair", "--geojson", "--wkt", "--csv", "--poses"});
@@ -65,6 +65,7 @@ void require_consistent(const CommandLine& app, const DriveOptions& options) {
   if (app.count("--policy") > 0 && planner_name(options) != "policy")
     throw UsageError("--policy is for --planner policy");
   if (options.controls && options.common.json.empty()) throw UsageError("--controls needs --json");
+  if (!options.report.html.empty() && !options.all) throw UsageError("--html compares the samples of --all");
   if (!options.output.animation.empty() && options.all) throw UsageError("--animate draws one drive: give --sample I");
   if (app.count("--jobs") > 0 && !options.all) throw UsageError("--jobs shares the samples of --all among threads");
   if (options.show_values && !options.output.draws()) throw UsageError("--show-values needs --svg");
@@ -107,6 +108,7 @@ void add_options(CommandLine& app, DriveOptions& options) {
   app.add_option("--svg", options.output.svg, "Draw the drive, all of --all on one sheet; - is standard output")
       .type_name("FILE")
       .group("Output");
+  add_html_option(app, options.report);
   add_path_file_options(app, options.output.files);
   add_animate_option(app, options.output.animation, "Draw the car as it drives, an SVG that plays in a browser");
   app.add_flag("--show-values", options.show_values,
@@ -124,6 +126,7 @@ void add_options(CommandLine& app, DriveOptions& options) {
 int run(const DriveOptions& options, Run& run) {
   run.promise(options.output.svg);
   run.promise(options.output.animation);
+  promise_reports(options.report, run);
   promise(run, options.output.files);
   run.source(options.file);
   const std::string source = options.file == "-" ? "<stdin>" : options.file;

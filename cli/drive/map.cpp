@@ -213,6 +213,7 @@ int drive_on_map(const DriveOptions& options, std::string_view bytes, const std:
         {output.svg, run.stage("draw", [&] { return sheet_of(logbook, map.course, options, source); })});
   if (!output.animation.empty())
     answer.files.push_back({output.animation, picture_of(logbook.last(), map.course, options, source, true)});
+  add_reports(answer, options.report, title_of(source), "outcome");
   return run.end(std::move(answer));
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include <taut/cli/drive/world.h>
+#include <taut/cli/report_files.h>
 #include <taut/robots/roadblocks/drivers.h>
 #include <taut/robots/roadblocks/peers.h>
 
@@ -22,6 +23,7 @@ struct DriveOptions {
   roadblocks::Aim aim = roadblocks::Aim::expected;
   roadblocks::WallReading walls = roadblocks::WallReading::points;
   DriveOutput output;
+  ReportOptions report;  ///< its page, of --all
   bool show_values = false;
   bool controls = false;
   WorldDriveOptions world;

@@ -9,6 +9,7 @@
 #include <taut/cli/command.h>
 #include <taut/cli/grid/search_options.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/report_files.h>
 #include <taut/cli/run.h>
 #include <taut/io/pictures/grid_svg.h>
 #include <taut/io/results/grid_json.h>
@@ -22,12 +23,15 @@ struct GridCompareOptions {
   GridSearchOptions search;
   CommonOptions common;
   std::string svg;
+  ReportOptions report;
 };
 
 void add_options(CommandLine& app, GridCompareOptions& options) {
   add_grid_options(app, options.grid);
   add_grid_search_options(app, options.search);
   add_svg_option(app, options.svg, "Draw them side by side: visited cells by order, frontier and path");
+  add_csv_option(app, options.report);
+  add_html_option(app, options.report);
   explain_grid_algorithms(app);
   explain_grid_heuristics(app);
   app.example("taut grid compare data/pocket.csv --moves octile --svg searches.svg");
@@ -83,6 +87,7 @@ GridPicture picture_of(const GridQuery& query, GridMoves moves, GridResult resul
 
 int compare(const GridCompareOptions& options, Run& run) {
   run.promise(options.svg);
+  promise_reports(options.report, run);
   run.source(options.grid.file);
   const GridInput input = run.stage("read", [&] { return read_grid_input(options.grid); });
   std::string table =
@@ -114,13 +119,15 @@ int compare(const GridCompareOptions& options, Run& run) {
     files.push_back({options.svg, run.stage("draw", [&] {
                        return grid_comparison_svg(input.task.grid, pictures, title_of(input.name), {});
                      })});
-  return run.end({.outcome = outcome_of(best),
-                  .reason = best == SearchStatus::stopped ? "--max-steps, of every search"
-                            : best == SearchStatus::none ? "all cells that can be reached from the start were looked at"
-                                                         : "",
-                  .result = std::move(all),
-                  .line = std::move(table),
-                  .files = std::move(files)});
+  Answer answer{.outcome = outcome_of(best),
+                .reason = best == SearchStatus::stopped ? "--max-steps, of every search"
+                          : best == SearchStatus::none  ? "all cells that can be reached from the start were looked at"
+                                                        : "",
+                .result = std::move(all),
+                .line = std::move(table),
+                .files = std::move(files)};
+  add_reports(answer, options.report, title_of(input.name), "algorithm");
+  return run.end(std::move(answer));
 }
 
 }  // namespace

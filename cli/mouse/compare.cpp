@@ -9,6 +9,7 @@
 #include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/mouse/mouse.h>
+#include <taut/cli/report_files.h>
 #include <taut/cli/run.h>
 #include <taut/geometry/parallel.h>
 #include <taut/io/results/mouse_json.h>
@@ -24,6 +25,7 @@ using micromouse::Explorer;
 struct CompareOptions {
   std::vector<std::string> files;
   CommonOptions common;
+  ReportOptions report;
   std::vector<Explorer> explorers = micromouse::all_explorers();
   int max_steps = micromouse::kMaxSteps;
 };
@@ -47,6 +49,8 @@ void add_options(CommandLine& app, CompareOptions& options) {
       .group("Robot");
   add_max_steps_option(app, options.max_steps);
   add_jobs_option(app, options.common.limits);
+  add_csv_option(app, options.report);
+  add_html_option(app, options.report);
   explain_explorers(app);
   app.example("taut mouse compare mazes/*.maz --explorers flood,score --json scores.json");
 }
@@ -145,6 +149,7 @@ class Trials {
 
 int run(const CompareOptions& options, Run& run) {
   run.sources(options.files);
+  promise_reports(options.report, run);
   Contest contest;
   contest.explorers = options.explorers;
   const std::vector<GridMaze> mazes = run.stage("read", [&] { return read(options, contest); });
@@ -153,7 +158,9 @@ int run(const CompareOptions& options, Run& run) {
                     .reason = "no maze has a way from its start to its goal",
                     .result = mouse_contest_json(contest, options.common.seed)});
   run.stage("run", [&] { Trials(options, mazes, contest, run).run_all(); });
-  return run.end({.result = mouse_contest_json(contest, options.common.seed), .line = table(contest)});
+  Answer answer{.result = mouse_contest_json(contest, options.common.seed), .line = table(contest)};
+  add_reports(answer, options.report, "explorers of mazes", "explorer");
+  return run.end(std::move(answer));
 }
 
 }  // namespace

@@ -15,37 +15,20 @@
 #include <taut/cli/run.h>
 #include <taut/cli/shards.h>
 #include <taut/cli/solve/compare_report.h>
-#include <taut/cli/solve/packed_runs.h>
+#include <taut/cli/solve/comparer.h>
 #include <taut/cli/solve/prm_options.h>
-#include <taut/cli/stop.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
-#include <taut/geometry/parallel.h>
-#include <taut/geometry/rounding.h>
 #include <taut/io/pictures/comparison_svg.h>
 #include <taut/io/results/comparison_json.h>
+#include <taut/io/results/report.h>
 #include <taut/io/results/words.h>
-#include <taut/io/saved/packed.h>
-#include <taut/io/saved/roadmap_file.h>
-#include <taut/io/saved/shard_file.h>
-#include <taut/search/no_path.h>
 #include <taut/search/planners.h>
 #include <taut/search/query_ends.h>
 
 namespace taut::cli {
 
 namespace {
-
-struct CompareOptions {
-  WorldOptions world;
-  QueryOptions query;
-  CommonOptions common;
-  std::vector<const Planner*> chosen;
-  std::size_t runs = 1;
-  PrmRequest prm;
-  std::string svg;
-  ShardOptions shards;
-};
 
 std::vector<Choice> choices() {
   std::vector<Choice> choices;
@@ -68,7 +51,12 @@ std::vector<const Planner*> planners_in(const std::string& list) {
 void check(const CompareOptions& options) {
   if (options.shards.is_shared() && !options.svg.empty())
     throw UsageError("--svg draws roadmaps, which shards do not keep");
-  require_one_stdout({{"--svg", options.svg}, {"--json", options.common.json}});
+  if (!options.more.empty() && (!options.svg.empty() || options.shards.is_shared()))
+    throw UsageError("--svg, --shard, --join and --mpi are for one world");
+  require_one_stdout({{"--svg", options.svg},
+                      {"--json", options.common.json},
+                      {"--csv", options.report.csv},
+                      {"--html", options.report.html}});
   const auto is_prm = [](const Planner* p) { return roadmap_kind(p->kind)->is_prm; };
   if (!first_option(options.prm).empty() && !options.chosen.empty() &&
       std::none_of(options.chosen.begin(), options.chosen.end(), is_prm))
@@ -79,6 +67,8 @@ void check(const CompareOptions& options) {
 
 void add_options(CommandLine& app, CompareOptions& options) {
   add_world_options(app, options.world);
+  app.add_option("MORE", options.more,
+                 "Further worlds: then each planner's success, lengths and times over all of them");
   add_query_options(app, options.query);
   app.add_option_function(
          "--planners", [&options](const std::string& list) { options.chosen = planners_in(list); },
@@ -96,143 +86,13 @@ void add_options(CommandLine& app, CompareOptions& options) {
   add_jobs_option(app, options.common.limits);
   add_shard_options(app, options.shards, options.common);
   add_svg_option(app, options.svg);
+  add_csv_option(app, options.report);
+  add_html_option(app, options.report);
   app.callback([&options] { check(options); });
   app.example("taut compare maze.txt --svg planners.svg");
   app.example("taut compare maze.txt --planners polyanya,prm,prm-funnel --runs 20");
+  app.example("taut compare mazes/*.txt --runs 5 --html planners.html --csv planners.csv");
 }
-
-// Runs the planners; what is finished, in their order, is kept.
-class Comparer {
- public:
-  Comparer(const CompareOptions& options, Run& run, const Input& input, const FreeSpace& space)
-      : options_(options),
-        run_(run),
-        space_(space),
-        work_(work_mark(options, input)),
-        comparison_{*input.world.start(), input.world.goal(), options.common.seed, options.runs} {
-    comparison_.within = path_bound(space);
-    plan();
-  }
-
-  /// One run of one planner is an item.
-  int do_shard() {
-    Answer answer = run_.stage("planners", [&] { return cli::do_shard(options_.shards, items(), run_); });
-    end_progress();
-    return run_.end(std::move(answer));
-  }
-
-  Comparison compare() {
-    run_.stage("planners", [&] {
-      if (options_.shards.is_shared()) return take();
-      each_in_parallel(tasks_.size(), {options_.common.limits.jobs, {}, [this](std::size_t over) { note_until(over); }},
-                       [this](std::size_t i) { tasks_[i].done = done(tasks_[i]); });
-    });
-    end_progress();
-    find_optimum();
-    return std::move(comparison_);
-  }
-
- private:
-  /// One run of one planner; or none at all.
-  struct Task {
-    const Planner* planner;
-    std::size_t run;
-    bool is_last;
-    std::string too_large{};
-    PlannerRuns done{};
-  };
-
-  /// What results depend on.
-  static std::string work_mark(const CompareOptions& options, const Input& input) {
-    if (!options.shards.is_shared()) return {};
-    const Goal& goal = input.world.goal();
-    Packer packer;
-    packer.put(*input.world.start()).put(goal.point.value_or(Point{})).put(std::uint64_t{goal.room.size()});
-    for (const Box& box : goal.room) packer.put(box.min).put(box.max);
-    const std::string texts[] = {TAUT_VERSION, options.shards.how, fingerprint(input.world), std::move(packer).bytes()};
-    return mark_of(texts);
-  }
-
-  Items items() {
-    return {work_, tasks_.size(), [] {},
-            [this] { return [this](std::size_t i) { return packed_runs(done(tasks_[i])); }; }};
-  }
-
-  void take() {
-    take_all(options_.shards, items(), run_, [this](std::size_t i, std::string_view bytes) {
-      tasks_[i].done = unpacked_runs(*tasks_[i].planner, bytes, fmt::format("item {} of the shards", i));
-      note_until(i + 1);
-    });
-  }
-
-  void plan() {
-    std::vector<const Planner*> list = options_.chosen;
-    if (list.empty())
-      for (const Planner& p : planners()) list.push_back(&p);
-    for (const Planner* p : list) {
-      const std::string why = options_.chosen.empty() ? too_large(*p, space_) : "";
-      const std::size_t runs = why.empty() && roadmap_kind(p->kind)->random ? options_.runs : 1;
-      for (std::size_t i = 0; i < runs; ++i) tasks_.push_back({p, i, i + 1 == runs, why});
-    }
-  }
-
-  PlannerRuns done(const Task& task) const {
-    if (!task.too_large.empty()) return {task.planner, false, {}, task.too_large + "; ask for it with --planners"};
-    begin_stage(task.planner->name);
-    return runs_of(*task.planner, task.run);
-  }
-
-  PlannerRuns runs_of(const Planner& p, std::size_t number) const {
-    return run_planner(
-        p, space_, comparison_.start, comparison_.goal, options_.common.seed + number, 1,
-        {1, {}, {}, options_.prm, options_.common.limits.seconds.has_value(), prm_progress(options_.common.quiet)});
-  }
-
-  /// A planner that is unfit in one run, as for a world that is none of cells, is unfit.
-  void note_until(std::size_t over) {
-    for (; noted_ < over; ++noted_) {
-      Task& task = tasks_[noted_];
-      if (task.run == 0) {
-        runs_ = std::move(task.done);
-      } else if (!task.done.unfit.empty()) {
-        runs_.runs.clear();
-        runs_.unfit = task.done.unfit;
-      } else if (runs_.unfit.empty()) {
-        runs_.runs.push_back(std::move(task.done.runs.front()));
-      }
-      if (task.is_last) note_planner();
-    }
-  }
-
-  void note_planner() {
-    comparison_.add(std::move(runs_));
-    refuse_if_asked_for(comparison_.planners.back());
-    run_.so_far(comparison_json(comparison_), comparison_table(comparison_));
-  }
-
-  void refuse_if_asked_for(const PlannerRuns& runs) const {
-    if (!options_.chosen.empty() && !runs.unfit.empty())
-      throw InputError("", 0, fmt::format("{} cannot run: {}", runs.planner->name, runs.unfit));
-  }
-
-  /// The shortest path in the plane: where none of the planners promises that, it is found here.
-  void find_optimum() {
-    const auto is_optimal = [](const PlannerRuns& runs) { return runs.optimal && !runs.runs.empty(); };
-    if (std::ranges::none_of(comparison_.planners, is_optimal))
-      if (const PlannerRuns best = runs_of(planners()[0], 0); best.solved() > 0)
-        comparison_.optimum = best.typical().path.length;
-    comparison_.is_shut = !comparison_.optimum && NoPath(space_).walls(comparison_.start, comparison_.goal).has_value();
-  }
-
-  const CompareOptions& options_;
-  Run& run_;
-  const FreeSpace& space_;
-  std::string work_;  // of shards
-  Comparison comparison_;
-  std::vector<Task> tasks_;  // by planner, then run
-  std::size_t noted_ = 0;
-  PlannerRuns runs_;  // of the planner that is being noted
-};
 
 Outcome outcome_of(const Comparison& comparison) {
   return comparison.optimum ? Outcome::found : comparison.is_shut ? Outcome::none : Outcome::unproven;
@@ -251,20 +111,62 @@ void require_verified(const Comparison& comparison) {
   throw std::logic_error(fmt::format("a path of {} does not pass the check", wrong->planner->name));
 }
 
-int run(const CompareOptions& options, Run& run) {
-  run.source(options.world.file);
-  run.promise(options.svg);
-  const Input input = read_input(options.world, options.query, run);
+// A world, read and made ready.
+struct Arena {
+  Input input;
+  FreeSpace space;
+};
+
+Arena arena_of(const WorldOptions& world, const QueryOptions& query, Run& run) {
+  Input input = read_input(world, query, run);
   require_ends(input);
-  const FreeSpace space = run.stage("space", [&] { return triangulated(FreeSpace(input.world, options.query.robot)); });
+  FreeSpace space = run.stage("space", [&] { return triangulated(FreeSpace(input.world, query.robot)); });
   require_free(space, *input.world.start(), "start");
   if (input.world.goal().point) require_free(space, *input.world.goal().point, "goal");
-  Comparer comparer(options, run, input, space);
-  if (options.shards.shard > 0) return comparer.do_shard();
-  const Comparison comparison = comparer.compare();
+  return {std::move(input), std::move(space)};
+}
+
+Comparison compare(const CompareOptions& options, Run& run, const Arena& arena, const NoteComparison& tell) {
+  Comparison comparison = compare_planners(options, run, arena.input, arena.space, tell);
   require_verified(comparison);
   for (const PlannerRuns& p : comparison.planners)
     if (!p.unfit.empty()) note(fmt::format("taut: {} did not run: {}", p.planner->name, p.unfit));
+  return comparison;
+}
+
+// Several worlds: what was found on each goes into the result, its roadmaps are let go.
+int run_many(const CompareOptions& options, Run& run, const std::vector<std::string>& files) {
+  Json worlds = Json::array();
+  Answer answer;
+  for (const std::string& file : files) {
+    WorldOptions world = options.world;
+    world.file = file;
+    const Comparison comparison = compare(options, run, arena_of(world, options.query, run), [](const Comparison&) {});
+    Json json{{"file", file}, {"status", name(outcome_of(comparison))}};
+    const Json found = comparison_json(comparison);
+    for (const auto& [key, value] : *found.members()) json[key] = value;
+    worlds.push_back(std::move(json));
+    answer.result = {{"worlds", worlds}};
+    const Json summary = report_summary(report_rows(answer.result), "name");
+    answer.line = worlds_table(summary);
+    answer.result["summary"] = summary;
+    run.so_far(answer.result, answer.line);
+  }
+  add_reports(answer, options.report, fmt::format("{} worlds", files.size()), "name");
+  return run.end(std::move(answer));
+}
+
+int run(const CompareOptions& options, Run& run) {
+  std::vector<std::string> files{options.world.file};
+  files.insert(files.end(), options.more.begin(), options.more.end());
+  run.sources(files);
+  run.promise(options.svg);
+  promise_reports(options.report, run);
+  if (files.size() > 1) return run_many(options, run, files);
+  const Arena arena = arena_of(options.world, options.query, run);
+  if (options.shards.shard > 0) return compare_shard(options, run, arena.input, arena.space);
+  const auto keep = [&](const Comparison& c) { run.so_far(comparison_json(c), comparison_table(c)); };
+  const Comparison comparison = compare(options, run, arena, keep);
   Answer answer;
   answer.outcome = outcome_of(comparison);
   answer.reason = reason_for(answer.outcome);
@@ -272,7 +174,9 @@ int run(const CompareOptions& options, Run& run) {
   answer.result = comparison_json(comparison);
   answer.line = comparison_table(comparison);
   if (!options.svg.empty())
-    answer.files = {{options.svg, comparison_svg(comparison, space, title_of(input.name), input.moves)}};
+    answer.files = {
+        {options.svg, comparison_svg(comparison, arena.space, title_of(arena.input.name), arena.input.moves)}};
+  add_reports(answer, options.report, title_of(arena.input.name), "name");
   return run.end(std::move(answer));
 }
 

@@ -46,6 +46,33 @@ Row row_of(const PlannerRuns& p, const std::optional<Length>& optimum) {
                              : "NO"};
 }
 
+// Columns aligned, the first one to the left.
+template <typename Rows>
+std::string aligned(const Rows& rows) {
+  std::array<std::size_t, std::tuple_size_v<typename Rows::value_type>> most{};
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) most[i] = std::max(most[i], row[i].size());
+  std::string out;
+  for (const auto& row : rows) {
+    out += fmt::format("{:<{}}", row[0], most[0]);
+    for (std::size_t i = 1; i < row.size(); ++i) out += fmt::format("  {:>{}}", row[i], most[i]);
+    out += '\n';
+  }
+  return out;
+}
+
+// A number of the summary's row for that planner and measure; `-` where there is none.
+std::string summary_text(const Json& summary, const std::string& planner, std::string_view measure,
+                         std::string_view number) {
+  for (const Json& row : *summary.items()) {
+    const Json::Members& members = *row.members();
+    if (*members[0].second.text() != planner || *members[1].second.text() != measure) continue;
+    for (const auto& [name, value] : members)
+      if (name == number) return fmt::format("{:.4g}", std::stod(json_line(value)));
+  }
+  return "-";
+}
+
 }  // namespace
 
 std::string comparison_table(const Comparison& comparison) {
@@ -53,16 +80,23 @@ std::string comparison_table(const Comparison& comparison) {
                          "expanded", "verified"}};
   for (const PlannerRuns& p : comparison.planners)
     if (!p.runs.empty()) rows.push_back(row_of(p, comparison.optimum));
-  std::array<std::size_t, std::tuple_size_v<Row>> widths{};
-  for (const Row& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-  std::string out;
-  for (const Row& row : rows) {
-    out += fmt::format("{:<{}}", row[0], widths[0]);
-    for (std::size_t i = 1; i < row.size(); ++i) out += fmt::format("  {:>{}}", row[i], widths[i]);
-    out += '\n';
+  return aligned(rows);
+}
+
+std::string worlds_table(const Json& summary) {
+  std::vector<std::array<std::string, 10>> rows{
+      {"planner", "solved", "ratio", "lower", "median", "upper", "most", "build s", "query s", "graph bytes"}};
+  for (const Json& row : *summary.items()) {
+    const std::string planner = *row.members()->front().second.text();
+    if (planner == rows.back()[0]) continue;
+    const auto text = [&](std::string_view measure, std::string_view number) {
+      return summary_text(summary, planner, measure, number);
+    };
+    rows.push_back({planner, text("solved", "mean"), text("ratio", "least"), text("ratio", "lower"),
+                    text("ratio", "median"), text("ratio", "upper"), text("ratio", "most"),
+                    text("build_seconds", "median"), text("query_seconds", "median"), text("graph_bytes", "median")});
   }
-  return out;
+  return aligned(rows);
 }
 
 }  // namespace taut::cli

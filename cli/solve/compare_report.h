@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include <taut/io/results/json.h>
 #include <taut/search/planners.h>
 
 namespace taut::cli {
@@ -12,5 +13,9 @@ namespace taut::cli {
 /// query, expansions, verified. Of several runs medians; lengths and clearances are those of the typical run. Planners
 /// that did not run are left out.
 std::string comparison_table(const Comparison& comparison);
+
+/// Of several worlds, from report_summary() by `name`: one line a planner: the part of runs that were solved, least,
+/// quartiles and most of the ratio to the optimum, median and most CPU seconds of building and of the query.
+std::string worlds_table(const Json& summary);
 
 }  // namespace taut::cli

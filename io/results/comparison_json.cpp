@@ -13,6 +13,9 @@ Json ratio_of(const PlannerRun& run, const std::optional<Length>& optimum) {
   return run.path.length == *optimum ? 1.0 : run.path.length.value() / optimum->value();
 }
 
+// What Roadmap keeps: a point and an offset each vertex, both ends of each edge.
+std::size_t graph_bytes(const PlannerRun& run) { return 24 * run.vertices + 8 * run.edges; }
+
 Json all_runs_of(const PlannerRuns& p, const Comparison& comparison) {
   Json all = Json::array();
   for (std::size_t i = 0; i < p.runs.size(); ++i) {
@@ -24,6 +27,7 @@ Json all_runs_of(const PlannerRuns& p, const Comparison& comparison) {
                    {"clearance", run.clearance},
                    {"vertices", run.vertices},
                    {"edges", run.edges},
+                   {"graph_bytes", graph_bytes(run)},
                    {"build_seconds", run.build.cpu},
                    {"query_seconds", run.query.cpu},
                    {"expanded", run.expanded},
@@ -50,6 +54,7 @@ Json planner_json(const PlannerRuns& p, const Comparison& comparison) {
   json["points"] = typical.path.points;
   json["vertices"] = typical.vertices;
   json["edges"] = typical.edges;
+  json["graph_bytes"] = graph_bytes(typical);
   json["build_seconds"] = p.median([](const PlannerRun& r) { return r.build.cpu; });
   json["query_seconds"] = p.median([](const PlannerRun& r) { return r.query.cpu; });
   json["expanded"] = typical.expanded;
