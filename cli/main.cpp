@@ -127,8 +127,8 @@ constexpr Adder kAdders[] = {{"solve", solve_command, nullptr},       {"check", 
                              {"chase", nullptr, chase_commands},      {"bug", nullptr, bug_commands},
                              {"drive", drive_command, nullptr}};
 
-// All of them; only the first word's where that names one, none where it needs none: the others' hundreds of options take longer than many an
-// answer.
+// All of them; only the first word's where that names one, none where it needs none: the others' hundreds of options
+// take longer than many an answer.
 Commands commands_for(std::string_view first_word, CommandLine& app) {
   const bool is_one =
       std::any_of(std::begin(kAdders), std::end(kAdders), [&](const Adder& adder) { return adder.name == first_word; });
