@@ -10,8 +10,8 @@
 
 namespace taut::detail {
 
-/// The rooms of a plan whose sides open and close: stretches of free cells in a row with nothing between them, those one
-/// above the other put together as long as they agree. The plan outlives it.
+/// The rooms of a plan whose sides open and close: stretches of free cells in a row with nothing between them, those
+/// one above the other put together as long as they agree. The plan outlives it.
 class CellRoomMap {
  public:
   struct Room {

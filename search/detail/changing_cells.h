@@ -1,7 +1,8 @@
 // Shortest paths among cells whose sides open and close. Private.
 #pragma once
 
-#include <memory>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <taut/roadmaps/changing_cell_mesh.h>
