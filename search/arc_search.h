@@ -38,8 +38,8 @@ ArcSearchResult arc_search(const TangentGraph& graph, Point s, Point g);
 /// after some queries (or when asked to) it is prepared:
 ///  - Landmarks: distances from a few places bound those to the goal from below (docs/all-radii.md).
 ///  - Pockets, the tangent points from which no way leads on, are left out but where the goal lies in one.
-/// A query then looks at what lies along its path, mostly. Preparing takes some ten times as long as an unprepared query
-/// at worst. Not for several threads at once.
+/// A query then looks at what lies along its path, mostly. Preparing takes some forty times as long as an unprepared
+/// query. Not for several threads at once.
 class ArcQueries {
  public:
   explicit ArcQueries(TangentGraph graph);

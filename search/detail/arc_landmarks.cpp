@@ -100,8 +100,8 @@ double ArcLandmarks::least(std::uint32_t n) const {
   return best;
 }
 
-/// From l by n to the exit, d(l, exit) <= d(l, n) + d(n, exit). And the way to the exit, turned, goes from the turned exit
-/// to the turned n.
+/// From l by n to the exit, d(l, exit) <= d(l, n) + d(n, exit). And the way to the exit, turned, goes from the turned
+/// exit to the turned n.
 double ArcLandmarks::least(std::uint32_t n, const Target& target) const {
   const Distances &here = distance_[n], &back = distance_[turned(n)];
   double least = 0;
