@@ -109,8 +109,9 @@ FoundTangent AllRadiiParts::tangent(std::size_t leg, double r) const {
            length}};
 }
 
-CircleObstacles AllRadiiParts::around(std::uint32_t site, double r) const {
-  CircleObstacles result;
+void AllRadiiParts::look_around(std::uint32_t site, double r, CircleObstacles& result) const {
+  result.forbidden.clear();
+  result.crossings.clear();
   const Point centre = ground->sites[site].at;
   const Interval wanted = meant<Interval>(r);
   const auto is_near = [&](const SiteRadii::Forbidden& forbidden) {
@@ -122,7 +123,6 @@ CircleObstacles AllRadiiParts::around(std::uint32_t site, double r) const {
   for (const SiteRadii::Forbidden& forbidden : sites[site].forbidden)
     if (is_near(forbidden)) result.forbidden.push_back(forbidden.direction);
   ground->walls.add_crossings(centre, r, result);
-  return result;
 }
 
 TangentGraph AllRadiiParts::at_radius(double r) const {
@@ -132,8 +132,11 @@ TangentGraph AllRadiiParts::at_radius(double r) const {
   for (std::size_t i = 0; i < legs.size(); ++i)
     if (has(i, r)) tangents.push_back(tangent(i, r));
   CircleObstacles obstacles;
-  return TangentGraph(std::make_shared<const TangentParts>(
-      ground, r, tangents, [&](std::uint32_t site) -> const CircleObstacles& { return obstacles = around(site, r); }));
+  const auto around = [&](std::uint32_t site) -> const CircleObstacles& {
+    look_around(site, r, obstacles);
+    return obstacles;
+  };
+  return TangentGraph(std::make_shared<const TangentParts>(ground, r, tangents, around));
 }
 
 AllRadii::AllRadii(const FreeSpace& space) {

@@ -36,11 +36,10 @@ ArcSearchResult arc_search(const TangentGraph& graph, Point s, Point g);
 
 /// The same for many queries in one graph, the same answers. Nothing of the graph is copied or cleared for a query, and
 /// after some queries (or when asked to) it is prepared:
-///  - Landmarks: what is known of the distances from a few places, d(l, g) - d(l, p) <= d(p, g), shows which way to go.
-///    (Not d(p, l) - d(g, l): a path may not turn back in g.)
+///  - Landmarks: distances from a few places bound those to the goal from below (docs/all-radii.md).
 ///  - Pockets, the tangent points from which no way leads on, are left out but where the goal lies in one.
-/// A query then looks at what lies along its path, mostly. Preparing takes some ten times as long as an unprepared query
-/// at worst. Not for several threads at once.
+/// A query then looks at what lies along its path, mostly. Preparing takes some forty times as long as an unprepared
+/// query. Not for several threads at once.
 class ArcQueries {
  public:
   explicit ArcQueries(TangentGraph graph);

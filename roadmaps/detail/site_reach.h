@@ -6,8 +6,8 @@
 namespace taut::detail {
 
 /// A leg touches the circle where a disc of its radius keeps clear of all walls: it touches the corner and leads away
-/// from its walls. So any point of a wall bounds the discs that touch the corner from within a narrow angle. In doubles,
-/// rounded up; at most four times the extent of the world.
+/// from its walls. So any point of a wall bounds the discs that touch the corner from within a narrow angle. In
+/// doubles, rounded up; at most four times the extent of the world.
 double site_reach(const TangentGround& ground, const TangentSite& site, double extent);
 
 /// The walls that forbid directions on circles up to that size.

@@ -47,7 +47,7 @@ struct AllRadiiParts {
   void measure_legs();
   bool has(std::size_t leg, double r) const;
   FoundTangent tangent(std::size_t leg, double r) const;
-  CircleObstacles around(std::uint32_t site, double r) const;
+  void look_around(std::uint32_t site, double r, CircleObstacles& obstacles) const;
 
   std::vector<Vector> vectors_{};
 };

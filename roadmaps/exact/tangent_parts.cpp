@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace taut {
 
@@ -21,6 +22,14 @@ std::vector<FoundTangent> all_tangents(const TangentGround& ground, double r) {
         result.push_back({{i, j, pair.from.here.side, -pair.to.here.side}, pair});
     }
   return result;
+}
+
+/// std::stable_sort without its memory for the few points that most circles have.
+template <class Iterator, class Before>
+void sort_stably(Iterator first, Iterator last, Before before) {
+  if (last - first > 32) return std::stable_sort(first, last, before);
+  for (Iterator at = first; at != last; ++at)
+    for (Iterator to = at; to != first && before(*to, *(to - 1)); --to) std::swap(*to, *(to - 1));
 }
 
 }  // namespace
@@ -68,8 +77,7 @@ void TangentParts::put_in_order(const std::vector<FoundTangent>& tangents, std::
     const auto from = order.begin() + first[i], to = order.begin() + first[i + 1];
     const bool round = sites()[i].round;
     if (round)
-      std::stable_sort(from, to,
-                       [&](std::uint32_t a, std::uint32_t b) { return is_before(end(a), end(b), sites()[i]); });
+      sort_stably(from, to, [&](std::uint32_t a, std::uint32_t b) { return is_before(end(a), end(b), sites()[i]); });
     first_point.push_back(static_cast<std::uint32_t>(points.size()));
     for (auto e = from; e != to; ++e) {
       if (e == from || (round && !same_point(points.back(), end(*e)))) {

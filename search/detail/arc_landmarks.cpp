@@ -17,6 +17,7 @@ ArcLandmarks::ArcLandmarks(ArcWalk& walk)
       opened_(walk.nodes(), 0),
       rounding_(static_cast<double>(walk.nodes() + 16) * 0x1p-50) {  // a sum of so many pieces
   for (Distances& all : distance_) all.fill(kInfinite);
+  for (std::uint32_t n = 0; n < walk.nodes(); n += 2) round_.push_back(walk.turned(n) != n);
   find_pockets(walk);
   if (distance_.empty()) return;
   for (std::size_t k = 0; k < kLandmarks; ++k) measure(walk, farthest(k), k);
@@ -74,7 +75,7 @@ void ArcLandmarks::find_pockets(ArcWalk& walk) {
 
 void ArcLandmarks::aim(ArcWalk& walk, std::span<const ArcExit> exits) {
   ++query_;
-  goal_.fill(kInfinite);
+  targets_.clear();
   std::vector<std::uint32_t> open;
   const auto enter = [&](std::uint32_t n) {
     if (!pocket_[n] || opened_[n] == query_) return;
@@ -82,8 +83,7 @@ void ArcLandmarks::aim(ArcWalk& walk, std::span<const ArcExit> exits) {
     open.push_back(n);
   };
   for (const ArcExit& exit : exits) {
-    for (std::size_t k = 0; k < kLandmarks; ++k)
-      goal_[k] = std::min(goal_[k], distance_[exit.node][k] + exit.length.middle());
+    targets_.push_back({std::max(0.0, exit.length.lo), distance_[exit.node], distance_[turned(exit.node)]});
     enter(exit.node);
   }
   while (!open.empty()) {
@@ -95,12 +95,23 @@ void ArcLandmarks::aim(ArcWalk& walk, std::span<const ArcExit> exits) {
 
 double ArcLandmarks::least(std::uint32_t n) const {
   if (pocket_[n] && opened_[n] != query_) return kInfinite;
+  double best = kInfinite;
+  for (const Target& target : targets_) best = std::min(best, target.length + least(n, target));
+  return best;
+}
+
+/// From l by n to the exit, d(l, exit) <= d(l, n) + d(n, exit). And the way to the exit, turned, goes from the turned
+/// exit to the turned n.
+double ArcLandmarks::least(std::uint32_t n, const Target& target) const {
+  const Distances &here = distance_[n], &back = distance_[turned(n)];
   double least = 0;
+  const auto bound = [&](double whole, double part) {
+    if (part == kInfinite) return;
+    least = whole == kInfinite ? kInfinite : std::max(least, whole - part - rounding_ * (whole + part));
+  };
   for (std::size_t k = 0; k < kLandmarks; ++k) {
-    const double here = distance_[n][k];
-    if (here == kInfinite) continue;
-    if (goal_[k] == kInfinite) return kInfinite;
-    least = std::max(least, goal_[k] - here - rounding_ * (goal_[k] + here));
+    bound(target.there[k], here[k]);
+    bound(back[k], target.turned[k]);
   }
   return least;
 }

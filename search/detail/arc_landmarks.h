@@ -33,15 +33,24 @@ class ArcLandmarks {
  private:
   using Distances = std::array<double, kLandmarks>;
 
+  /// An exit: how far it is from the landmarks, and from them when it is passed the other way.
+  struct Target {
+    double length;
+    Distances there, turned;
+  };
+
+  double least(std::uint32_t node, const Target& target) const;
   void measure(ArcWalk& walk, std::uint32_t from, std::size_t landmark);
   void find_pockets(ArcWalk& walk);
+  std::uint32_t turned(std::uint32_t node) const { return round_[node / 2] ? node ^ 1 : node; }
   std::uint32_t farthest(std::size_t landmarks) const;
 
   std::vector<Distances> distance_;
+  std::vector<std::uint8_t> round_;  // of each point
   std::vector<std::uint8_t> pocket_;
   std::vector<std::uint32_t> opened_;  // pockets that lead to the goal: the number of the query
   std::uint32_t query_ = 0;
-  Distances goal_{};
+  std::vector<Target> targets_;
   double rounding_ = 0;  // of a distance, as a share
 };
 

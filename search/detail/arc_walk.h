@@ -20,7 +20,10 @@ class ArcWalk {
 
   std::size_t nodes() const { return 2 * graph_.points.size(); }
 
-  /// Calls visit(node, length, site) for all that follows n.
+  /// The same point, passed the other way.
+  std::uint32_t turned(std::uint32_t n) const { return graph_.sites()[graph_.site_of[n / 2]].round ? n ^ 1 : n; }
+
+  /// Calls visit(node, length) for all that follows n.
   template <class Visit>
   void onward(std::uint32_t n, Visit&& visit) {
     const std::uint32_t p = n / 2, site = graph_.site_of[p];
@@ -37,9 +40,7 @@ class ArcWalk {
   /// Calls visit(node) for all that n follows.
   template <class Visit>
   void backward(std::uint32_t n, Visit&& visit) {
-    const bool round = graph_.sites()[graph_.site_of[n / 2]].round;
-    onward(round ? n ^ 1 : n,
-           [&](std::uint32_t m, const Interval&) { visit(graph_.sites()[graph_.site_of[m / 2]].round ? m ^ 1 : m); });
+    onward(turned(n), [&](std::uint32_t m, const Interval&) { visit(turned(m)); });
   }
 
  private:

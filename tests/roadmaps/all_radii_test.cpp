@@ -19,8 +19,6 @@
 namespace taut {
 namespace {
 
-using test::switches_of;
-
 /// What two graphs differ in; empty when they are the same.
 std::string difference(const TangentGraph& ours, const TangentGraph& theirs) {
   const TangentParts &a = ours.parts(), &b = theirs.parts();
