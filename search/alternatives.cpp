@@ -9,7 +9,7 @@
 
 #include <taut/geometry/written.h>
 #include <taut/roadmaps/visibility_graph.h>
-#include <taut/search/arc_pinch.h>
+#include <taut/search/detail/string_gates.h>
 #include <taut/search/detail/taut_legs.h>
 #include <taut/search/funnel.h>
 
@@ -212,24 +212,12 @@ class Enumeration {
   std::vector<Path> found_;
 };
 
-/// The string a little to the free side of its corners.
-ArcPath beside(const Path& path, double radius) {
-  ArcPath way{radius, path.points.front(), path.points.back(), {}, {}};
-  for (std::size_t i = 1; i + 1 < path.points.size(); ++i)
-    way.bends.push_back(
-        {path.points[i], written::orientation(path.points[i - 1], path.points[i], path.points[i + 1]) >= 0 ? 1 : -1});
-  return way;
-}
-
 }  // namespace
 
 Alternatives alternatives(const Gates& gates, Point s, Point g, const AlternativesRequest& request) {
   Alternatives result = Enumeration(gates.space(), s, g, request).find();
-  if (gates.gates().empty()) return result;
-  const double radius = gates.gates().front().width * 0x1p-20;
   for (Alternative& way : result.ways)
-    if (const auto pinch = way.path.points.size() < 2 ? std::nullopt : narrowest_gate(gates, beside(way.path, radius)))
-      way.gate = pinch->gate;
+    if (const auto gate = detail::narrowest_gate_of(gates, way.path)) way.gate = named_gate(gates, *gate);
   return result;
 }
 

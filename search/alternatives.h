@@ -47,4 +47,12 @@ struct AlternativesRequest {
 /// than the last one. Precondition: the space is a point's; neither end is outside.
 Alternatives alternatives(const Gates& gates, Point s, Point g, const AlternativesRequest& request = {});
 
+/// What room costs: of all ways those that are wider than every way that is as short, or shorter; the shortest first.
+/// Up to the width of way i it is the shortest that a disc gets along (its string; the disc's own path goes around
+/// corners in arcs), so these widths are all radii at which the way has to change. Exact where the feet of gates are
+/// pairs of doubles; else ways that differ by less than 1e-9 of the width in length may stand for each other.
+/// Method: the shortest path; all gates no wider than its own become walls; again. A FreeSpace for each way.
+/// Preconditions as above. Nothing when there is no path.
+std::vector<Alternative> wider_ways(const Gates& gates, Point s, Point g);
+
 }  // namespace taut
