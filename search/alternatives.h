@@ -36,7 +36,8 @@ struct AlternativesRequest {
 ///     (corridor_of). A class has one shortest path, a taut string. Classes with an equal curve are one here: a string
 ///     along a free wall, from end to end, may be on either of its sides.
 ///  2. A class counts when its string touches no corner twice and does not cross itself: ways that wind around an
-///     obstacle once more, or go around one and come back, are left out. There are finitely many; from a place to itself there is one.
+///     obstacle once more, or go around one and come back, are left out. There are finitely many; from a place to
+///     itself there is one.
 ///  3. Lengths compare exactly (Length), and that each string is taut is checked by pulling it (shortened).
 ///  4. A disc gets along a class iff it can be at the ends and its diameter is at most the narrowest gate that every
 ///     path of the class passes. Gates and strings are both shortest, so they cross at most once: these are the gates

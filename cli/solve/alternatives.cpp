@@ -88,6 +88,7 @@ class Alternating {
 
   Answer answer_of(const FreeSpace& space) const {
     Answer answer;
+    answer.outcome = Outcome::found;
     if (answer_.found.status == SearchStatus::none) {
       const auto walls = NoPath(space).walls(answer_.start, Goal{answer_.goal, {}});
       answer.outcome = walls ? Outcome::none : Outcome::unproven;
