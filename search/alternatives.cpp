@@ -74,7 +74,7 @@ class Enumeration {
       }
       open_.pop();
       ++result.expanded;
-      if (returns(next.label)) continue;
+      if (returns(next.label) || !is_taut(next.label)) continue;
       labels_[next.label].vertex == kGoal ? arrive(next.label) : expand(next.label);
     }
     const bool all = open_.empty();
@@ -162,6 +162,14 @@ class Enumeration {
       if (end != from && crosses(begin, end, from, to)) return true;
     }
     return false;
+  }
+
+  /// Legs along a wall do not tell on which side; the string does. What is loose stays so however it goes on.
+  bool is_taut(std::uint32_t label) const {
+    if (labels_[label].before == kNone || labels_[label].vertex == kGoal) return true;
+    const Path way = path(label);
+    const auto pulled = shortened(space_, way);
+    return pulled && pulled->length == way.length;
   }
 
   Path path(std::uint32_t label) const {
