@@ -105,6 +105,7 @@ void bind_indexes(py::module_& m);
 void bind_roadmaps(py::module_& m);
 void bind_planners(py::module_& m);
 void bind_discs(py::module_& m);
+void bind_passage_index(py::module_& m);
 void bind_clearance(py::module_& m);
 void bind_snapping(py::module_& m);
 void bind_grids(py::module_& m);

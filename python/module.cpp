@@ -16,6 +16,7 @@ PYBIND11_MODULE(_taut, m) {
   taut::python::bind_roadmaps(m);
   taut::python::bind_planners(m);
   taut::python::bind_discs(m);
+  taut::python::bind_passage_index(m);
   taut::python::bind_clearance(m);
   taut::python::bind_snapping(m);
   taut::python::bind_grids(m);

@@ -9,7 +9,7 @@
 
 #include <taut/geometry/written.h>
 #include <taut/roadmaps/visibility_graph.h>
-#include <taut/search/arc_pinch.h>
+#include <taut/search/detail/string_gates.h>
 #include <taut/search/detail/taut_legs.h>
 #include <taut/search/funnel.h>
 
@@ -74,7 +74,7 @@ class Enumeration {
       }
       open_.pop();
       ++result.expanded;
-      if (returns(next.label)) continue;
+      if (returns(next.label) || !is_taut(next.label)) continue;
       labels_[next.label].vertex == kGoal ? arrive(next.label) : expand(next.label);
     }
     const bool all = open_.empty();
@@ -164,6 +164,14 @@ class Enumeration {
     return false;
   }
 
+  /// Legs along a wall do not tell on which side; the string does. What is loose stays so however it goes on.
+  bool is_taut(std::uint32_t label) const {
+    if (labels_[label].before == kNone || labels_[label].vertex == kGoal) return true;
+    const Path way = path(label);
+    const auto pulled = shortened(space_, way);
+    return pulled && pulled->length == way.length;
+  }
+
   Path path(std::uint32_t label) const {
     std::vector<Point> points;
     for (std::uint32_t at = label;; at = labels_[at].before) {
@@ -212,24 +220,12 @@ class Enumeration {
   std::vector<Path> found_;
 };
 
-/// The string a little to the free side of its corners.
-ArcPath beside(const Path& path, double radius) {
-  ArcPath way{radius, path.points.front(), path.points.back(), {}, {}};
-  for (std::size_t i = 1; i + 1 < path.points.size(); ++i)
-    way.bends.push_back(
-        {path.points[i], written::orientation(path.points[i - 1], path.points[i], path.points[i + 1]) >= 0 ? 1 : -1});
-  return way;
-}
-
 }  // namespace
 
 Alternatives alternatives(const Gates& gates, Point s, Point g, const AlternativesRequest& request) {
   Alternatives result = Enumeration(gates.space(), s, g, request).find();
-  if (gates.gates().empty()) return result;
-  const double radius = gates.gates().front().width * 0x1p-20;
   for (Alternative& way : result.ways)
-    if (const auto pinch = way.path.points.size() < 2 ? std::nullopt : narrowest_gate(gates, beside(way.path, radius)))
-      way.gate = pinch->gate;
+    if (const auto gate = detail::narrowest_gate_of(gates, way.path)) way.gate = named_gate(gates, *gate);
   return result;
 }
 

@@ -36,7 +36,8 @@ struct AlternativesRequest {
 ///     (corridor_of). A class has one shortest path, a taut string. Classes with an equal curve are one here: a string
 ///     along a free wall, from end to end, may be on either of its sides.
 ///  2. A class counts when its string touches no corner twice and does not cross itself: ways that wind around an
-///     obstacle once more, or go around one and come back, are left out. There are finitely many; from a place to itself there is one.
+///     obstacle once more, or go around one and come back, are left out. There are finitely many; from a place to
+///     itself there is one.
 ///  3. Lengths compare exactly (Length), and that each string is taut is checked by pulling it (shortened).
 ///  4. A disc gets along a class iff it can be at the ends and its diameter is at most the narrowest gate that every
 ///     path of the class passes. Gates and strings are both shortest, so they cross at most once: these are the gates
@@ -46,5 +47,13 @@ struct AlternativesRequest {
 /// by the distance to the goal. O(E) for the estimate; then about a step for each corner of each way that is no longer
 /// than the last one. Precondition: the space is a point's; neither end is outside.
 Alternatives alternatives(const Gates& gates, Point s, Point g, const AlternativesRequest& request = {});
+
+/// What room costs: of all ways those that are wider than every way that is as short, or shorter; the shortest first.
+/// Up to the width of way i it is the shortest that a disc gets along (its string; the disc's own path goes around
+/// corners in arcs), so these widths are all radii at which the way has to change. Exact where the feet of gates are
+/// pairs of doubles; else ways that differ by less than 1e-9 of the width in length may stand for each other.
+/// Method: the shortest path; all gates no wider than its own become walls; again. A FreeSpace for each way.
+/// Preconditions as above. Nothing when there is no path.
+std::vector<Alternative> wider_ways(const Gates& gates, Point s, Point g);
 
 }  // namespace taut

@@ -43,7 +43,7 @@ std::optional<ArcPinch> narrowest_gate(const Gates& gates, const ArcPath& path) 
     const Segment gate{gates.gates()[i].end, gates.gates()[i].foot};
     for (std::size_t k = 1; k < points.size(); ++k)
       if (const auto at = crossing({points[k - 1], points[k]}, gate); at && !is_left(gate, points, k))
-        return ArcPinch{*at, named_gate(gates, i)};
+        return ArcPinch{*at, named_gate(gates, i), i};
   }
   return std::nullopt;
 }

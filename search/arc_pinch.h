@@ -1,6 +1,7 @@
 // Where a disc's way is narrowest.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include <taut/roadmaps/gates.h>
@@ -13,6 +14,7 @@ namespace taut {
 struct ArcPinch {
   Point at;  ///< where it does, to within a thousandth of the disc's radius
   NamedGate gate;
+  std::uint32_t index = kNone;  ///< of the gate
 };
 
 /// Of several equally narrow gates the first of Gates::gates() that is passed. Nothing where none is: a way in the

@@ -25,8 +25,8 @@ struct DiscReach {
 /// inflated space is built. Precondition: 0 < r <= World::kLargest.
 std::optional<DiscReach> disc_reach(const PassageIndex& index, Point start, double r);
 
-/// The gates narrower than 2 r with, on one side, a face that a disc of radius r may get to from the place, on the other
-/// side one that it does not: the widest first. O(n).
+/// The gates narrower than 2 r with, on one side, a face that a disc of radius r may get to from the place, and on the
+/// other one that it does not: the widest first. O(n).
 std::vector<std::uint32_t> closed_gates(const PassageIndex& index, const PassagePlace& start, double r);
 
 }  // namespace taut

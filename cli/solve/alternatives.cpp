@@ -36,9 +36,7 @@ class Alternating {
     require_free(space, answer_.goal, "goal");
     if (rounding_bound(space) > 0) answer_.within = rounding_bound(space);
     const Gates gates = run_.stage("gates", [&] { return Gates(space); });
-    answer_.found = run_.stage("search", [&] {
-      return alternatives(gates, answer_.start, answer_.goal, {.count = answer_.asked, .most_expanded = kMostExpanded});
-    });
+    run_.stage("search", [&] { search(gates); });
     verify_all(space);
     return end(input, space);
   }
@@ -53,7 +51,19 @@ class Alternating {
     answer_.start = *input.world.start();
     answer_.goal = *input.world.goal().point;
     answer_.asked = options_.alternatives;
+    answer_.wider = options_.wider;
     run_.so_far(alternatives_json(answer_));
+  }
+
+  void search(const Gates& gates) {
+    if (!options_.wider) {
+      answer_.found =
+          alternatives(gates, answer_.start, answer_.goal, {.count = answer_.asked, .most_expanded = kMostExpanded});
+      return;
+    }
+    answer_.found.ways = wider_ways(gates, answer_.start, answer_.goal);
+    answer_.found.all = true;
+    if (!answer_.found.ways.empty()) answer_.found.status = SearchStatus::found;
   }
 
   void verify_all(const FreeSpace& space) {
@@ -78,6 +88,7 @@ class Alternating {
 
   Answer answer_of(const FreeSpace& space) const {
     Answer answer;
+    answer.outcome = Outcome::found;
     if (answer_.found.status == SearchStatus::none) {
       const auto walls = NoPath(space).walls(answer_.start, Goal{answer_.goal, {}});
       answer.outcome = walls ? Outcome::none : Outcome::unproven;

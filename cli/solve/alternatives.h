@@ -6,7 +6,7 @@
 
 namespace taut::cli {
 
-/// Precondition: options.alternatives > 0. Throws InputError when an end is missing, is no point or no free place.
+/// Precondition: options.ways_given(). Throws InputError when an end is missing, is no point or no free place.
 int solve_alternatives(const SolveOptions& options, Run& run);
 
 }  // namespace taut::cli

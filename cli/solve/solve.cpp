@@ -280,7 +280,7 @@ class Solver {
 int run(const SolveOptions& options, Run& run) {
   run.source(options.world.file);
   if (options.clearance) return solve_with_clearance(options, run);
-  if (options.alternatives > 0) return solve_alternatives(options, run);
+  if (options.ways_given()) return solve_alternatives(options, run);
   if (options.keep) return solve_keeping(options, run);
   if (options.arcs) return solve_with_arcs(options, run);
   return Solver(options, run).solve();

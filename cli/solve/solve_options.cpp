@@ -47,16 +47,17 @@ void add_keep_option(CommandLine& app, std::optional<double>& keep) {
       .group("Clearance");
 }
 
-void add_alternatives_option(CommandLine& app, std::size_t& alternatives) {
+void add_alternatives_option(CommandLine& app, SolveOptions& options) {
   app.add_option_function(
          "--alternatives",
-         [&alternatives](const std::string& text) {
-           alternatives = count_of(text);
-           if (alternatives == 0 || alternatives > 1000)
-             throw UsageError("--alternatives: '" + text + "' is not one of 1 to 1000");
+         [&options](const std::string& text) {
+           options.wider = text == "wider";
+           options.alternatives = options.wider ? 0 : count_of(text);
+           if (!options.wider && (options.alternatives == 0 || options.alternatives > 1000))
+             throw UsageError("--alternatives: '" + text + "' is neither `wider` nor one of 1 to 1000");
          },
-         "The shortest path of each of the K shortest ways around the obstacles, its width and the gate that makes "
-         "it narrow")
+         "The shortest path of each of the K shortest ways around the obstacles, its width and the gate that makes it "
+         "narrow; wider: of all ways those that no shorter one is as wide as")
       .type_name("K")
       .group("Clearance");
 }
@@ -65,14 +66,14 @@ void add_alternatives_option(CommandLine& app, std::size_t& alternatives) {
 void require_alone(const SolveOptions& options, const std::string& which) {
   if (options.kind || !options.save.empty() || !options.load.empty() || options.shorten || options.clearance ||
       options.arcs || options.method_given() || options.anytime.wanted || options.contours > 0 ||
-      !options.certificate.empty() || (options.keep && options.alternatives > 0))
+      !options.certificate.empty() || (options.keep && options.ways_given()))
     throw UsageError(which +
                      " has a search of its own: not with --roadmap, --algorithm, --anytime, --arcs, "
                      "--clearance and their like, nor with --contours and --certificate");
   if (options.query.robot.kind() != Footprint::Kind::point)
     throw UsageError("--robot does not go with " + which + (options.keep ? "; a disc of radius R is --keep R" : ""));
   if (options.world.read.project) throw UsageError("--project does not go with " + which);
-  if (options.path && options.alternatives > 0)
+  if (options.path && options.ways_given())
     throw UsageError("--path prints one path, --alternatives has several; --json - writes them all");
 }
 
@@ -139,7 +140,7 @@ void require_method_fits(const SolveOptions& options) {
 // Options that exclude each other. Throws UsageError.
 void require_consistent(const SolveOptions& options) {
   if (options.keep) require_alone(options, "--keep");
-  if (options.alternatives > 0) require_alone(options, "--alternatives");
+  if (options.ways_given()) require_alone(options, "--alternatives");
   if (options.clearance) {
     if ((options.kind && options.kind != roadmap_kind("voronoi")) || !options.save.empty() || !options.load.empty() ||
         options.shorten)
@@ -213,7 +214,7 @@ void add_solve_options(CommandLine& app, SolveOptions& options) {
   add_anytime_options(app, options.anytime);
   add_clearance_options(app, options.clearance);
   add_keep_option(app, options.keep);
-  add_alternatives_option(app, options.alternatives);
+  add_alternatives_option(app, options);
   add_svg_option(app, options.svg);
   app.add_option_function(
          "--contours",

@@ -25,6 +25,7 @@ struct SolveOptions {
   std::optional<ClearanceQuery> clearance;
   std::optional<double> keep;    // the clearance of --keep
   std::size_t alternatives = 0;  // how many ways
+  bool wider = false;            // those that no shorter one is as wide as
   bool no_verify = false;
   bool path = false;
   bool shorten = false;
@@ -38,6 +39,7 @@ struct SolveOptions {
   std::string save;
   std::string load;
 
+  bool ways_given() const { return alternatives > 0 || wider; }
   /// Was one asked for that works on a graph?
   bool method_given() const { return algorithm || heuristic; }
   GraphMethod method() const {

@@ -36,7 +36,7 @@ Json alternatives_json(const AlternativesAnswer& answer) {
   Json ways = Json::array();
   for (const Alternative& way : answer.found.ways) ways.push_back(way_json(way));
   Json json = {{"query", "alternatives"},
-               {"asked", answer.asked},
+               {"asked", answer.wider ? Json("wider") : Json(answer.asked)},
                {"all", answer.found.all},
                {"alternatives", ways},
                {"verified", answer.verified}};

@@ -28,6 +28,24 @@ class Mouse(Protocol):
 __version__: str
 GRID_MOVES: tuple[tuple[int, int], ...]
 
+class Alternative:
+    """The shortest path of one way around the obstacles."""
+
+    @property
+    def length(self) -> float:
+        """The double nearest to the exact one."""
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """(n, 2): the ends, and the corners that it bends around."""
+    @property
+    def width(self) -> float | None:
+        """Of the narrowest gate that all paths of this way pass: no larger disc gets along. None: it passes none."""
+    @property
+    def gate(self) -> tuple[Point, Point] | None:
+        """That gate's two ends."""
+    def _repr_svg_(self) -> str: ...
+    def __repr__(self) -> str: ...
+
 class Answers:
     """Answers to many queries, in their order."""
 
@@ -221,6 +239,28 @@ class Collision:
     @property
     def at(self) -> tuple[Point, Point]:
         """Their centres when it begins."""
+    def __repr__(self) -> str: ...
+
+class DiscReach:
+    """Where a disc's centre gets to from one place."""
+
+    @property
+    def polygons(self) -> list[Polygon]:
+        """Each the outer ring, then holes, (n, 2). Arcs are drawn by a 64-gon around the disc, so a rim of 0.121 % of
+        the radius is left out; which are reached is exact."""
+    @property
+    def area(self) -> float: ...
+    @property
+    def whole_area(self) -> float:
+        """Of all places, reached or not."""
+    @property
+    def gates(self) -> NDArray[np.float64]:
+        """(n, 4): too narrow, between what is reached and what is not, the widest first."""
+    @property
+    def widths(self) -> NDArray[np.float64]:
+        """(n,): theirs."""
+    def __contains__(self, point: PointLike) -> bool:
+        """Does the centre get there? Exactly."""
     def __repr__(self) -> str: ...
 
 class Drive:
@@ -431,6 +471,28 @@ class Judgement:
     def __bool__(self) -> bool: ...
     def __repr__(self) -> str: ...
 
+class KeptPath:
+    """The shortest path that keeps a clearance, with arcs, where its ends allow."""
+
+    @property
+    def length(self) -> float: ...
+    @property
+    def length_bounds(self) -> tuple[float, float]:
+        """Two doubles around the exact length."""
+    @property
+    def clearance(self) -> float: ...
+    @property
+    def parts(self) -> list[tuple[float, NDArray[np.float64]]]:
+        """[(radius, points), ...]: what each part keeps from walls, and (n, 2) points on it, legs between them no
+        farther from it than radius / 1000. Those below the clearance leave the start and enter the goal."""
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """(n, 2): of all parts."""
+    def verify(self) -> bool:
+        """A check that shares nothing with the planner: True when each part keeps what it says."""
+    def _repr_svg_(self) -> str: ...
+    def __repr__(self) -> str: ...
+
 class Length:
     """The length of a chain of points: a sum of square roots, kept as such. Compared exactly; float() is the
     nearest double."""
@@ -514,6 +576,28 @@ class Passage:
     @property
     def goal(self) -> Point: ...
     def __bool__(self) -> bool: ...
+    def __repr__(self) -> str: ...
+
+class PassageIndex:
+    """Where a disc of any radius gets to, and how wide it is: one index for all radii and ends, microseconds a
+    question. Of a point's space; exact."""
+
+    def __init__(self, space: FreeSpace) -> None: ...
+    @property
+    def gates(self) -> Gates: ...
+    def widest(self, start: PointLike | None = ..., goal: GoalLike | None = ...) -> float | None:
+        """The radius of the largest disc that gets from start to goal; None: not even a point does."""
+    def passes(self, radius: float, start: PointLike | None = ..., goal: GoalLike | None = ...) -> bool:
+        """Does a disc get there? False also where it cannot be at an end."""
+    def matrix(self, points: ArrayLike) -> NDArray[np.float64]:
+        """(n, n): the radii of the largest discs between each two of (n, 2) points; 0 where none gets."""
+    def map(self, start: PointLike | None = ...) -> list[tuple[NDArray[np.float64], float]]:
+        """[(ring, radius), ...]: the faces between walls and gates, and the largest disc that gets into each; the
+        widest first."""
+    def reach(self, radius: float, start: PointLike | None = ...) -> DiscReach | None:
+        """The DiscReach of a disc; None where it cannot be at the start."""
+    def nearest_place(self, radius: float, point: PointLike) -> tuple[Point, float] | None:
+        """The place of a disc's centre that is nearest to the point, and its distance; None: there is none at all."""
     def __repr__(self) -> str: ...
 
 class Path:
@@ -741,6 +825,12 @@ class World:
     @property
     def __geo_interface__(self) -> dict[str, Any]: ...
 
+def alternatives(
+    space: FreeSpace, count: int = ..., start: PointLike | None = ..., goal: GoalLike | None = ...
+) -> list[Alternative]:
+    """Up to count Alternatives, the shortest of each homotopy class, the shortest first; none when there is no path.
+    Raises InputError, Unproven."""
+
 def audit(world: World, points: ArrayLike, robot: Footprint = ..., *, gap: bool = ...) -> Audit:
     """Can the robot follow the points (n, 2), where does it first meet a wall, how near does it come, how much longer
     than the shortest is it? An Audit; a disc is taken for the disc itself."""
@@ -839,6 +929,12 @@ def drive(
 def judge(space: FreeSpace, certificate: str) -> Judgement:
     """Does the certificate, as text, prove what it says of the space? A Judgement, by signs of integers alone. Raises
     InputError when it cannot be read."""
+
+def kept_path(
+    index: PassageIndex, clearance: float, start: PointLike | None = ..., goal: GoalLike | None = ...
+) -> KeptPath | None:
+    """The KeptPath of a PassageIndex: an end nearer to walls is left, or entered, by the shortest way that keeps what
+    the end has (docs/definitions.md). None where gates are too narrow. Raises InputError."""
 
 def mouse_explorers() -> list[str]:
     """The names of the robots that come with taut."""

@@ -197,6 +197,47 @@ RC_GTEST_PROP(Alternatives, AreValidSortedAndAmongThemIsTheShortestAndTheWidest,
   RC_ASSERT(widest == (gate == kNone ? std::numeric_limits<double>::infinity() : index.gates().gates()[gate].width));
 }
 
+TEST(WiderWays, AreThoseThatNoShorterOneIsAsWideAs) {
+  // Past the bar's right end 3 wide, past its left end 4 wide.
+  const Gates gates = room({{{4, 5}, {7, 5}}});
+  const std::vector<Alternative> ways = wider_ways(gates, {6, 4}, {6, 6});
+  ASSERT_EQ(ways.size(), 2U);
+  EXPECT_EQ(ways[0].gate->width, 3);
+  EXPECT_EQ(ways[1].gate->width, 4);
+  // From the left the wider one is the shorter one.
+  EXPECT_EQ(wider_ways(gates, {5, 4}, {5, 6}).size(), 1U);
+  // Ends beside a wall change nothing.
+  EXPECT_EQ(wider_ways(gates, {6, 0.015625}, {6, 10}).size(), 2U);
+}
+
+RC_GTEST_PROP(WiderWays, AreAmongAllAlternativesThoseThatNoShorterOneIsAsWideAs, ()) {
+  const SmallWorld small = test::any_world({.side = 6, .walls = 5, .solids = 2, .straight = test::any(0, 1) == 1});
+  const FreeSpace space(small.bounded(Boundary::walled));
+  const Point s = test::any_fine_point(6), g = test::any_fine_point(6);
+  RC_LOG(test::show(small) + fmt::format(" s {} g {}\n", test::show(s), test::show(g)));
+  if (space.locate(s).kind != Location::Kind::triangle || space.locate(g).kind != Location::Kind::triangle) return;
+  const Gates gates(space);
+  for (const Gate& gate : gates.gates())
+    if (written::orientation(gate.end, gate.foot, s) == 0 || written::orientation(gate.end, gate.foot, g) == 0) return;
+  const Alternatives all = alternatives(gates, s, g, {.count = 200, .most_expanded = 200'000});
+  if (!all.all) return;
+  std::vector<const Alternative*> front;
+  const auto width = [](const Alternative& way) {
+    return way.gate ? way.gate->width : std::numeric_limits<double>::infinity();
+  };
+  for (const Alternative& way : all.ways) {
+    if (!front.empty() && width(way) <= width(*front.back())) continue;
+    if (!front.empty() && way.path.length == front.back()->path.length) front.pop_back();
+    front.push_back(&way);
+  }
+  const std::vector<Alternative> ways = wider_ways(gates, s, g);
+  RC_ASSERT(ways.size() == front.size());
+  for (std::size_t i = 0; i < ways.size(); ++i) {
+    RC_ASSERT(ways[i].path.length == front[i]->path.length);
+    RC_ASSERT(width(ways[i]) == width(*front[i]));
+  }
+}
+
 TEST(Alternatives, AreFoundInAMazeWithLoops) {
   auto maze = std::make_shared<GridMaze>(generate_backtracker(21, 21, 3));
   open_walls(*maze, 0.2, 3);

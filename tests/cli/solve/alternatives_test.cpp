@@ -46,6 +46,20 @@ TEST_F(SolveAlternatives, NamesTheWallsThatLeaveNone) {
   EXPECT_THAT(run.out, HasSubstr("no path: this wall separates start and goal: (2, 0)-(2, 4)"));
 }
 
+TEST_F(SolveAlternatives, ThatAreWiderShowWhatRoomCosts) {
+  const json answer = json::parse(run_taut("solve - --alternatives wider --json -", kBar).out)["result"];
+  EXPECT_EQ(answer["asked"], "wider");
+  ASSERT_EQ(answer["alternatives"].size(), 2U);
+  EXPECT_EQ(answer["alternatives"][0]["width"], 3);
+  EXPECT_EQ(answer["alternatives"][1]["width"], 4);
+  // From here the wider way is the shorter one.
+  EXPECT_EQ(
+      json::parse(
+          run_taut("solve - --alternatives wider --from 5,4 --to 5,6 --json -", kBar).out)["result"]["alternatives"]
+          .size(),
+      1U);
+}
+
 TEST_F(SolveAlternatives, HaveASearchOfTheirOwn) {
   EXPECT_EQ(run_taut("solve - --alternatives 2 --keep 1", kBar).code, 2);
   EXPECT_EQ(run_taut("solve - --alternatives 0", kBar).code, 2);
