@@ -25,8 +25,8 @@ struct MousePicture {
 std::string mouse_svg(const GridMaze& maze, const micromouse::Record& record, const MousePicture& picture);
 
 /// The same as a film that plays in a browser and begins again (SMIL, no script): the mouse moves, and what it sees
-/// appears when it sees it; with `flood` the numbers change as its map does. Where animation is not understood it is the
-/// last frame. 0.1 to 0.4 s a step.
+/// appears when it sees it; with `flood` the numbers change as its map does. Where animation is not understood it is
+/// the last frame. 0.1 to 0.4 s a step.
 std::string mouse_animation(const GridMaze& maze, const micromouse::Record& record, const MousePicture& picture);
 
 /// What the robot hopes for, before, during and after exploring: three pictures with `flood` side by side, as things

@@ -20,9 +20,9 @@ struct Heights {
 double contour_interval(double greatest);
 
 /// Path data of the line of one height, points `side` apart, the first at (x, y): straight through each square of four
-/// points with heights, between the places on its sides where linear interpolation has that height; a saddle is split by
-/// the mean of its corners. A corner of exactly that height counts as above. Neighbouring squares agree, so lines end
-/// only where heights do.
+/// points with heights, between the places on its sides where linear interpolation has that height; a saddle is split
+/// by the mean of its corners. A corner of exactly that height counts as above. Neighbouring squares agree, so lines
+/// end only where heights do.
 std::string height_line(const Heights& heights, double height, double side, double x, double y);
 
 }  // namespace taut::detail

@@ -168,5 +168,16 @@ TEST_F(MouseRun, GivesTheSameBytesEachTime) {
   EXPECT_EQ(run_taut(command).out, run_taut(command).out);
 }
 
+TEST_F(MouseRun, StopsProvingInTimeToRace) {
+  const std::string maze =
+      run_taut("generate --kind backtracker --size 32 --loops 0.1 --as cells --seed 1 --quiet").out;
+  // Of the 120 steps the goal takes half, and the second run 30.
+  const Outcome run = run_taut("mouse run --quick --explorer prove --max-steps 120 --json - -", maze);
+  EXPECT_EQ(run.code, 0) << run.err;
+  const json result = json::parse(run.out)["result"];
+  EXPECT_FALSE(result["proven"].get<bool>());
+  EXPECT_LE(result["run1"].get<int>() + result["run2"].get<int>(), 120);
+}
+
 }  // namespace
 }  // namespace taut::test
