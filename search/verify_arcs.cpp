@@ -118,11 +118,11 @@ constexpr int kBits = 512;
 struct Fine {
   BigFloat x, y;
 };
-BigFloat fine(double v) { return BigFloat(meaning(v), kBits); }
+BigFloat fine(double v) { return big_float(meaning(v), kBits); }
 Fine fine(const ExactPosition& p) {
-  const BigFloat root = sqrt(BigFloat(*p.x.c, kBits));
-  return {BigFloat(p.x.a, kBits) + BigFloat(p.x.b, kBits) * root,
-          BigFloat(p.y.a, kBits) + BigFloat(p.y.b, kBits) * root};
+  const BigFloat root = sqrt(big_float(*p.x.c, kBits));
+  return {big_float(p.x.a, kBits) + big_float(p.x.b, kBits) * root,
+          big_float(p.y.a, kBits) + big_float(p.y.b, kBits) * root};
 }
 
 class Arc {
@@ -133,8 +133,8 @@ class Arc {
       p->x -= fine(end.at.x);
       p->y -= fine(end.at.y);
     }
-    const BigFloat together = from_.x * to_.x + from_.y * to_.y, t(end.turn, kBits);
-    BigFloat mx(0, kBits), my(0, kBits);
+    const BigFloat together = from_.x * to_.x + from_.y * to_.y, t = big_float(end.turn, kBits);
+    BigFloat mx = big_float(0, kBits), my = big_float(0, kBits);
     if (together > 0) {
       mx = from_.x + to_.x;
       my = from_.y + to_.y;
@@ -181,7 +181,7 @@ class Arc {
   }
 
  private:
-  static BigFloat tiny() { return BigFloat("1e-100", kBits); }
+  static BigFloat tiny() { return big_float(fraction(1, power(10, 100)), kBits); }
   int turn_from(const Rational& x, const Rational& y) const {
     const ExactPosition radius = in_.to() - in_.place(end_.at);
     return end_.turn * cross(radius, {in_.number(x), in_.number(y)}).sign();

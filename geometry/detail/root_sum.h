@@ -24,7 +24,7 @@ struct RootTerm {
 ///  1. is nothing left (chains of equal legs in any order),
 ///  2. the double-double sum, with its error bound, or exactly where nothing was rounded (rational lengths),
 ///  3. classes of rationally dependent roots in 64-bit integers, where all squares are exact doubles,
-///  4. the same in GMP rationals; if a class is left, the sum is not 0 and MPFR with doubled precision finds its sign.
+///  4. the same in rationals; if a class is left, the sum is not 0 and roots of ever more digits find its sign.
 class RootSum {
  public:
   /// The sum of the lengths of `plus` less that of `minus`.
@@ -66,7 +66,7 @@ std::optional<double> nearest_by_pairs(std::span<const RootTerm> terms);
 /// squares are not exact, numbers grow too large, or classes of both signs are left.
 std::optional<int> sign_by_small_classes(std::span<const RootTerm> terms);
 
-/// GMP and MPFR, always decided.
+/// Integers of any length, always decided.
 int sign_by_big_numbers(std::span<const RootTerm> terms);
 double nearest_by_big_numbers(std::span<const RootTerm> terms);
 std::string decimals_by_big_numbers(std::span<const RootTerm> terms, int places);

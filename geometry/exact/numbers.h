@@ -25,9 +25,9 @@ using Integer = boost::multiprecision::number<boost::multiprecision::cpp_int_bac
 using Rational =
     boost::multiprecision::number<boost::multiprecision::rational_adaptor<boost::multiprecision::cpp_int_backend<>>,
                                   boost::multiprecision::et_off>;
-/// A binary fraction of 256 bits.
+/// A binary fraction of 512 bits.
 using BigFloat =
-    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<256, boost::multiprecision::digit_base_2>,
+    boost::multiprecision::number<boost::multiprecision::cpp_bin_float<512, boost::multiprecision::digit_base_2>,
                                   boost::multiprecision::et_off>;
 
 using boost::multiprecision::denominator;
@@ -65,14 +65,14 @@ inline std::string text_of(const Rational& v) {
 double to_double(const Rational& v);
 double to_double(const BigFloat& v);
 
-inline BigFloat big_float(const Rational& v) { return BigFloat(v); }
+inline BigFloat big_float(const Rational& v, int = 256) { return BigFloat(v); }
 inline BigFloat halved(const BigFloat& v, int times) { return ldexp(v, -times); }
 
 #else
 
 using Integer = mpz_class;
 using Rational = mpq_class;
-/// A binary fraction; of 256 bits where it comes from big_float.
+/// A binary fraction, of as many bits as big_float was told.
 using BigFloat = mpf_class;
 
 inline const Integer& numerator(const Rational& v) { return v.get_num(); }
@@ -110,7 +110,8 @@ inline std::string text_of(const Rational& v) { return v.get_str(); }
 inline double to_double(const Rational& v) { return v.get_d(); }
 inline double to_double(const BigFloat& v) { return v.get_d(); }
 
-inline BigFloat big_float(const Rational& v) { return BigFloat(v, 256); }
+/// Of so many bits at least.
+inline BigFloat big_float(const Rational& v, int digits = 256) { return BigFloat(v, static_cast<mp_bitcnt_t>(digits)); }
 inline BigFloat halved(const BigFloat& v, int times) { return BigFloat(v >> static_cast<mp_bitcnt_t>(times)); }
 
 #endif
