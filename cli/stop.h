@@ -45,8 +45,8 @@ void on_stop(std::function<void(const Stop&)> last_words);
 /// This process group is killed, too, when the program is stopped; 0: none.
 void kill_with_us(int group) noexcept;
 
-/// From now on SIGINT and SIGTERM do not stop the program but call `work`, in the watching thread: for what goes on until
-/// somebody ends it, and then has ended well. The end of the seconds still stops it.
+/// From now on SIGINT and SIGTERM do not stop the program but call `work`, in the watching thread: for what goes on
+/// until somebody ends it, and then has ended well. The end of the seconds still stops it.
 void instead_of_stopping(std::function<void()> work);
 
 /// The work is done, results will be written: the seconds no longer count, and the last words are dropped. Does not

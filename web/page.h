@@ -20,8 +20,8 @@ struct Wasm {
 Wasm embedded_wasm();
 
 /// The page with this in it: JSON with `name`, `load` (the request that loads the world), and what of these there is:
-/// `still` (answers of a Session: `world`, `path`, `widest`, and in `layers` by name), `server` (where to ask instead),
-/// `film` (`title`, `actors`, `frames`). With the embedded planner unless there is a server.
+/// `still` (answers of a Session: `world`, `path`, `widest`, and in `layers` by name), `server` (where to ask instead).
+/// With the planner `wasm` where it has bytes.
 std::string page(std::string_view json, const Wasm& wasm);
 
 }  // namespace taut::web

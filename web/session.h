@@ -34,8 +34,8 @@ namespace taut::web {
 ///  widest       the largest disc that gets through: `status` found, `radius` (null: any), `limit` (gate, start, goal,
 ///               none), `text`, `at` (flat: the gate); none
 ///  layer        `name`: triangulation, mesh, visibility, voronoi, gates, region (of `at`, a point). Answers
-///               `segments`, or of voronoi `curves` (six numbers each: from, control, to), or of region `ring`; of gates
-///               `widths` as well
+///               `segments`, or of voronoi `curves` (six numbers each: from, control, to), or of region `ring`; of
+///               gates `widths` as well
 ///  save         `as` (a format's word). Answers `text`, or `base64` of what is no text
 ///  formats      `formats`: the words that this world can be saved as
 ///  self-test    `passed`, `checks`: exactness, asked of the machine that it runs on

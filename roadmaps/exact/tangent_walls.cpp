@@ -72,7 +72,7 @@ bool in_sector(const Triangulation& tri, const Tri::Sector& sector, int bend, Tu
 
 bool is_nearer(Point p, const Segment& s, double r) {
   const Rational fx = meaning(s.b.x) - meaning(s.a.x), fy = meaning(s.b.y) - meaning(s.a.y),
-                  r2 = meaning(r) * meaning(r);
+                 r2 = meaning(r) * meaning(r);
   const Rational x = meaning(p.x) - meaning(s.a.x), y = meaning(p.y) - meaning(s.a.y), F = fx * fx + fy * fy;
   const Rational along = x * fx + y * fy, off = fx * y - fy * x;
   if (along <= 0) return x * x + y * y < r2;

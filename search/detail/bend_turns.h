@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include <taut/geometry/integer_places.h>
 #include <taut/geometry/written.h>
 #include <taut/roadmaps/visibility_graph.h>
-#include <taut/geometry/integer_places.h>
 
 namespace taut::detail {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include <taut/geometry/exact/twofold.h>
-#include <taut/geometry/point.h>
 #include <taut/geometry/integer_places.h>
+#include <taut/geometry/point.h>
 #include <taut/search/detail/taut_legs.h>
 
 namespace taut::detail {

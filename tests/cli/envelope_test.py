@@ -53,6 +53,8 @@ def cases(data):
     yield "solve room --roadmap visibility --algorithm dijkstra", world, "found"
     yield "solve room --algorithm bfs", world, "found"
     yield "solve room --heuristic manhattan", world, "found"
+    yield "view room -o page.html", world, "done"
+    yield "view wrong -o page.html", world, "refused"
     yield "solve room --widest", world, "found"
     yield "solve room --tradeoff", world, "found"
     yield "solve room --clearance 0.3", world, "found"

@@ -154,14 +154,12 @@ class App {
     this.groundWanted ??= requestAnimationFrame(() => {
       this.groundWanted = null;
       this.sheet.drawGround(this.model, this.world, this.layers, this.shown);
-      if (!this.planner.still) by("front").dataset.drawn = String(Number(by("front").dataset.drawn ?? 0) + 1);
     });
   }
   drawFront() {
     this.frontWanted ??= requestAnimationFrame(() => {
       this.frontWanted = null;
-      const context = this.sheet.drawFront(this.model, this.film ? null : this.answer, this.tools.draft);
-      if (this.film) this.film.draw(context, this.sheet);
+      this.sheet.drawFront(this.model, this.answer, this.tools.draft);
     });
   }
   drawHandles() {
@@ -349,7 +347,6 @@ async function begin() {
   app.viewChangedQuietly();
   app.askPath();
   if (ask.name === "still") { app.askLayers(); } else { app.formats(); app.askWidest(); app.askLayers().then(() => app.drawGround()); }
-  if (kPage.film) app.film = new Film(app, kPage.film);
   document.body.dataset.ready = ask.name;
 }
 

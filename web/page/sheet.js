@@ -198,7 +198,6 @@ class Sheet {
     if (answer?.status === "found") this.drawPath(context, model, answer);
     if (answer?.status === "none") this.drawReason(context, answer);
     if (draft) this.drawDraft(context, draft);
-    return context;
   }
   drawPath(context, model, answer) {
     this.tracePath(context, answer);
