@@ -1,5 +1,7 @@
 #include <taut/geometry/length.h>
 
+#include <cmath>
+
 #include <taut/geometry/detail/root_sum.h>
 #include <taut/geometry/exact/as_double.h>
 #include <taut/geometry/exact/twofold.h>
@@ -8,8 +10,10 @@ namespace taut {
 
 namespace {
 
-/// For differences so small or large that squares leave the range of doubles.
+/// For differences so small or large that squares leave the range of doubles, and for what is no number.
 double extreme_distance(Point p, Point q, Toward toward) {
+  for (const double v : {p.x, p.y, q.x, q.y})
+    if (!std::isfinite(v)) return std::hypot(p.x - q.x, p.y - q.y);
   const Rational dx = Rational(p.x) - Rational(q.x), dy = Rational(p.y) - Rational(q.y);
   return root_as_double(Rational(dx * dx + dy * dy), toward);
 }
@@ -47,7 +51,10 @@ Length& Length::operator+=(const Length& other) {
   return *this;
 }
 
-double Length::value() const { return interval_.lo == interval_.hi ? interval_.lo : detail::RootSum(legs_).nearest(); }
+double Length::value() const {
+  if (!std::isfinite(interval_.lo)) return interval_.lo;
+  return interval_.lo == interval_.hi ? interval_.lo : detail::RootSum(legs_).nearest();
+}
 
 std::string Length::decimals(int places) const { return detail::RootSum(legs_).decimals(places); }
 

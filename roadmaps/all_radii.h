@@ -33,7 +33,7 @@ struct AllRadiiParts;
 /// TangentGraph for every radius at once.
 ///
 ///  1. at_radius(r) is TangentGraph(space, r): the same legs, tangent points and arcs, in the same order. What was
-///     found once for all radii is not looked for again: which corners may be joined, by which tangents, what stands near.
+///     found once for all radii is not looked for again: which corners may be joined, by which tangents, what is near.
 ///  2. A tangent that has both circles on one side (outer) is free up to some radius; one that crosses between them
 ///     (inner) on several spans (docs/all-radii.md). Where a span ends is enclosed by two doubles; between them, and
 ///     wherever doubles cannot tell, the radius is decided exactly, as TangentGraph decides it.

@@ -1,4 +1,4 @@
-// Doubles beside exact numbers and their square roots. By integers alone: a root is an integer root of a shifted integer.
+// Doubles beside exact numbers and their square roots, by integers alone: a root is that of a shifted integer.
 #pragma once
 
 #include <taut/geometry/exact/numbers.h>

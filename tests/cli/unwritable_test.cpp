@@ -63,6 +63,7 @@ constexpr Row kRows[] = {
     {"solve @sloped --robot square:0.2", 0, "length"},
     {"generate --size 3000 --max-memory 20M", 4, "", "out of memory"},
     {"solve @sloped --svg -", 0, "<svg"},
+    {"view @sloped -o -", 0, "<html"},
     {"solve @sloped --json -", 0, "\"status\": \"found\""},
     {"check @room --path -", 0, "valid", "", "1 2\n2 3\n3 2\n"},
     {"check @room --path -", 1, "crosses", "", "1 2\n3 2\n"},

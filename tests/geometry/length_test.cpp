@@ -120,5 +120,10 @@ TEST(Length, IntervalsOfManyLegsStayNarrow) {
   EXPECT_LE(length.value(), length.interval().hi);
 }
 
+TEST(Length, OfWhatIsNoNumberIsNone) {
+  EXPECT_TRUE(std::isnan(Length(std::vector<Point>{{0, 0}, {NAN, 1}, {2, 2}}).value()));
+  EXPECT_EQ(Length(std::vector<Point>{{0, 0}, {HUGE_VAL, 1}}).value(), HUGE_VAL);
+}
+
 }  // namespace
 }  // namespace taut::test

@@ -247,5 +247,14 @@ TEST(Alternatives, AreFoundInAMazeWithLoops) {
   EXPECT_EQ(found.ways[0].path.length, shortest_path(space, {0.5, 0.5}, {20.5, 20.5})->length);
 }
 
+TEST(Alternatives, EndWhereAMazeHasNoLoops) {
+  // Strings that turn back along a wall once kept the search for half a minute here.
+  const FreeSpace space(world_of(std::make_shared<GridMaze>(generate_backtracker(25, 25, 3))));
+  const Alternatives found = alternatives(Gates(space), {0.5, 0.5}, {24.5, 24.5}, {.most_expanded = 20'000});
+  EXPECT_EQ(found.status, SearchStatus::found);
+  EXPECT_EQ(found.ways.size(), 1U);
+  EXPECT_TRUE(found.all);
+}
+
 }  // namespace
 }  // namespace taut
