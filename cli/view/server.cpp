@@ -1,18 +1,11 @@
 #include <taut/cli/view/server.h>
 
-#ifdef TAUT_HAS_HTTPLIB
+#include <dlfcn.h>
 
-#include <httplib.h>
-
-#include <fmt/format.h>
-
-#include <sys/random.h>
-
-#include <array>
-#include <atomic>
-#include <chrono>
-#include <cstdint>
-#include <mutex>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <system_error>
 
 #include <taut/cli/stop.h>
 #include <taut/geometry/errors.h>
@@ -21,102 +14,34 @@ namespace taut::cli {
 
 namespace {
 
-constexpr const char* kHost = "127.0.0.1";
-constexpr std::size_t kThreads = 4;  // a browser keeps some connections open that ask nothing
-constexpr std::size_t kLongestQuestion = std::size_t{256} << 20;
-
-std::string drawn_token() {
-  std::array<std::uint64_t, 2> words{};
-  if (getrandom(words.data(), sizeof words, 0) != sizeof words) throw InputError("", 0, "no random numbers to be had");
-  return fmt::format("{:016x}{:016x}", words[0], words[1]);
+/// Beside the program, or where it is installed; empty: nowhere.
+std::string module_path() {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
+  if (error) return {};
+  for (const char* place : {"", TAUT_MODULE_FOLDER})
+    if (const auto path = folder / place / kPageServer; std::filesystem::exists(path, error)) return path.string();
+  return {};
 }
 
-class PageServer {
- public:
-  PageServer(web::Session& session, const Serving& serving) : session_(session), serving_(serving) {
-    server_.new_task_queue = [this] { return new Pool(*this); };
-    server_.set_idle_interval(0, 50'000);
-    server_.set_keep_alive_timeout(1);
-    server_.set_payload_max_length(kLongestQuestion);
-    server_.set_pre_routing_handler(
-        [this](const httplib::Request& request, httplib::Response& response) { return admitted(request, response); });
-  }
-
-  std::size_t serve() {
-    port_ = server_.bind_to_any_port(kHost);
-    if (port_ <= 0) throw InputError("", 0, "no port to be had on the loopback device");
-    const std::string root = "/" + drawn_token() + "/";
-    server_.Get(root, [this, text = serving_.page(root + "ask")](const httplib::Request&, httplib::Response& response) {
-      response.set_header("Cache-Control", "no-store");
-      response.set_header("Referrer-Policy", "no-referrer");
-      response.set_content(text, "text/html; charset=utf-8");
-    });
-    server_.Post(root + "ask", [this](const httplib::Request& request, httplib::Response& response) {
-      const std::lock_guard lock(mutex_);
-      ++answered_;
-      response.set_content(session_.answer(request.body), "application/json");
-    });
-    instead_of_stopping([this] { over_ = true; });
-    serving_.begun(fmt::format("http://{}:{}{}", kHost, port_, root));
-    server_.listen_after_bind();
-    return answered_;
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-
-  /// Asked by the thread that listens, every 50 ms while nobody comes.
-  class Pool : public httplib::ThreadPool {
-   public:
-    explicit Pool(PageServer& server) : httplib::ThreadPool(kThreads), server_(server) {}
-    void on_idle() override { server_.look_at_the_clock(); }
-
-   private:
-    PageServer& server_;
-  };
-
-  void look_at_the_clock() {
-    const std::chrono::duration<double> since = Clock::now() - begun_;
-    if (over_ || (serving_.seconds && since.count() > *serving_.seconds)) server_.stop();
-  }
-
-  httplib::Server::HandlerResponse admitted(const httplib::Request& request, httplib::Response& response) {
-    look_at_the_clock();
-    const std::string here = fmt::format("{}:{}", kHost, port_);
-    const bool is_own = !request.has_header("Origin") || request.get_header_value("Origin") == "http://" + here;
-    if (request.get_header_value("Host") == here && is_own) return httplib::Server::HandlerResponse::Unhandled;
-    response.status = 403;
-    return httplib::Server::HandlerResponse::Handled;
-  }
-
-  web::Session& session_;
-  const Serving& serving_;
-  httplib::Server server_;
-  int port_ = 0;
-  std::mutex mutex_;
-  std::size_t answered_ = 0;
-  std::atomic<bool> over_{false};
-  Clock::time_point begun_ = Clock::now();
-};
+ServePage* loaded() {
+  void* const module = dlopen(module_path().c_str(), RTLD_NOW | RTLD_LOCAL);  // until the program ends
+  void* const found = module == nullptr ? nullptr : dlsym(module, kServePage);
+  if (found == nullptr) throw InputError("", 0, std::string("the server cannot be loaded: ") + dlerror());
+  return reinterpret_cast<ServePage*>(found);
+}
 
 }  // namespace
 
-bool can_serve() { return true; }
+bool can_serve() { return !module_path().empty(); }
 
-std::size_t serve(web::Session& session, const Serving& serving) { return PageServer(session, serving).serve(); }
-
-}  // namespace taut::cli
-
-#else
-
-#include <stdexcept>
-
-namespace taut::cli {
-
-bool can_serve() { return false; }
-
-std::size_t serve(web::Session&, const Serving&) { throw std::logic_error("built without a server"); }
+std::size_t serve(const PageServing& serving) {
+  ServePage* const serve_page = loaded();
+  try {
+    return serve_page(serving);
+  } catch (const std::runtime_error& error) {
+    throw InputError("", 0, error.what());
+  }
+}
 
 }  // namespace taut::cli
-
-#endif

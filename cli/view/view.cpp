@@ -9,6 +9,7 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
 #include <taut/cli/run.h>
+#include <taut/cli/stop.h>
 #include <taut/cli/view/server.h>
 #include <taut/io/results/words.h>
 #include <taut/io/worlds/write_world.h>
@@ -99,7 +100,10 @@ int serve_page(const ViewOptions& options, Run& run, web::Session& session, Json
   const auto begun = [&](const std::string& address) {
     if (run.is_talkative() || options.common.quiet) print(address + "\n");
   };
-  const std::size_t answered = run.stage("serve", [&] { return serve(session, {page_at, begun, options.seconds}); });
+  const auto answer = [&](const std::string& question) { return session.answer(question); };
+  const std::size_t answered = run.stage("serve", [&] {
+    return serve({answer, page_at, begun, instead_of_stopping, options.seconds});
+  });
   return run.end({.result = {{"questions", answered}}});
 }
 
