@@ -132,6 +132,19 @@ TEST(VerifyArcs, RefusesWhatCutsACorner) {
   EXPECT_FALSE(verify_arcs(wrong, gates, {2, 2}, {2, 8}).valid);
 }
 
+// Below the wall's end to the left of the disc's middle, and on to where only a turn to the right leads.
+TEST(VerifyArcs, RefusesAnArcThatTurnsAgainstItsDirection) {
+  const World world = SmallWorld{.walls = {{{5, 5}, {5, 9}}}, .solids = {}}.bounded(Boundary::walled);
+  const Gates gates{FreeSpace(world)};
+  ArcPath path{.radius = 1, .start = {1, 4}, .goal = {9, 3.5}, .bends = {{{5, 5}, 1}}, .length = {}};
+  path.length = length_of(pieces(path));
+  EXPECT_EQ(verify_arcs(path, gates, path.start, path.goal).reason, "arc 0 does not turn as it says");
+  path.goal = {9, 4.5};
+  path.length = length_of(pieces(path));
+  const ArcVerdict verdict = verify_arcs(path, gates, path.start, path.goal);
+  EXPECT_TRUE(verdict.valid) << verdict.reason;
+}
+
 /// The answer is that of disc_passage, it verifies, and it is no longer than the polygon's.
 void is_right(const World& world, Point s, Point g, double r) {
   const Gates gates{FreeSpace(world)};

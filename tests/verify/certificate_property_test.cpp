@@ -3,6 +3,10 @@
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
 #include "support/certified.h"
 #include "support/random_world.h"
 
@@ -51,6 +55,26 @@ RC_GTEST_PROP(PathCertificate, IsApprovedForEveryAnswer, ()) {
     // Where crossings are rounded the planner sees a leg as tangent, or as free, that exactly is not, and the reverse.
     if (space.report().displacement == 0) RC_ASSERT(said.words == (said.proven ? said.words : ""));
     RC_ASSERT(test::wrong_approval(space, *certificate) == "");
+  }
+}
+
+// Squares of 115 bits, so little below that of a whole number that a long double's root of them is that number.
+TEST(PathCertificate, HasLengthsRoundedDownWhereARootInFloatingPointIsRoundedUp) {
+  __extension__ using Wide = __int128;
+  constexpr int kSide = 1 << 20;
+  const FreeSpace space(World(test::SmallWorld{.area = test::box_ring(0, 0, kSide, kSide)}.parts()));
+  for (const int x : {kSide - 241, kSide - 262, kSide - 665, kSide - 917}) {
+    const Point goal{double(x), kSide - 12345};
+    const json said = json::parse(test::certificate_of(space, {1, 1}, goal).value());
+    const auto along = [&](int axis) -> Wide {
+      return said["path"][1][axis].get<std::int64_t>() - said["path"][0][axis].get<std::int64_t>();
+    };
+    const Wide square = (along(0) * along(0) + along(1) * along(1)) << (2 * said["fraction_bits"].get<int>());
+    std::int64_t length = 0;
+    for (const json& row : said["potentials"]) length = std::max(length, row[2].get<std::int64_t>());
+    EXPECT_LE(Wide{length} * length, square) << x;
+    EXPECT_GT(Wide{length + 1} * (length + 1), square) << x;
+    EXPECT_GT(std::sqrt(static_cast<long double>(square)), static_cast<long double>(length)) << x;
   }
 }
 

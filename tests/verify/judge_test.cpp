@@ -49,6 +49,23 @@ TEST(Judge, NamesALegThatIsShorterThanPotentialsSay) {
   EXPECT_EQ(said.words, "nothing stops the leg (2, 3)-(3.5, 1), shorter than potentials say");
 }
 
+// Legs of 25 each, of which a root rounded down is 25 and no more.
+TEST(Judge, AddsOneToARootRoundedDownForTheLengthOfALeg) {
+  const Judgement said = judge_room("[[5, 10], [20, 30], [35, 10]]", "[[5, 10, 0], [20, 30, 25], [35, 10, 50]]");
+  EXPECT_DOUBLE_EQ(static_cast<double>(said.length), 5.2);
+}
+
+// The wall's end, 25 from both, is not listed: it has 25 less than the horizon, or one less still.
+TEST(Judge, GivesWhatIsNotListedTheHorizonLessItsWayToTheGoalAndNotAUnitLess) {
+  const auto judge_horizon = [](const std::string& horizon) {
+    std::string claim = certificate(kRoom, "[[5, 10], [20, 30], [35, 10]]", "[[5, 10, 0], [35, 10, 49]]");
+    claim.replace(claim.find("1000"), 4, horizon);
+    return judge(kRoom, claim);
+  };
+  EXPECT_TRUE(judge_horizon("50").proven) << judge_horizon("50").words;
+  EXPECT_EQ(judge_horizon("51").words, "nothing stops the leg (0.5, 1)-(2, 3), shorter than potentials say");
+}
+
 TEST(Judge, RefusesAPathThroughAWall) {
   const Judgement said = judge_room("[[5, 10], [35, 10]]", "[[5, 10, 0], [20, 30, 25], [35, 10, 50]]");
   EXPECT_EQ(said.words, "the path does not get from (0.5, 1) to (3.5, 1)");
