@@ -1,5 +1,5 @@
-// The server behind `taut view --serve`, a module of its own: what it stands on, TLS and compression, would take as long
-// to load as all else that the program needs. It knows nothing of taut.
+// The server behind `taut view --serve`, a module of its own: what it stands on, TLS and compression, would take as
+// long to load as all else that the program needs. It knows nothing of taut.
 #pragma once
 
 #include <cstddef>
