@@ -16,7 +16,7 @@ LEFT_OUT = {
     r"PYTHONPATH=\S+ python3$": "waits for what is typed",
     r"source <\(": "is for shells that are typed into; tests/cli/manual_test.cpp does it",
     r"taut mouse serve ": "waits for a robot; tests/cli/mouse does it",
-    r"taut view .*--serve": "waits for a browser",
+    r"(taut|\./dev) view .*--serve": "waits for a browser",
 }
 
 # What a reader has: where a page speaks of maze.txt, it is this.
