@@ -39,9 +39,9 @@ struct Motion {
     return 8 * kEps * (size + way * (1 + late / (to - from)));
   }
   ExactPoint exactly_at(double time) const {
+    if (waits() || time <= from) return ExactPoint(a);
+    if (time >= to) return ExactPoint(b);
     const ExactPoint p(a), q(b);
-    if (waits() || time <= from) return p;
-    if (time >= to) return q;
     const Rational part = (meaning(time) - meaning(from)) / (meaning(to) - meaning(from));
     return {p.x + part * (q.x - p.x), p.y + part * (q.y - p.y)};
   }
