@@ -12,6 +12,7 @@
 #include <taut/io/results/words.h>
 #include <taut/io/saved/all_radii_file.h>
 #include <taut/python/answers.h>
+#include <taut/python/wishes.h>
 #include <taut/roadmaps/all_radii.h>
 #include <taut/roadmaps/tangent_graph.h>
 #include <taut/search/arc_search.h>
@@ -23,15 +24,6 @@
 namespace taut::python {
 
 namespace {
-
-void require_point_robot(const FreeSpace& space) {
-  if (space.footprint().kind() != Footprint::Kind::point)
-    throw py::value_error("the space is a robot's that is no point; make it without a footprint");
-}
-
-void require_radius(double r) {
-  if (!(r > 0 && r <= World::kLargest)) throw InputError("", 0, "a disc's radius is above 0");
-}
 
 // ---- passages -------------------------------------------------------------------------------------------------------
 

@@ -6,6 +6,7 @@
 #include <taut/io/results/barrier_words.h>
 #include <taut/io/results/words.h>
 #include <taut/python/answers.h>
+#include <taut/python/wishes.h>
 #include <taut/search/alternatives.h>
 #include <taut/search/disc_reach.h>
 #include <taut/search/kept_path.h>
@@ -15,15 +16,6 @@
 namespace taut::python {
 
 namespace {
-
-void require_point_robot(const FreeSpace& space) {
-  if (space.footprint().kind() != Footprint::Kind::point)
-    throw py::value_error("the space is a robot's that is no point; make it without a footprint");
-}
-
-void require_radius(double r) {
-  if (!(r > 0 && r <= World::kLargest)) throw InputError("", 0, "a disc's radius is above 0");
-}
 
 /// Both ends of a query from point to point.
 std::pair<Point, Point> ends_of(const FreeSpace& space, const std::optional<Point>& start, const Goal& goal) {

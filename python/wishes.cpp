@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include <taut/geometry/errors.h>
+
 namespace taut::python {
 
 namespace {
@@ -78,6 +80,15 @@ const RoadmapKind& kind_named(const std::string& word) {
   const RoadmapKind* kind = roadmap_kind(word);
   if (!kind) throw py::value_error("kind: " + roadmap_kind_names() + ", not '" + word + "'");
   return *kind;
+}
+
+void require_point_robot(const FreeSpace& space) {
+  if (space.footprint().kind() != Footprint::Kind::point)
+    throw py::value_error("the space is a robot's that is no point; make it without a footprint");
+}
+
+void require_radius(double r) {
+  if (!(r > 0 && r <= World::kLargest)) throw InputError("", 0, "a disc's radius is above 0");
 }
 
 }  // namespace taut::python

@@ -18,6 +18,7 @@
 #include <taut/cli/run.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/results/mouse_json.h>
+#include <taut/robots/micromouse/line_words.h>
 #include <taut/robots/micromouse/mms.h>
 
 namespace taut::cli {
@@ -88,15 +89,6 @@ void add_options(CommandLine& app, ServeOptions& options) {
   app.example("taut mouse serve maze.txt --mms --robot './a.out' --animate film.svg");
 }
 
-std::string_view word_of(std::string_view& rest) {
-  constexpr std::string_view kBlank = " \t\r";
-  const std::size_t from = std::min(rest.find_first_not_of(kBlank), rest.size());
-  const std::size_t to = std::min(rest.find_first_of(kBlank, from), rest.size());
-  const std::string_view word = rest.substr(from, to - from);
-  rest.remove_prefix(to);
-  return word;
-}
-
 bool is_number(std::string_view word, int& value) {
   if (word.starts_with('+')) word.remove_prefix(1);
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -115,7 +107,7 @@ class ServedRobot : public micromouse::Robot {
       if (!lines_.next(line))
         lines_.refuse(fmt::format("{} after step {} of a trial that is not over", lines_.ended(), steps_));
       std::string_view rest = line;
-      const std::string_view first = word_of(rest);
+      const std::string_view first = micromouse::word_of(rest);
       if (first.empty() || first.starts_with('#')) continue;
       ++steps_;
       return action_of(first, rest);
@@ -124,7 +116,7 @@ class ServedRobot : public micromouse::Robot {
 
  private:
   Action action_of(std::string_view first, std::string_view rest) const {
-    const std::string_view second = word_of(rest), third = word_of(rest);
+    const std::string_view second = micromouse::word_of(rest), third = micromouse::word_of(rest);
     if (first == "reset" && second.empty()) return micromouse::kReset;
     Action action;
     if (!is_number(first, action.rotation) || !is_number(second, action.movement) || !third.empty())

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include <taut/geometry/errors.h>
+#include <taut/robots/micromouse/line_words.h>
 
 namespace taut::micromouse {
 
@@ -14,15 +15,6 @@ namespace {
 
 constexpr double kResetPenalty = 15;  // of mms, on the next run's effective distance
 constexpr std::size_t kLongestText = 10;
-
-std::string_view word_of(std::string_view& rest) {
-  constexpr std::string_view kBlank = " \t\r";
-  const std::size_t from = std::min(rest.find_first_not_of(kBlank), rest.size());
-  const std::size_t to = std::min(rest.find_first_of(kBlank, from), rest.size());
-  const std::string_view word = rest.substr(from, to - from);
-  rest.remove_prefix(to);
-  return word;
-}
 
 std::optional<int> number_of(std::string_view word) {
   int value = 0;
