@@ -51,7 +51,8 @@ Interval enclose_doubles(Point p, Point a, Point b) {
   return {std::max(0.0, std::min(off, end) - wide), std::min(off, end) + wide};
 }
 
-bool is_integer(double v) { return v == std::floor(v); }
+/// One that means itself: beyond 2^53 every double is whole, but most mean a decimal beside it.
+bool is_integer(double v) { return std::abs(v) <= 0x1p53 && v == std::floor(v); }
 
 /// The distance of what p and the closed segment a b mean.
 Interval enclose(Point p, Point a, Point b) {

@@ -33,6 +33,8 @@ PLANS = [
 ]
 BATCHES = ["1 4 7 5\n+wall 4 5 4 8\n1 4 7 5\n-wall 4 6 4 8\n1 4 7 5 none\n", "1,4 7,5\n-wall 2 2 2 8\n0 0 8 8\n",
            "-wall 5 6 8 6\n+wall 4 5 8 5\n3 3 6 7.5\n"]
+# Targets that make something of any bytes, with how many they take.
+RANDOM = {"saved": 60, "commands": 60, "geometry": 60, "certificates": 40, "predicates": 60, "lengths": 60, "snaps": 60}
 READ_BY = {".chase": 5, ".map": 4, ".scen": 3, ".json": 8}
 
 
@@ -64,10 +66,8 @@ def main():
         for how in (0, 1):
             write(folder / "batch_fuzz", f"{how}_{i}", bytes([how]) + text.encode())
     for i in range(50):
-        write(folder / "saved_fuzz", str(i), numbers.randbytes(numbers.randrange(4, 60)))
-        write(folder / "commands_fuzz", str(i), numbers.randbytes(numbers.randrange(4, 60)))
-        write(folder / "geometry_fuzz", str(i), numbers.randbytes(numbers.randrange(8, 60)))
-        write(folder / "certificates_fuzz", str(i), numbers.randbytes(numbers.randrange(4, 40)))
+        for target, most in RANDOM.items():
+            write(folder / f"{target}_fuzz", str(i), numbers.randbytes(numbers.randrange(4, most)))
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@
 #include <map>
 #include <vector>
 
-#include "support/length_reference.h"
+#include "support/any_legs.h"
 
 namespace taut::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "support/length_reference.h"
+#include "support/any_legs.h"
 
 namespace taut::test {
 namespace {

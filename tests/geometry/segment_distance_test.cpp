@@ -88,5 +88,15 @@ RC_GTEST_PROP(SegmentDistance, DoesNotDependOnDirectionOrOrder, ()) {
   RC_ASSERT(compare_segment_distances(s, t, t, back) == 0);
 }
 
+// Found by predicates_fuzz: doubles that are whole, and yet not what they mean.
+TEST(SegmentDistance, IsEnclosedBeyondTheWholeNumbersThatDoublesHold) {
+  const Segment s{{0, 0}, {4.499997e24, 4.499996666666667e45}},
+      t{{4.5e11, 4.5000003333333324e51}, {4.499998e24, 4.500004e45}};
+  const Interval enclosed = segment_distance_interval(s, t);
+  const double nearest = segment_distance(s, t);
+  EXPECT_LE(enclosed.lo, nearest);
+  EXPECT_GE(enclosed.hi, nearest);
+}
+
 }  // namespace
 }  // namespace taut

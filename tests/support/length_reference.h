@@ -3,7 +3,6 @@
 
 #include <gmpxx.h>
 #include <mpfr.h>
-#include <rapidcheck.h>
 
 #include <compare>
 #include <string>
@@ -62,15 +61,5 @@ class Reference {
 };
 
 inline int sign(Order order) { return order < 0 ? -1 : order > 0 ? 1 : 0; }
-
-inline Legs any_legs(int count, int range, double unit) {
-  Legs legs;
-  const auto coordinate = [&] { return *rc::gen::inRange(0, range) * unit; };
-  for (int i = 0; i < count; ++i) {
-    const double ax = coordinate(), ay = coordinate(), bx = coordinate(), by = coordinate();
-    legs.push_back({{ax, ay}, {bx, by}});
-  }
-  return legs;
-}
 
 }  // namespace taut::test
