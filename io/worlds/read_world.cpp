@@ -82,7 +82,8 @@ std::optional<Format> format_of_line(std::string_view line) {
   const std::string word = first_word(line);
   if (detail::begins_wkt(line)) return Format::wkt;
   if (word == "TYPE" || word == "HEIGHT" || word == "WIDTH") return Format::movingai;
-  if (word == "START" || word == "GOAL" || word == "BOUNDARY") return Format::segments;
+  if (word == "START" || word == "GOAL" || word == "BOUNDARY" || detail::is_header_of_segments(line))
+    return Format::segments;
   const bool number =
       std::isdigit(static_cast<unsigned char>(line[0])) || line[0] == '-' || line[0] == '+' || line[0] == '.';
   if (!number && word != "NAN" && word != "INF") return std::nullopt;

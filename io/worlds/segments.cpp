@@ -31,6 +31,7 @@ class Segments {
     for (Lines lines(bytes); lines.next();) {
       const std::string_view line = lines.line().substr(0, lines.line().find('#'));
       if (line.empty()) continue;
+      if (parts_.walls.empty() && is_header_of_segments(line)) continue;
       read_line(line, {source_, lines.number()});
     }
     return std::move(parts_);
@@ -117,6 +118,15 @@ class Segments {
 };
 
 }  // namespace
+
+bool is_header_of_segments(std::string_view line) {
+  std::string names;
+  for (const char c : line) {
+    if (is_letter(c)) names += static_cast<char>(c | 0x20);
+    if (c >= '0' && c <= '9') names += c;
+  }
+  return names == "x1y1x2y2" || names == "x1y1x2y2thickness";
+}
 
 WorldParts read_segments(std::string_view bytes, const std::string& source) { return Segments(source).read(bytes); }
 

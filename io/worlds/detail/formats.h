@@ -11,6 +11,8 @@
 namespace taut::detail {
 
 WorldParts read_segments(std::string_view bytes, const std::string& source);
+/// `x1,y1,x2,y2`, with `thickness` behind or not: how tables name the columns of segments.
+bool is_header_of_segments(std::string_view line);
 WorldParts read_wkt(std::string_view bytes, const ReadOptions& options, ReadNotes& notes);
 WorldParts read_geojson(std::string_view bytes, const ReadOptions& options, ReadNotes& notes);
 

@@ -19,6 +19,17 @@ TEST(Segments, ReadsWallsCommentsAndAllSeparators) {
   EXPECT_EQ(world.walls()[3].line, 6);
 }
 
+TEST(Segments, ReadsTheTablesThatNameTheirColumns) {
+  for (const char* header :
+       {"x1,y1,x2,y2", "# walls\nX1 Y1 X2 Y2", "x1, y1, x2, y2, thickness"}) {
+    const World world = read_world(std::string(header) + "\n0,0,4,0\n4,0,4,3,0.5\n");
+    ASSERT_EQ(world.walls().size(), 2U) << header;
+    EXPECT_EQ(world.walls()[1].thickness, 0.5);
+  }
+  EXPECT_THROW(read_world("x1,x2,y1,y2\n0,4,0,0\n"), InputError);
+  EXPECT_THROW(read_world("0 0 4 0\nx1,y1,x2,y2\n"), InputError);
+}
+
 TEST(Segments, ReadsStartGoalAndABoundaryBox) {
   const World world = read_world("start 1 1\ngoal 3 -0\nboundary 0 -1 4 2\n1 0 1 1\n");
   EXPECT_EQ(world.start(), (Point{1, 1}));
