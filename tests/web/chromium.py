@@ -111,7 +111,7 @@ class Page:
 
     def settle(self):
         """Until nothing is under way and the next picture is drawn."""
-        self.wait("!tautApp.paths.busy && !tautApp.regions.busy")
+        self.wait("!window.tautApp || !tautApp.paths.busy && !tautApp.regions.busy")
         self.run("new Promise((next) => requestAnimationFrame(() => requestAnimationFrame(next)))")
 
     def picture(self, file):

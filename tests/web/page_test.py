@@ -17,6 +17,7 @@ import urllib.request
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from chromium import Page  # noqa: E402
+from films import films  # noqa: E402
 
 TAUT, DATA, CHROMIUM = sys.argv[1:4]
 PICTURES = sys.argv[5] if len(sys.argv) > 5 else None
@@ -279,6 +280,7 @@ def main():
             assert server.end() == 0
             a_hundred_lengths_are_those_of_solve(page)
             a_page_from_disk_asks_nobody(page, folder)
+            films(page, TAUT, DATA, folder, picture)
         assert not page.complaints, page.complaints
         print("passed: all")
     finally:

@@ -332,6 +332,8 @@ class App {
 }
 
 async function begin() {
+  window.addEventListener("hashchange", () => location.reload());  // a link was put in the place of this one
+  if (kPage.film) { beginFilm(kPage); return; }
   const ask = await planner(kPage), world = await ask.ask(kPage.load);
   if (world.error) {
     by("length").textContent = "Cannot be read";
