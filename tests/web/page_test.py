@@ -22,6 +22,7 @@ import urllib.request
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import accessible  # noqa: E402
 from chromium import Page  # noqa: E402
+from controls import controls  # noqa: E402
 from films import films  # noqa: E402
 
 asked = argparse.ArgumentParser()
@@ -300,6 +301,7 @@ def main():
             for test in ON_TWO_ROOMS:
                 test(page, server, file)
                 print("passed:", test.__name__.replace("_", " "), flush=True)
+            controls(page)
             if AXE:
                 accessible.world(page, AXE)
                 accessible.a_fault_is_found(page, AXE)

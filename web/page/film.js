@@ -225,6 +225,7 @@ class Player {
 function beginFilm(page) {
   const read = new DOMParser().parseFromString(page.film, "image/svg+xml"), svg = document.importNode(read.documentElement, true);
   for (const own of svg.querySelectorAll("script, .pause")) own.remove();  // the button that it has where it stands alone
+  for (const style of svg.querySelectorAll("style")) style.textContent = style.textContent.replaceAll("@media (prefers-color-scheme:dark)", "@media screen and (prefers-color-scheme:dark)");  // paper is bright
   const title = svg.querySelector("title")?.textContent ?? page.name;
   document.title = title + " – taut";
   by("film-title").textContent = title;
