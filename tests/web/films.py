@@ -47,6 +47,7 @@ def it_plays_steps_and_is_scrubbed(page, address):
     page.open(address)
     assert page.run("document.body.dataset.ready") == "film"
     page.wait("tautFilm.film.time > 0.1")  # it begins by itself
+    assert page.run("[...document.querySelectorAll('#film style')].every((s) => !/@media *\\(prefers-color-scheme/.test(s.textContent))")
     page.key(" ")
     assert not film(page, "playing")
     page.key("Home")

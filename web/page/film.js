@@ -225,7 +225,8 @@ class Player {
 function beginFilm(page) {
   const read = new DOMParser().parseFromString(page.film, "image/svg+xml"), svg = document.importNode(read.documentElement, true);
   for (const own of svg.querySelectorAll("script, .pause")) own.remove();  // the button that it has where it stands alone
-  for (const style of svg.querySelectorAll("style")) style.textContent = style.textContent.replaceAll("@media (prefers-color-scheme:dark)", "@media screen and (prefers-color-scheme:dark)");  // paper is bright
+  for (const style of svg.querySelectorAll("style"))  // paper is bright
+    style.textContent = style.textContent.replace(/@media *\(prefers-color-scheme: *dark/g, "@media screen and (prefers-color-scheme:dark");
   const title = svg.querySelector("title")?.textContent ?? page.name;
   document.title = title + " – taut";
   by("film-title").textContent = title;

@@ -3,6 +3,8 @@
 
 const kColours = ["paper", "outside", "floor", "wall", "solid", "path", "start", "goal", "accent", "bad", "tri", "mesh", "graph", "voronoi", "gate", "region", "robot", "ink"];
 
+const kMargin = 28, kButtons = 36;  // pixels around the world, and for the buttons that zoom
+
 // The walls, four numbers each, those of thickness apart; kept as long as the walls are the same.
 const kSorted = new WeakMap();
 function byThickness(walls) {
@@ -48,10 +50,10 @@ class Sheet {
   }
   fit(box) {
     const w = Math.max(box[2] - box[0], 1e-9), h = Math.max(box[3] - box[1], 1e-9);
-    this.scale = Math.min((this.width - 56) / w, (this.height - 56) / h);
+    this.scale = Math.min((this.width - 2 * kMargin - kButtons) / w, (this.height - 2 * kMargin) / h);
     this.least = this.scale / 20;
     this.most = this.scale * 1e6;
-    this.centre = [(box[0] + box[2]) / 2, (box[1] + box[3]) / 2];
+    this.centre = [(box[0] + box[2]) / 2 + kButtons / 2 / this.scale, (box[1] + box[3]) / 2];
   }
   get up() { return this.yDown ? 1 : -1; }
   toScreen(p) {
