@@ -75,7 +75,6 @@ def digits_are_in_the_address(page):
     page.settle()
     address = page.run("location.href")
     assert "d=30" in address, address
-    page.call("Page.navigate", url="about:blank")
     page.open(address)
     page.settle()
     assert len(page.run("document.getElementById('length').textContent")) == 32

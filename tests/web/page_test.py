@@ -112,7 +112,6 @@ def a_drawn_wall_closes_the_way_and_undo_opens_it(page, server, file):
     page.wait(f"tautApp.model.wallCount() === {walls} && document.getElementById('length').textContent !== 'No path'")
     page.key("Z", modifiers=2 | 8)
     page.wait(f"tautApp.model.wallCount() === {walls + 1}")
-    page.call("Page.navigate", url="about:blank")
     page.open(address)
     page.wait("document.getElementById('length').textContent === 'No path'")  # it is all in the address
     page.run("document.getElementById('undo').focus(), tautApp.setWalls(tautApp.model.first.walls)")

@@ -28,7 +28,6 @@ FILMS = (("page-film", "grid", DESK, "light", "#t=6.5"), ("page-film-phone", "mo
 def shot(page, name, size, colours, address):
     page.size(*size, mobile=size == PHONE)
     page.colours(colours)
-    page.call("Page.navigate", url="about:blank")
     page.open(address)
     page.wait("!window.tautApp || [...tautApp.shown].every((name) => name === 'walls' || tautApp.layers[name])")
     page.wait("!window.tautApp || document.getElementById('widest').textContent !== ''")
