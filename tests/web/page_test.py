@@ -176,6 +176,10 @@ def every_layer_is_drawn(page, server, file):
 def formats_are_saved(page, server, file):
     names = page.run("[...document.getElementById('format').options].map((o) => o.value)")
     assert "geojson" in names and "segments" in names and "maz" not in names, names
+    saves = "(tautApp.download = (bytes, ending) => tell(ending + bytes.size), document.getElementById('format').value = '%s', tautApp.save())"
+    assert re.fullmatch(r"txt\d\d+", page.run(f"new Promise((tell) => {saves % 'segments'})"))
+    assert re.fullmatch(r"png\d{4,}", page.run(f"new Promise((tell) => {saves % 'png'})"))  # what is seen
+    page.run("delete tautApp.download, document.getElementById('format').value = 'geojson'")
     saved = page.run("tautApp.planner.ask(tautApp.request('save', {as: 'segments'}))")
     with tempfile.NamedTemporaryFile("w", suffix=".txt") as out:
         out.write(saved["text"])

@@ -327,14 +327,24 @@ class App {
   }
   async formats() {
     const answer = await this.planner.ask({do: "formats"}), chosen = by("format").value;
-    by("format").replaceChildren(...(answer.formats ?? []).map((name) => new Option(name, name, false, name === chosen)));
+    by("format").replaceChildren(...[...(answer.formats ?? []), "png"].map((name) => new Option(name, name, false, name === chosen)));
   }
   async save() {
-    const as = by("format").value, answer = await this.planner.ask(this.request("save", {as}));
+    const as = by("format").value;
+    if (as === "png") {
+      this.print();
+      by("paper").toBlob((bytes) => this.download(bytes, "png"));
+      return;
+    }
+    const answer = await this.planner.ask(this.request("save", {as}));
     if (answer.error) { this.complain(answer.error); return; }
+    const ending = {segments: "txt", drawing: "txt", cells: "cells", blocks: "txt", movingai: "map", integers: "json"}[as] ?? as;
+    this.download(new Blob([answer.base64 ? bytesOf(answer.base64) : answer.text]), ending);
+  }
+  download(bytes, ending) {
     const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([answer.base64 ? bytesOf(answer.base64) : answer.text]));
-    link.download = `${by("title").textContent.replace(/\.[a-z]+$/i, "")}.${{segments: "txt", drawing: "txt", cells: "cells", blocks: "txt", movingai: "map", integers: "json"}[as] ?? as}`;
+    link.href = URL.createObjectURL(bytes);
+    link.download = `${by("title").textContent.replace(/\.[a-z]+$/i, "")}.${ending}`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
