@@ -111,6 +111,9 @@ def it_is_looked_at_from_near(page, address):
     assert nearer[2] < part[2] and abs(nearer[0] + nearer[2] / 2 - part[0] - part[2] / 2) < 1e-6
     page.drag((500, 300), (600, 300))
     assert page.run("tautFilm.lens.part")[0] < nearer[0]
+    before = page.run("tautFilm.lens.part")
+    page.key("d")
+    assert page.run("tautFilm.lens.part")[0] > before[0]
     page.key("0")
     assert page.run("tautFilm.lens.part") == part
 
@@ -135,7 +138,17 @@ def a_picture_alone_has_a_button(page, address):
     assert page.run(still)
 
 
-def films(page, taut, data, folder, picture):
+def a_still_picture_has_no_player(page, taut, data, folder, accessible):
+    """But is looked at from near, too."""
+    file = os.path.join(folder, "still.html")
+    assert subprocess.run([taut, "solve", "floor_plan.geojson", "--svg", file], cwd=data, capture_output=True).returncode == 0
+    page.open("file://" + file)
+    assert page.run("document.getElementById('player').hidden") and page.run("document.querySelector('h1').textContent")
+    it_is_looked_at_from_near(page, "file://" + file)
+    accessible("still picture")
+
+
+def films(page, taut, data, folder, picture, accessible):
     addresses = {name: made(taut, data, folder, name) for name in FILMS}
     page.requests.clear()
     for name, address in addresses.items():
@@ -154,8 +167,10 @@ def films(page, taut, data, folder, picture):
     picture(page, "film-phone-dark")
     page.colours("light")
     page.size(1280, 800)
+    page.open(addresses["mouse"] + "#t=3")
+    accessible("film")
+    a_still_picture_has_no_player(page, taut, data, folder, accessible)
     a_picture_alone_has_a_button(page, made(taut, data, folder, "bug", ".svg"))
     foreign = [r for r in page.requests if not r.startswith(("file://" + folder, "data:", "blob:", "about:"))]
     assert not foreign, foreign
     print("passed: films", flush=True)
-    return addresses

@@ -314,12 +314,9 @@ def main():
             assert server.end() == 0
             a_hundred_lengths_are_those_of_solve(page)
             a_page_from_disk_asks_nobody(page, folder)
-            if AXE:
-                accessible.in_all_lights_and_widths(page, AXE, "from disk")
-            addresses = films(page, TAUT, DATA, folder, picture)
-            if AXE:
-                page.open(addresses["mouse"] + "#t=3")
-                accessible.in_all_lights_and_widths(page, AXE, "film")
+            look = (lambda where: accessible.in_all_lights_and_widths(page, AXE, where)) if AXE else lambda where: None
+            look("from disk")
+            films(page, TAUT, DATA, folder, picture, look)
         assert not page.complaints, page.complaints
         print("passed: all")
     finally:

@@ -214,8 +214,9 @@ class Player {
     const onButton = e.target.tagName === "BUTTON", many = e.shiftKey ? 10 : 1;
     const does = {ArrowLeft: () => this.step(-many), ArrowRight: () => this.step(many), ArrowUp: () => this.faster(1), ArrowDown: () => this.faster(-1),
       Home: () => this.go(0), End: () => this.go(this.film.last), "+": () => this.lens.zoom(1.25), "=": () => this.lens.zoom(1.25),
-      "-": () => this.lens.zoom(0.8), 0: () => this.lens.fit(), ...(onButton ? {} : {" ": () => this.play(!this.film.playing)})}[e.key];
-    if (!does || (!this.film.moves && !"+=-0".includes(e.key))) return;
+      "-": () => this.lens.zoom(0.8), a: () => this.lens.pan(60, 0), d: () => this.lens.pan(-60, 0), w: () => this.lens.pan(0, 60), s: () => this.lens.pan(0, -60),
+      0: () => this.lens.fit(), ...(onButton ? {} : {" ": () => this.play(!this.film.playing)})}[e.key];
+    if (!does || (!this.film.moves && !"+=-0wasd".includes(e.key))) return;
     e.preventDefault();
     does();
   }
@@ -230,6 +231,7 @@ function beginFilm(page) {
   const title = svg.querySelector("title")?.textContent ?? page.name;
   document.title = title + " – taut";
   by("film-title").textContent = title;
+  by("film-title").hidden = false;
   by("film").append(svg);
   by("film").hidden = false;
   for (const id of ["ground", "front", "start", "goal", "panel"]) by(id).remove();
