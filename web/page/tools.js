@@ -140,7 +140,7 @@ class Tools {
     const walls = this.app.model.walls;
     let best = null, least = this.app.sheet.pixels(kNear);
     for (let i = 0; i < walls.length; i += 5) {
-      const [ax, ay, bx, by, t] = walls.slice(i, i + 5), dx = bx - ax, dy = by - ay;
+      const ax = walls[i], ay = walls[i + 1], bx = walls[i + 2], by = walls[i + 3], t = walls[i + 4], dx = bx - ax, dy = by - ay;
       const share = Math.max(0, Math.min(1, ((p[0] - ax) * dx + (p[1] - ay) * dy) / (dx * dx + dy * dy || 1)));
       const d = Math.hypot(p[0] - ax - share * dx, p[1] - ay - share * dy) - t / 2;
       if (d < least) [least, best] = [d, {index: i / 5, wall: [ax, ay, bx, by]}];
