@@ -258,7 +258,7 @@ void require_one_stdout(const std::vector<std::pair<const char*, std::string>>& 
 }
 
 void add_animate_option(CommandLine& app, std::string& animation, const std::string& description) {
-  app.add_option("--animate", animation, description + "; without FILE, --svg's picture moves")
+  app.add_option("--animate", animation, description + "; NAME.html: as a page; without FILE, --svg's moves")
       .type_name("[FILE]")
       .values(0, 1)
       .group("Output");

@@ -14,6 +14,7 @@
 #include <taut/cli/stop.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/pictures/rasterised.h>
+#include <taut/web/page.h>
 
 namespace taut::cli {
 
@@ -33,6 +34,13 @@ std::string png_of(const OutputFile& file) {
   } catch (const RasterError& error) {
     throw WriteError(file.name + ": cannot write a PNG: " + error.what());
   }
+}
+
+/// A film is played there, and any picture looked at from near.
+void make_pages(std::vector<OutputFile>& files) {
+  for (OutputFile& file : files)
+    if (file.name.ends_with(".html") && file.bytes.starts_with("<svg"))
+      file.bytes = web::page(json_line(Json{{"name", title_of(file.name)}, {"film", file.bytes}}), {});
 }
 
 std::string shown(const std::string& file) { return file == "-" ? "<stdin>" : file; }
@@ -203,6 +211,7 @@ void Run::write_streams(const Answer& answer) {
 
 int Run::end(Answer answer) {
   rasterise(answer.files);
+  make_pages(answer.files);
   const bool to_stream = is_stream(options_.json) || std::ranges::any_of(answer.files, is_stream, &OutputFile::name);
   if (!to_stream) finish();
   when_stopped({});

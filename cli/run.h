@@ -34,8 +34,8 @@ struct Answer {
 /// How a run goes: promise() what will be written, do the work in stages, tell what is so_far() done, end().
 ///
 ///  1. --json gets an envelope however the run ends: found, none, refused, stopped by a limit or an interrupt.
-///  2. Other files are written at the end alone, when nothing can go wrong any more but writing itself. A picture whose
-///     name ends in .png is written as pixels. Pipes come first and limits still hold for them.
+///  2. Other files are written at the end alone, when nothing can go wrong any more but writing itself. Of a picture a
+///     name in .png gets pixels, one in .html a page (web/page.h). Pipes come first and limits still hold for them.
 ///  3. Of a run that is stopped what so_far() was told last is written and printed, with status `stopped`.
 class Run {
  public:

@@ -2,7 +2,7 @@
 file(READ ${FOLDER}/page.html page)
 file(READ ${FOLDER}/style.css style)
 set(script)
-foreach(part planner model sheet tools main)
+foreach(part planner model sheet tools film main)
   file(READ ${FOLDER}/${part}.js text)
   string(REPLACE "\"use strict\";\n" "" text "${text}")
   string(APPEND script "${text}")

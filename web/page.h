@@ -21,7 +21,7 @@ Wasm embedded_wasm();
 
 /// The page with this in it: JSON with `name`, `load` (the request that loads the world), and what of these there is:
 /// `still` (answers of a Session: `world`, `path`, `widest`, and in `layers` by name), `server` (where to ask instead).
-/// With the planner `wasm` where it has bytes.
+/// With the planner `wasm` where it has bytes. Or JSON with `name` and `film`, an SVG: the page plays it.
 std::string page(std::string_view json, const Wasm& wasm);
 
 }  // namespace taut::web

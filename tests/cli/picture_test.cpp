@@ -99,6 +99,17 @@ INSTANTIATE_TEST_SUITE_P(
         Kind{"Grid", "grid solve data/pocket.csv"}, Kind{"GridFilm", "grid solve data/pocket.csv --animate"}),
     [](const auto& instance) { return instance.param.name; });
 
+class PicturePage : public ProgramTest {};
+
+TEST_F(PicturePage, HoldsTheFilmWhereTheNameEndsInHtml) {
+  const std::string file = in_folder("play.html");
+  ASSERT_EQ(run_taut("grid solve " + (data_dir() / "pocket.csv").string() + " --animate " + file).code, 0);
+  const std::string page = contents(file);
+  EXPECT_THAT(page, testing::StartsWith("<!DOCTYPE html>"));
+  EXPECT_THAT(page, HasSubstr("\"film\": \"\\u003csvg "));
+  EXPECT_THAT(page, HasSubstr("\"name\": \"play.html\""));
+}
+
 TEST(PictureFault, IsFoundWhereTagsDoNotNest) {
   EXPECT_EQ(fault_of("<svg a=\"1\"><g><path/></g>&amp;</svg>\n"), "");
   EXPECT_NE(fault_of("<svg><g></svg></g>"), "");

@@ -82,11 +82,21 @@ class Page:
 
     def wait(self, expression, seconds=30):
         end = time.monotonic() + seconds
-        while not self.run(expression):
+        while not self.holds(expression):
             assert time.monotonic() < end, f"never came true: {expression}; the page complains of {self.complaints}"
             time.sleep(0.02)
 
+    def holds(self, expression):
+        try:
+            return self.run(expression)
+        except RuntimeError as error:  # asked of a page that was just left
+            if "navigated" not in str(error):
+                raise
+            return False
+
     def open(self, address):
+        """Anew, also where it is open already and only what stands behind its # is another."""
+        self.call("Page.navigate", url="about:blank")
         self.call("Page.navigate", url=address)
         self.wait("!!document.body && !!document.body.dataset.ready")
 
@@ -111,7 +121,7 @@ class Page:
 
     def settle(self):
         """Until nothing is under way and the next picture is drawn."""
-        self.wait("!tautApp.paths.busy && !tautApp.regions.busy")
+        self.wait("!window.tautApp || !tautApp.paths.busy && !tautApp.regions.busy")
         self.run("new Promise((next) => requestAnimationFrame(() => requestAnimationFrame(next)))")
 
     def picture(self, file):

@@ -1,25 +1,38 @@
 #!/usr/bin/env python3
 """The page of `taut view`, used as people use it, in Chromium without a window.
 
-usage: page_test.py TAUT DATA CHROMIUM [--pictures FOLDER]
+usage: page_test.py TAUT DATA CHROMIUM [--pictures FOLDER] [--axe axe.min.js]
 """
 
+import argparse
+import http.client
 import json
 import os
 import random
 import re
 import signal
+import statistics
 import subprocess
 import sys
 import tempfile
+import time
 import urllib.error
 import urllib.request
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import accessible  # noqa: E402
 from chromium import Page  # noqa: E402
+from controls import controls  # noqa: E402
+from films import films  # noqa: E402
 
-TAUT, DATA, CHROMIUM = sys.argv[1:4]
-PICTURES = sys.argv[5] if len(sys.argv) > 5 else None
+asked = argparse.ArgumentParser()
+for needed in ("taut", "data", "chromium"):
+    asked.add_argument(needed, type=os.path.abspath)
+asked.add_argument("--pictures")
+asked.add_argument("--axe", type=argparse.FileType())
+asked = asked.parse_args()
+TAUT, DATA, CHROMIUM, PICTURES = asked.taut, asked.data, asked.chromium, asked.pictures
+AXE = asked.axe and asked.axe.read()
 ROOMS = "boundary 0 0 4 2\nstart 1 0.5\ngoal 3 0.5\n0 0 4 0\n4 0 4 2\n4 2 0 2\n0 2 0 0\n2 0 2 1.5\n"
 
 
@@ -99,7 +112,6 @@ def a_drawn_wall_closes_the_way_and_undo_opens_it(page, server, file):
     page.wait(f"tautApp.model.wallCount() === {walls} && document.getElementById('length').textContent !== 'No path'")
     page.key("Z", modifiers=2 | 8)
     page.wait(f"tautApp.model.wallCount() === {walls + 1}")
-    page.call("Page.navigate", url="about:blank")
     page.open(address)
     page.wait("document.getElementById('length').textContent === 'No path'")  # it is all in the address
     page.run("document.getElementById('undo').focus(), tautApp.setWalls(tautApp.model.first.walls)")
@@ -164,6 +176,10 @@ def every_layer_is_drawn(page, server, file):
 def formats_are_saved(page, server, file):
     names = page.run("[...document.getElementById('format').options].map((o) => o.value)")
     assert "geojson" in names and "segments" in names and "maz" not in names, names
+    saves = "(tautApp.download = (bytes, ending) => tell(ending + bytes.size), document.getElementById('format').value = '%s', tautApp.save())"
+    assert re.fullmatch(r"txt\d\d+", page.run(f"new Promise((tell) => {saves % 'segments'})"))
+    assert re.fullmatch(r"png\d{4,}", page.run(f"new Promise((tell) => {saves % 'png'})"))  # what is seen
+    page.run("delete tautApp.download, document.getElementById('format').value = 'geojson'")
     saved = page.run("tautApp.planner.ask(tautApp.request('save', {as: 'segments'}))")
     with tempfile.NamedTemporaryFile("w", suffix=".txt") as out:
         out.write(saved["text"])
@@ -237,6 +253,19 @@ def strangers_are_refused(server):
     assert status(server.address, Origin="null") == 403
 
 
+def answers_do_not_wait(server):
+    """Not for the acknowledgement of an answer's head, which takes a client 40 ms."""
+    host, path = re.match(r"http://([^/]+)(/.*)", server.address).groups()
+    line, took = http.client.HTTPConnection(host), []
+    for _ in range(21):
+        begun = time.perf_counter()
+        line.request("POST", path + "ask", '{"do": "path"}')
+        assert json.loads(line.getresponse().read())["status"] == "found"
+        took.append(time.perf_counter() - begun)
+    line.close()
+    assert statistics.median(took) < 0.03, took
+
+
 def a_page_from_disk_asks_nobody(page, folder):
     file = os.path.join(folder, "page.html")
     done = subprocess.run([TAUT, "view", os.path.join(DATA, "maze_61x61_loops.txt"), "-o", file], capture_output=True, text=True)
@@ -271,14 +300,23 @@ def main():
                 out.write(ROOMS)
             server = Server(file)
             strangers_are_refused(server)
+            answers_do_not_wait(server)
             for test in ON_TWO_ROOMS:
                 test(page, server, file)
                 print("passed:", test.__name__.replace("_", " "), flush=True)
+            controls(page)
+            if AXE:
+                accessible.world(page, AXE)
+                accessible.a_fault_is_found(page, AXE)
+                print("passed: nothing for axe-core to find", flush=True)
             foreign = [r for r in page.requests if not r.startswith((server.address, "data:", "blob:", "about:"))]
             assert not foreign, foreign
             assert server.end() == 0
             a_hundred_lengths_are_those_of_solve(page)
             a_page_from_disk_asks_nobody(page, folder)
+            look = (lambda where: accessible.in_all_lights_and_widths(page, AXE, where)) if AXE else lambda where: None
+            look("from disk")
+            films(page, TAUT, DATA, folder, picture, look)
         assert not page.complaints, page.complaints
         print("passed: all")
     finally:

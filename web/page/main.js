@@ -10,7 +10,7 @@ class App {
     this.planner = ask;
     this.world = world;
     this.model = new Model(world);
-    this.sheet = new Sheet();
+    this.sheet = new Sheet(by("ground"), by("front"));
     this.sheet.yDown = world.y_down;
     this.layers = {};
     this.shown = new Set(["walls"]);
@@ -74,8 +74,9 @@ class App {
   async askWidest() {
     const answer = await this.planner.ask(this.request("widest"));
     this.widest = answer.status === "found" ? answer.radius ?? Infinity : 0;
-    by("widest").textContent = answer.status !== "found" ? "" :
-      `At most ${short(this.widest)} passes. ${answer.limit === "gate" ? "Narrowest: " : ""}${answer.text}`;
+    const why = (answer.limit === "gate" ? "narrowest: " : "") + (answer.text ?? "");
+    by("widest").textContent = answer.status !== "found" ? "" : `At most ${short(this.widest)} passes; ${why}`;
+    by("set-widest").disabled = !(this.widest > 0 && Number.isFinite(this.widest));
     const box = this.world.box, most = Math.min(this.widest * 1.25, (box[2] - box[0] + box[3] - box[1]) / 4);
     by("radius").max = String(most || 1);
     by("radius").step = String((most || 1) / 250);
@@ -227,13 +228,14 @@ class App {
   }
   remember() {
     const view = this.moved ? [...this.sheet.centre, this.sheet.scale] : null;
-    try { history.replaceState(null, "", addressOf(this.model, [...this.shown], view)); } catch { /* too long, or a page without address */ }
+    try { history.replaceState(null, "", addressOf(this.model, [...this.shown], view, this.digits())); } catch { /* too long, or a page without address */ }
   }
   async recall() {
     const found = readAddress();
     this.model.start = pointOf(found.s) ?? this.model.start;
     this.model.goal = pointOf(found.g) ?? this.model.goal;
     this.model.radius = Math.max(0, Number(found.r) || 0);
+    if (found.d) by("digits").value = String(Math.floor(Number(found.d)) || 6);
     if (found.l !== undefined) this.shown = new Set(found.l.split(".").filter(Boolean));
     for (const box of document.querySelectorAll("[data-layer]")) box.checked = this.shown.has(box.dataset.layer);
     const view = (found.v ?? "").split(",").map(Number);
@@ -248,7 +250,12 @@ class App {
 
   // ---- the panel --------------------------------------------------------------------------------------------------
   panel() {
-    by("radius").addEventListener("pointerdown", () => this.model.mark());
+    for (const begin of ["pointerdown", "keydown"]) by("radius").addEventListener(begin, () => this.model.mark());
+    by("set-widest").addEventListener("click", () => {
+      this.model.mark();
+      this.setRadius(this.widest);
+      this.settled();
+    });
     by("radius").addEventListener("input", () => this.setRadius(Number(by("radius").value)));
     by("radius").addEventListener("change", () => this.settled());
     by("radius-number").addEventListener("change", () => {
@@ -256,7 +263,7 @@ class App {
       this.setRadius(Number(by("radius-number").value));
       this.settled();
     });
-    by("digits").addEventListener("input", () => this.askPath());
+    by("digits").addEventListener("input", () => { this.askPath(); this.remember(); });
     for (const box of document.querySelectorAll("[data-layer]")) box.addEventListener("change", () => {
       if (box.checked) this.shown.add(box.dataset.layer); else this.shown.delete(box.dataset.layer);
       this.askLayers().then(() => this.drawGround());
@@ -274,8 +281,20 @@ class App {
     document.addEventListener("keydown", (e) => this.key(e));
     window.addEventListener("resize", () => { this.sheet.resize(); this.viewChangedQuietly(); });
     window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { this.sheet.readColours(); this.viewChangedQuietly(); });
-    window.addEventListener("beforeprint", () => { this.sheet.readColours(); this.sheet.resize(); this.fit(); });
-    window.addEventListener("afterprint", () => { this.sheet.readColours(); this.sheet.resize(); this.fit(); });
+    window.addEventListener("beforeprint", () => this.print());
+  }
+  // What is seen, in the colours of paper, at once: no frame is drawn before the printer's.
+  print() {
+    const paper = new Sheet(by("paper"), document.createElement("canvas"));
+    paper.showLike(this.sheet, 3);
+    paper.drawGround(this.model, this.world, this.layers, this.shown);
+    paper.drawFront(this.model, this.answer, null);
+    const context = paper.ground.getContext("2d");
+    context.save();
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.drawImage(paper.front, 0, 0);
+    context.restore();
+    paper.drawEnds(this.model.start, this.model.goal ?? (this.world.room.length ? this.endOf("goal") : null));
   }
   viewChangedQuietly() {
     if (!this.moved) this.sheet.fit(this.world.box);
@@ -308,14 +327,24 @@ class App {
   }
   async formats() {
     const answer = await this.planner.ask({do: "formats"}), chosen = by("format").value;
-    by("format").replaceChildren(...(answer.formats ?? []).map((name) => new Option(name, name, false, name === chosen)));
+    by("format").replaceChildren(...[...(answer.formats ?? []), "png"].map((name) => new Option(name, name, false, name === chosen)));
   }
   async save() {
-    const as = by("format").value, answer = await this.planner.ask(this.request("save", {as}));
+    const as = by("format").value;
+    if (as === "png") {
+      this.print();
+      by("paper").toBlob((bytes) => this.download(bytes, "png"));
+      return;
+    }
+    const answer = await this.planner.ask(this.request("save", {as}));
     if (answer.error) { this.complain(answer.error); return; }
+    const ending = {segments: "txt", drawing: "txt", cells: "cells", blocks: "txt", movingai: "map", integers: "json"}[as] ?? as;
+    this.download(new Blob([answer.base64 ? bytesOf(answer.base64) : answer.text]), ending);
+  }
+  download(bytes, ending) {
     const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([answer.base64 ? bytesOf(answer.base64) : answer.text]));
-    link.download = `${by("title").textContent.replace(/\.[a-z]+$/i, "")}.${{segments: "txt", drawing: "txt", cells: "cells", blocks: "txt", movingai: "map", integers: "json"}[as] ?? as}`;
+    link.href = URL.createObjectURL(bytes);
+    link.download = `${by("title").textContent.replace(/\.[a-z]+$/i, "")}.${ending}`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
@@ -332,6 +361,8 @@ class App {
 }
 
 async function begin() {
+  window.addEventListener("hashchange", () => location.reload());  // a link was put in the place of this one
+  if (kPage.film) { beginFilm(kPage); return; }
   const ask = await planner(kPage), world = await ask.ask(kPage.load);
   if (world.error) {
     by("length").textContent = "Cannot be read";

@@ -77,13 +77,14 @@ function pointOf(text) {
   return p.length === 2 && p.every(Number.isFinite) ? p : null;
 }
 
-// s=1,2&g=3,4&r=0.1&w=-3;+0,0,1,1,0&l=mesh.gates&v=x,y,scale
-function addressOf(model, layers, view) {
+// s=1,2&g=3,4&r=0.1&w=-3;+0,0,1,1,0&d=6&l=mesh.gates&v=x,y,scale
+function addressOf(model, layers, view, digits) {
   const parts = [];
   if (model.start) parts.push("s=" + model.start);
   if (model.goal) parts.push("g=" + model.goal);
   if (model.radius) parts.push("r=" + model.radius);
   if (model.edited) parts.push("w=" + model.difference().join(";"));
+  if (digits !== 6) parts.push("d=" + digits);
   parts.push("l=" + layers.join("."));
   if (view) parts.push("v=" + view.map((v) => Number(v.toPrecision(8))));
   return "#" + parts.join("&");

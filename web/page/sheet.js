@@ -1,7 +1,9 @@
 "use strict";
 // Two sheets: the ground (world and layers, drawn when they or the view change) and the front (path, drawn on a drag).
 
-const kColours = ["paper", "outside", "floor", "wall", "solid", "path", "accent", "bad", "tri", "mesh", "graph", "voronoi", "gate", "region", "robot", "ink"];
+const kColours = ["paper", "outside", "floor", "wall", "solid", "path", "start", "goal", "accent", "bad", "tri", "mesh", "graph", "voronoi", "gate", "region", "robot", "ink"];
+
+const kMargin = 28, kButtons = 36;  // pixels around the world, and for the buttons that zoom
 
 // The walls, four numbers each, those of thickness apart; kept as long as the walls are the same.
 const kSorted = new WeakMap();
@@ -18,33 +20,40 @@ function byThickness(walls) {
 }
 
 class Sheet {
-  constructor() {
-    this.ground = document.getElementById("ground");
-    this.front = document.getElementById("front");
+  constructor(ground, front) {
+    this.ground = ground;
+    this.front = front;
     this.scale = 1;       // pixels a unit
     this.centre = [0, 0];
     this.readColours();
   }
   readColours() {
-    const style = getComputedStyle(document.documentElement);
+    const style = getComputedStyle(this.ground);
     this.colour = Object.fromEntries(kColours.map((name) => [name, style.getPropertyValue("--" + name).trim()]));
   }
   resize() {
-    const ratio = window.devicePixelRatio || 1, box = this.front.getBoundingClientRect();
-    this.width = box.width;
-    this.height = box.height;
-    this.ratio = ratio;
+    const box = this.front.getBoundingClientRect();
+    this.measure(box.width, box.height, window.devicePixelRatio || 1);
+  }
+  measure(width, height, ratio) {
+    Object.assign(this, {width, height, ratio});
     for (const canvas of [this.ground, this.front]) {
-      canvas.width = Math.round(box.width * ratio);
-      canvas.height = Math.round(box.height * ratio);
+      canvas.width = Math.round(width * ratio);
+      canvas.height = Math.round(height * ratio);
     }
+  }
+  // What `other` shows, on this one's canvases.
+  showLike(other, ratio) {
+    const {centre, scale, yDown} = other;
+    Object.assign(this, {centre, scale, yDown});
+    this.measure(other.width, other.height, ratio);
   }
   fit(box) {
     const w = Math.max(box[2] - box[0], 1e-9), h = Math.max(box[3] - box[1], 1e-9);
-    this.scale = Math.min((this.width - 56) / w, (this.height - 56) / h);
+    this.scale = Math.min((this.width - 2 * kMargin - kButtons) / w, (this.height - 2 * kMargin) / h);
     this.least = this.scale / 20;
     this.most = this.scale * 1e6;
-    this.centre = [(box[0] + box[2]) / 2, (box[1] + box[3]) / 2];
+    this.centre = [(box[0] + box[2]) / 2 + kButtons / 2 / this.scale, (box[1] + box[3]) / 2];
   }
   get up() { return this.yDown ? 1 : -1; }
   toScreen(p) {
@@ -231,6 +240,22 @@ class Sheet {
     this.ink(context, "bad", 3);
     this.segments(context, answer.gates);
     context.setLineDash([]);
+  }
+  // Start and goal, where no handles can be.
+  drawEnds(start, goal) {
+    const context = this.ground.getContext("2d"), r = this.pixels(7);
+    const draw = (colour, trace) => {
+      context.beginPath();
+      trace();
+      context.fillStyle = this.colour[colour];
+      context.fill();
+      this.ink(context, "floor", 2);
+      context.stroke();
+    };
+    if (start) draw("start", () => context.arc(...this.at(...start), r, 0, 7));
+    if (!goal) return;
+    const [x, y] = this.at(...goal);
+    draw("goal", () => this.trace(context, [x - r, y, x, y + r, x + r, y, x, y - r].map((v, i) => v + this.centre[i % 2])));
   }
   drawDraft(context, draft) {
     this.ink(context, "accent", 3);

@@ -140,7 +140,7 @@ class Tools {
     const walls = this.app.model.walls;
     let best = null, least = this.app.sheet.pixels(kNear);
     for (let i = 0; i < walls.length; i += 5) {
-      const [ax, ay, bx, by, t] = walls.slice(i, i + 5), dx = bx - ax, dy = by - ay;
+      const ax = walls[i], ay = walls[i + 1], bx = walls[i + 2], by = walls[i + 3], t = walls[i + 4], dx = bx - ax, dy = by - ay;
       const share = Math.max(0, Math.min(1, ((p[0] - ax) * dx + (p[1] - ay) * dy) / (dx * dx + dy * dy || 1)));
       const d = Math.hypot(p[0] - ax - share * dx, p[1] - ay - share * dy) - t / 2;
       if (d < least) [least, best] = [d, {index: i / 5, wall: [ax, ay, bx, by]}];
@@ -187,12 +187,20 @@ class Tools {
     this.draft ??= {at: this.app.snapped(this.app.sheet.centre)};
     this.draft.at = this.app.tidy([(this.draft.at ?? this.app.sheet.centre)[0] + step[0] * size, (this.draft.at ?? this.app.sheet.centre)[1] + step[1] * size]);
     if (this.draft.wall && this.tool === "draw") this.draft.wall.splice(2, 2, ...this.draft.at);
+    if (this.draft.wall && this.tool === "move") this.drag(this.draft.at);
     this.app.say(`crosshair at ${this.app.words(this.draft.at)}`);
+  }
+  gripOrDrop(at) {
+    const held = this.draft.wall && this.draft;
+    this.draft = held ? {at} : {...this.grab(at), at};
+    if (held) this.app.setWalls(this.app.model.withMovedWall(held.index, this.movedWall(held)));
+    this.app.say(held ? "wall dropped" : this.draft.wall ? `wall held by ${["its first end", "its second end", "its middle"][this.draft.part]}` : "no wall here");
   }
   set() {
     const at = this.draft?.at;
     if (!at) return;
     if (this.tool === "erase") this.erase(at);
+    else if (this.tool === "move") this.gripOrDrop(at);
     else if (this.tool === "draw" && this.draft.wall) {
       this.finish(this.draft.wall);
       this.draft = {at};

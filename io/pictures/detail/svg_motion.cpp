@@ -29,7 +29,10 @@ constexpr std::string_view kScript = R"(<script>(function () {
 var svg = document.currentScript.ownerSVGElement, button = svg.querySelector('.pause'), ends = $ENDS, paused = false;
 function set(to) {
   paused = to;
-  if (paused) svg.pauseAnimations(); else svg.unpauseAnimations();
+  // In some browsers a drawing within has a clock of its own.
+  [svg].concat(Array.from(svg.querySelectorAll('svg'))).forEach(function (one) {
+    if (paused) one.pauseAnimations(); else one.unpauseAnimations();
+  });
   button.setAttribute('class', paused ? 'pause paused' : 'pause');
 }
 function press() {
