@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -56,7 +57,7 @@ struct Triangulation {
     const auto [first, last] =
         std::equal_range(sectors.begin(), sectors.end(), Sector{v, kNone, kNone, kNone, false, false},
                          [](const Sector& a, const Sector& b) { return a.vertex < b.vertex; });
-    return {first, last};
+    return {std::to_address(first), std::to_address(last)};
   }
 
   /// Does the closed sector contain the direction from its vertex to q? Exact.

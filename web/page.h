@@ -14,7 +14,7 @@ struct Wasm {
   /// JavaScript, evaluated in a worker: defines `self.tautReady(bytes)`, a promise of the function that answers as
   /// Session does, text in, text out.
   std::string_view glue;
-  std::string_view bytes;
+  std::string_view bytes;  ///< of taut.wasm, packed by gzip
 };
 
 Wasm embedded_wasm();

@@ -42,10 +42,16 @@ bool doubles_are_doubles() {
          std::fma(one + 2 * tiny, one - 2 * tiny, -1.0) == -4 * tiny * tiny;
 }
 
-/// Points that lie on a line but for the last bit.
+/// Points on a line and beside it by a few last bits: the doubles' determinant has nearly any sign.
 bool orientation_is_exact() {
   const double ulp = std::ldexp(1.0, -53);
-  return orientation({0.5, 0.5}, {12, 12}, {24, 24}) == 0 && orientation({0.5 + ulp * 2, 0.5}, {12, 12}, {24, 24}) != 0;
+  for (int i = 0; i < 16; ++i)
+    for (int j = 0; j < 16; ++j) {
+      const Point p{0.5 + i * ulp, 0.5 + j * ulp};
+      const int side = (j > i) - (j < i);
+      if (orientation({12, 12}, {24, 24}, p) != side || orientation(p, {24, 24}, {12, 12}) != -side) return false;
+    }
+  return true;
 }
 
 /// (0.8, 1.1) lies on the wall from (0, 0.6) to (4, 3.1) as written, though no doubles do.

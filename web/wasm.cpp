@@ -7,7 +7,7 @@ asm(R"(
   .global taut_wasm_glue, taut_wasm_glue_end, taut_wasm_bytes, taut_wasm_bytes_end
 taut_wasm_glue: .incbin ")" TAUT_WASM_FOLDER R"(/taut.js"
 taut_wasm_glue_end:
-taut_wasm_bytes: .incbin ")" TAUT_WASM_FOLDER R"(/taut.wasm"
+taut_wasm_bytes: .incbin ")" TAUT_WASM_FOLDER R"(/taut.wasm.gz"
 taut_wasm_bytes_end:
   .previous
 )");

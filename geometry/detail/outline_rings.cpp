@@ -78,7 +78,7 @@ class Tracer {
     for (const std::uint32_t v : chain) {
       if (place_[v] != kNone) {
         const auto first = open.begin() + static_cast<std::ptrdiff_t>(place_[v]);
-        add(std::span(first, open.end()), region);
+        add(std::span(open).subspan(place_[v]), region);
         open.erase(first, open.end());
       }
       place_[v] = static_cast<std::uint32_t>(open.size());

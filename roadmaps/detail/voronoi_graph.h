@@ -2,7 +2,9 @@
 #pragma once
 
 #include <CGAL/Exact_rational.h>
+#ifndef TAUT_BOOST_NUMBERS
 #include <CGAL/Mpzf.h>
+#endif
 #include <CGAL/Segment_Delaunay_graph_2.h>
 #include <CGAL/Segment_Delaunay_graph_filtered_traits_2.h>
 #include <CGAL/Simple_cartesian.h>

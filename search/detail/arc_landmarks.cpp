@@ -51,7 +51,7 @@ void ArcLandmarks::measure(ArcWalk& walk, std::uint32_t from, std::size_t k) {
     const auto [length, n] = open.top();
     open.pop();
     if (length > distance_[n][k]) continue;
-    walk.onward(n, [&](std::uint32_t m, const Interval& leg) { reach(m, length + leg.middle()); });
+    walk.onward(n, [&, so_far = length](std::uint32_t m, const Interval& leg) { reach(m, so_far + leg.middle()); });
   }
 }
 

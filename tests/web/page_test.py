@@ -226,6 +226,11 @@ def a_hundred_lengths_are_those_of_solve(page):
     file = os.path.join(DATA, "maze_25x25.txt")
     server = Server(file)
     page.open(server.address)
+    compare_lengths(page, file)
+    assert server.end() == 0
+
+
+def compare_lengths(page, file):
     random.seed(1)
     place = lambda: (round(random.uniform(0.6, 25.4), 2), round(random.uniform(0.6, 25.4), 2))  # noqa: E731
     for _ in range(100):
@@ -236,7 +241,6 @@ def a_hundred_lengths_are_those_of_solve(page):
         assert page.run("tautApp.answer.status") == answer["status"], (start, goal, answer)
         if answer["status"] == "found":
             assert page.run("tautApp.answer.length") == answer["result"]["length"], (start, goal)
-    assert server.end() == 0
 
 
 def strangers_are_refused(server):
@@ -282,6 +286,40 @@ def a_page_from_disk_asks_nobody(page, folder):
     assert ready in ("still", "wasm")
     assert ("A picture" in text(page, "planner")) == (ready == "still")
     picture(page, "disk-" + ready)
+    return ready == "wasm"
+
+
+def a_page_from_disk_answers_as_solve_does(page, folder):
+    maze, file = os.path.join(DATA, "maze_25x25.txt"), os.path.join(folder, "own.html")
+    assert subprocess.run([TAUT, "view", maze, "-o", file, "-q"]).returncode == 0
+    page.requests.clear()
+    page.open("file://" + file)
+    page.settle()
+    assert "passed its exactness test" in text(page, "planner"), text(page, "planner")
+    page.drag(centre(page, "start"), screen(page, 12.5, 12.5))
+    page.settle()
+    start, goal = page.run("tautApp.model.start"), page.run("tautApp.model.goal")
+    assert abs(start[0] - 12.5) < 0.2 and abs(start[1] - 12.5) < 0.2, start
+    assert page.run("tautApp.answer.length") == solved(maze, tuple(start), tuple(goal))["result"]["length"]
+    compare_lengths(page, maze)
+    click(page, "[data-layer=voronoi]")
+    page.wait("!!tautApp.layers.voronoi")
+    picture(page, "disk-voronoi")
+    asked = [r for r in page.requests if r != "file://" + file and not r.startswith(("data:", "blob:"))]
+    assert not asked, asked
+
+
+def a_page_whose_planner_fails_is_a_picture(page, folder):
+    with open(os.path.join(folder, "own.html")) as own:
+        html = own.read()
+    file = os.path.join(folder, "broken.html")
+    with open(file, "w") as out:
+        out.write(html.replace('id="taut-wasm">H4sI', 'id="taut-wasm">H4sX', 1))
+    page.open("file://" + file)
+    page.settle()
+    assert page.run("document.body.dataset.ready") == "still"
+    assert "does not run here" in text(page, "planner"), text(page, "planner")
+    assert text(page, "length") != "", text(page, "length")
 
 
 ON_TWO_ROOMS = (
@@ -313,7 +351,10 @@ def main():
             assert not foreign, foreign
             assert server.end() == 0
             a_hundred_lengths_are_those_of_solve(page)
-            a_page_from_disk_asks_nobody(page, folder)
+            if a_page_from_disk_asks_nobody(page, folder):
+                a_page_from_disk_answers_as_solve_does(page, folder)
+                a_page_whose_planner_fails_is_a_picture(page, folder)
+                print("passed: all that a page with its own planner has to", flush=True)
             look = (lambda where: accessible.in_all_lights_and_widths(page, AXE, where)) if AXE else lambda where: None
             look("from disk")
             films(page, TAUT, DATA, folder, picture, look)

@@ -351,7 +351,7 @@ class App {
   introduce() {
     const who = {wasm: "The planner runs in this page, as WebAssembly; it passed its exactness test. Nothing leaves this machine.",
       server: "The program taut answers, on this machine.",
-      still: "A picture: this page was written without the planner, so it shows what the program found and nothing more. <code>taut view --serve</code> answers live."};
+      still: this.planner.why ? "A picture of what the program found: the planner in this page does not run here." : "A picture: this page was written without the planner, so it shows what the program found and nothing more. <code>taut view --serve</code> answers live."};
     by("planner").innerHTML = who[this.planner.name];
     if (this.planner.why) by("planner").append(" (" + this.planner.why + ")");
     document.body.classList.toggle("still", this.planner.name === "still");

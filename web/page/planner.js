@@ -17,6 +17,10 @@ function bytesOf(base64) {
   return Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
 }
 
+function unpacked(bytes) {
+  return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
+}
+
 class WasmPlanner {
   constructor(base64, glue) {
     this.name = "wasm";
@@ -30,8 +34,7 @@ class WasmPlanner {
     this.worker.onerror = (event) => {
       for (const tell of this.waiting.values()) tell(JSON.stringify({error: event.message || "the worker failed"}));
     };
-    const wasm = bytesOf(base64);
-    this.ready = this.post({wasm}, [wasm.buffer]);
+    this.ready = unpacked(bytesOf(base64)).then((wasm) => this.post({wasm}, [wasm]));
   }
   post(message, moved = []) {
     return new Promise((tell) => {
@@ -39,7 +42,7 @@ class WasmPlanner {
       this.worker.postMessage({...message, id: this.next++}, moved);
     });
   }
-  ask(request) { return this.post({text: JSON.stringify(request)}); }
+  async ask(request) { return request.do === "load" && this.world || this.post({text: JSON.stringify(request)}); }
 }
 
 class ServerPlanner {
@@ -68,20 +71,27 @@ class StillPlanner {
   }
 }
 
-// The first that passes its own test.
+// The planner in the page, once it has passed its own test and read the world; else why not.
+async function wasmPlanner(page, base64, glue) {
+  try {
+    if (!window.Worker || !window.WebAssembly) throw "this browser runs no WebAssembly";
+    const wasm = new WasmPlanner(base64, glue), begun = await wasm.ready;
+    if (begun.error) throw begun.error;
+    const test = await wasm.ask({do: "self-test"});
+    if (!test.passed) throw test.error ?? "the self-test failed: " + test.checks.filter((c) => !c.passed).map((c) => c.what).join(", ");
+    const world = await wasm.ask(page.load);
+    if (world.error) throw world.error;
+    wasm.world = world;
+    return {wasm};
+  } catch (why) { return {why: String(why)}; }
+}
+
 async function planner(page) {
   const base64 = document.getElementById("taut-wasm").textContent.trim();
-  const glue = document.getElementById("taut-glue").textContent;
   if (page.server && location.protocol.startsWith("http")) return new ServerPlanner(page.server);
-  if (base64 && window.Worker) {
-    const wasm = new WasmPlanner(base64, glue);
-    const begun = await wasm.ready;
-    const test = begun.error ? begun : await wasm.ask({do: "self-test"});
-    if (test.passed) return wasm;
-    return Object.assign(new StillPlanner(page.still), {
-      why: test.error ?? "the self-test failed: " + test.checks.filter((c) => !c.passed).map((c) => c.what).join(", ")});
-  }
-  return new StillPlanner(page.still);
+  if (!base64) return new StillPlanner(page.still);
+  const {wasm, why} = await wasmPlanner(page, base64, document.getElementById("taut-glue").textContent);
+  return wasm ?? Object.assign(new StillPlanner(page.still), {why});
 }
 
 // Of a drag only the newest question matters: one is under way, one waits, what lay between is dropped.
