@@ -107,6 +107,7 @@ void bind_planners(py::module_& m);
 void bind_discs(py::module_& m);
 void bind_passage_index(py::module_& m);
 void bind_clearance(py::module_& m);
+void bind_tradeoff(py::module_& m);
 void bind_snapping(py::module_& m);
 void bind_grids(py::module_& m);
 void bind_mice(py::module_& m);

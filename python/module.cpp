@@ -18,6 +18,7 @@ PYBIND11_MODULE(_taut, m) {
   taut::python::bind_discs(m);
   taut::python::bind_passage_index(m);
   taut::python::bind_clearance(m);
+  taut::python::bind_tradeoff(m);
   taut::python::bind_snapping(m);
   taut::python::bind_grids(m);
   taut::python::bind_mice(m);

@@ -7,8 +7,8 @@
 
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/solve/point_ends.h>
 #include <taut/cli/world/snap_ends.h>
-#include <taut/geometry/errors.h>
 #include <taut/geometry/rounding.h>
 #include <taut/io/pictures/alternatives_svg.h>
 #include <taut/io/results/alternatives_json.h>
@@ -45,11 +45,9 @@ class Alternating {
   static constexpr std::size_t kMostExpanded = 5'000'000;
 
   void read_ends(const Input& input) {
-    require_ends(input);
-    if (!input.world.goal().point)
-      throw InputError(input.name, 0, "the goal is a room; --alternatives needs a goal point: --to X,Y");
-    answer_.start = *input.world.start();
-    answer_.goal = *input.world.goal().point;
+    const auto [start, goal] = point_ends(input, "--alternatives");
+    answer_.start = start;
+    answer_.goal = goal;
     answer_.asked = options_.alternatives;
     answer_.wider = options_.wider;
     run_.so_far(alternatives_json(answer_));

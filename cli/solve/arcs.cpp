@@ -9,8 +9,8 @@
 
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/solve/point_ends.h>
 #include <taut/cli/world/snap_ends.h>
-#include <taut/geometry/errors.h>
 #include <taut/geometry/rounding.h>
 #include <taut/io/pictures/arc_svg.h>
 #include <taut/io/results/arc_json.h>
@@ -54,11 +54,9 @@ class ArcSolver {
   bool found() const { return answer_.result.status == DiscStatus::found; }
 
   void read_ends(const Input& input) {
-    require_ends(input);
-    if (!input.world.goal().point)
-      throw InputError(input.name, 0, "the goal is a room; --arcs needs a goal point: --to X,Y");
-    answer_.start = *input.world.start();
-    answer_.goal = *input.world.goal().point;
+    const auto [start, goal] = point_ends(input, "--arcs");
+    answer_.start = start;
+    answer_.goal = goal;
     answer_.radius = options_.query.robot.radius();
     run_.so_far(arc_json(answer_));
   }

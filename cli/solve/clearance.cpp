@@ -2,25 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-#include <chrono>
-#include <memory>
-#include <mutex>
 #include <optional>
 #include <utility>
 
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/solve/certify.h>
+#include <taut/cli/solve/point_ends.h>
 #include <taut/cli/world/snap_ends.h>
-#include <taut/geometry/errors.h>
 #include <taut/geometry/walled_world.h>
 #include <taut/io/pictures/clearance_svg.h>
 #include <taut/io/results/barrier_words.h>
 #include <taut/io/results/clearance_json.h>
 #include <taut/search/query_ends.h>
-#include <taut/search/voronoi_search.h>
 
 namespace taut::cli {
 
@@ -29,19 +23,6 @@ namespace {
 using Kind = ClearanceQuery::Kind;
 
 constexpr const char* kAlong = "along the Voronoi diagram";
-
-std::string table(const ClearanceAnswer& answer) {
-  using Row = std::array<std::string, 3>;
-  std::vector<Row> rows{{"radius up to", "length", "narrowest"}};
-  for (const ClearanceTrade& t : answer.found)
-    rows.push_back({number_text(t.clearance), plain_length(t.path.length), place_text(t.path.pinch)});
-  std::array<std::size_t, 3> widths{};
-  for (const Row& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-  std::string out;
-  for (const Row& row : rows) out += fmt::format("{:>{}}  {:>{}}  {}\n", row[0], widths[0], row[1], widths[1], row[2]);
-  return out;
-}
 
 std::string at_least_text(const ClearanceAnswer& answer, const FreeSpace& walled) {
   const ClearancePath& way = answer.found.front().path;
@@ -56,28 +37,6 @@ std::string widest_text(const ClearanceAnswer& answer, const FreeSpace& walled) 
                      number_text(way.pinch.clearance), pinch_text(way.pinch, walled, answer.width.value_or("")),
                      plain_length(way.length), kAlong);
 }
-
-// What a tradeoff has found so far, for the thread that stops the program.
-class Ways {
- public:
-  void add(const ClearanceTrade& way, Json json) {
-    const std::lock_guard lock(mutex_);
-    answer_.found.push_back(way);
-    json_.push_back(std::move(json));
-  }
-
-  std::pair<Json, std::string> tell() {
-    const std::unique_lock lock(mutex_, std::chrono::seconds(1));
-    if (!lock.owns_lock()) return {};
-    return {Json{{"query", "tradeoff"}, {"tradeoff", json_}, {"verified", false}},
-            answer_.found.empty() ? "" : table(answer_)};
-  }
-
- private:
-  std::timed_mutex mutex_;
-  ClearanceAnswer answer_;
-  Json json_ = Json::array();
-};
 
 class ClearanceSolver {
  public:
@@ -106,11 +65,7 @@ class ClearanceSolver {
  private:
   void read_ends(const FreeSpace& space, const Input& input) {
     start_ = *input.world.start();
-    require_free(space, start_, "start");
-    if (input.world.goal().point) require_free(space, *input.world.goal().point, "goal");
-    goals_ = goal_points(space, input.world.goal());
-    if (goals_.empty())
-      throw InputError(input.name, 0, "the middles of its goal room are no free places; give --to X,Y");
+    goals_ = free_goals(space, input);
   }
 
   std::vector<Point> all_ends() const {
@@ -120,13 +75,7 @@ class ClearanceSolver {
   }
 
   void search(const ClearancePlanner& planner) {
-    const auto ways = std::make_shared<Ways>();
-    run_.when_stopped([ways] { return ways->tell(); });
-    answer_ = run_.stage("search", [&] {
-      return planner.answer(*options_.clearance, [&](const ClearanceTrade& way) {
-        ways->add(way, run_.wants_json() ? clearance_way_json(way, planner.walled()) : Json());
-      });
-    });
+    answer_ = run_.stage("search", [&] { return planner.answer(*options_.clearance); });
   }
 
   Outcome outcome() const {
@@ -178,9 +127,7 @@ class ClearanceSolver {
     answer.reason = clearance_reason(answer_, planner.gates());
     certify(answer, planner);
     if (run_.wants_json()) answer.result = clearance_json(answer_, planner.walled());
-    answer.line = answer_.query.kind == Kind::tradeoff && outcome() == Outcome::found
-                      ? table(answer_)
-                      : input.name + ": " + line(answer.reason, planner.walled()) + "\n";
+    answer.line = input.name + ": " + line(answer.reason, planner.walled()) + "\n";
     if (answer.outcome == Outcome::unproven) answer.line = input.name + ": " + answer.reason + "\n";
     if (options_.path && outcome() == Outcome::found) answer.listing = path_listing(written_paths(planner).front());
     if (outcome() == Outcome::found) add_path_files(answer.files, options_.files, written_paths(planner));

@@ -7,8 +7,8 @@
 
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/solve/point_ends.h>
 #include <taut/cli/world/snap_ends.h>
-#include <taut/geometry/errors.h>
 #include <taut/geometry/rounding.h>
 #include <taut/io/pictures/kept_svg.h>
 #include <taut/io/results/barrier_words.h>
@@ -42,11 +42,9 @@ class KeepSolver {
   bool found() const { return answer_.path.status == KeptPath::Status::found; }
 
   void read_ends(const Input& input) {
-    require_ends(input);
-    if (!input.world.goal().point)
-      throw InputError(input.name, 0, "the goal is a room; --keep needs a goal point: --to X,Y");
-    answer_.start = *input.world.start();
-    answer_.goal = *input.world.goal().point;
+    const auto [start, goal] = point_ends(input, "--keep");
+    answer_.start = start;
+    answer_.goal = goal;
     answer_.path.clearance = *options_.keep;
     run_.so_far(kept_json(answer_));
   }

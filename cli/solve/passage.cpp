@@ -9,6 +9,7 @@
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/run.h>
+#include <taut/cli/solve/point_ends.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/pictures/clearance_svg.h>
@@ -89,14 +90,6 @@ void add_options(CommandLine& app, PassageOptions& options) {
   app.example("taut passage maze.txt --robot disc:0.3 --svg gates.svg");
   app.example("taut passage maze.txt --matrix points.txt");
   app.example("taut passage maze.txt --from 0.5,0.5 --map map.svg");
-}
-
-std::vector<Point> read_goals(const FreeSpace& space, const Input& input) {
-  require_free(space, *input.world.start(), "start");
-  if (input.world.goal().point) require_free(space, *input.world.goal().point, "goal");
-  std::vector<Point> goals = goal_points(space, input.world.goal());
-  if (goals.empty()) throw InputError(input.name, 0, "the middles of its goal room are no free places; give --to X,Y");
-  return goals;
 }
 
 std::string widest_text(const Passage& passage, const Gates& gates) {
@@ -192,7 +185,7 @@ int run(const PassageOptions& options, Run& run) {
   const Input input = read_input(options.world, options.query, run, {options.radius().value_or(0)});
   require_ends(input);
   const FreeSpace space = run.stage("space", [&] { return triangulated(FreeSpace(input.world)); });
-  const std::vector<Point> goals = read_goals(space, input);
+  const std::vector<Point> goals = free_goals(space, input);
   const PassageIndex index = run.stage("gates", [&] { return PassageIndex(space); });
   const Gates& gates = index.gates();
   const Passage found =

@@ -18,6 +18,7 @@
 #include <taut/cli/solve/keep.h>
 #include <taut/cli/solve/solve_options.h>
 #include <taut/cli/solve/solve_report.h>
+#include <taut/cli/solve/tradeoff.h>
 #include <taut/cli/world/geographic.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
@@ -279,6 +280,7 @@ class Solver {
 
 int run(const SolveOptions& options, Run& run) {
   run.source(options.world.file);
+  if (options.tradeoff()) return solve_tradeoff(options, run);
   if (options.clearance) return solve_with_clearance(options, run);
   if (options.ways_given()) return solve_alternatives(options, run);
   if (options.keep) return solve_keeping(options, run);

@@ -31,7 +31,8 @@ void add_clearance_options(CommandLine& app, std::optional<ClearanceQuery>& quer
         .group("Clearance");
   };
   flag("--widest", Kind::widest, "The largest disc that gets through, its way, and the two walls that pinch it");
-  flag("--tradeoff", Kind::tradeoff, "All best ways between the shortest along the diagram and the widest");
+  flag("--tradeoff", Kind::tradeoff,
+       "What room costs: the shortest way of discs of every radius, with arcs, and each radius at which it changes");
 }
 
 void add_keep_option(CommandLine& app, std::optional<double>& keep) {
@@ -216,6 +217,7 @@ void add_solve_options(CommandLine& app, SolveOptions& options) {
   add_keep_option(app, options.keep);
   add_alternatives_option(app, options);
   add_svg_option(app, options.svg);
+  add_animate_option(app, options.animation, "With --tradeoff: a film of the disc that grows");
   app.add_option_function(
          "--contours",
          [&options](const std::string& text) {
@@ -226,11 +228,15 @@ void add_solve_options(CommandLine& app, SolveOptions& options) {
          "With --svg: draw so many lines on which all places are equally far from the start")
       .type_name("N")
       .group("Output");
-  app.callback([&options] { require_consistent(options); });
+  app.callback([&app, &options] {
+    settle_animation(app, options.animation, options.svg, options.common.json);
+    if (!options.animation.empty() && !options.tradeoff()) throw UsageError("--animate needs --tradeoff");
+    require_consistent(options);
+  });
   app.example("taut solve maze.txt --svg maze.svg");
   app.example("taut solve maze.txt --from 0.5,0.5 --to 3.5,6.5 --json result.json");
   app.example("taut solve maze.txt --robot disc:0.2 --arcs --svg disc.svg");
-  app.example("taut solve maze.txt --tradeoff --svg room.svg");
+  app.example("taut solve maze.txt --tradeoff --animate room.svg");
   app.example("taut solve maze.txt --alternatives 4 --svg ways.svg");
   app.example("taut solve maze.txt --keep 0.3 --svg away.svg");
   app.example("taut solve maze.txt --certificate maze.proof");

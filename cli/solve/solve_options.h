@@ -33,12 +33,14 @@ struct SolveOptions {
   bool arcs = false;
   const RoadmapKind* kind = nullptr;  // when it is given
   std::string svg;
+  std::string animation;     // of --tradeoff
   std::size_t contours = 0;  // lines of equal distance in the picture
   PathFiles files;
   std::string certificate;
   std::string save;
   std::string load;
 
+  bool tradeoff() const { return clearance && clearance->kind == ClearanceQuery::Kind::tradeoff; }
   bool ways_given() const { return alternatives > 0 || wider; }
   /// Was one asked for that works on a graph?
   bool method_given() const { return algorithm || heuristic; }

@@ -26,7 +26,10 @@ class Reader {
     const JsonTree* const several = json.find("tradeoff");
     if (!several || several->kind != Kind::array || several->items.empty()) return {one(json)};
     std::vector<ClaimedPath> paths;
-    for (const JsonTree& way : several->items) paths.push_back(one(way));
+    for (const JsonTree& item : several->items) {
+      const JsonTree* const way = item.find("way");
+      paths.push_back(way ? around(json, item, *way) : one(item));
+    }
     return paths;
   }
 
@@ -47,6 +50,23 @@ class Reader {
     } else {
       path.points = points(list_of(json));
     }
+    return path;
+  }
+
+  /// A disc's way that its ends are straight beside: as legs.
+  ClaimedPath around(const JsonTree& json, const JsonTree& item, const JsonTree& way) const {
+    ClaimedPath path;
+    path.approximate = true;
+    path.length = member(item, "length").number;
+    const JsonTree& goal = member(json, "goal");
+    const ArcPath disc = arcs(way, member(way, "bends"), 0);
+    path.points = sampled(disc, disc.radius / 1000);
+    path.points.insert(path.points.begin(), point(member(json, "start")));
+    path.points.push_back(point(goal.kind == Kind::array ? goal : member(goal, "point")));
+    path.tolerance = disc.radius / 1000;
+    const auto straight = [](Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); };
+    path.measured = length_of(pieces(disc)).middle() + straight(path.points.front(), disc.start) +
+                    straight(disc.goal, path.points.back());
     return path;
   }
 

@@ -25,7 +25,8 @@ struct ClaimedPath {
 ///  - JSON: a list of points `[[x, y], ...]`, or an object, by itself or as the `result` of an envelope, with such a
 ///    list under `points` or `path` and perhaps a number under `length`; with `bends`, `start`, `goal` and the
 ///    `robot`'s radius it is a disc's path of arcs; with `curves` one along the Voronoi diagram, taken as 64 legs a
-///    curve; a list of such under `tradeoff` is several;
+///    curve; a list of such under `tradeoff` is several
+///    (a `way` in one is that of a disc, beside which start and goal lie: taken as legs);
 ///  - GeoJSON: LineStrings and Points, a path each;
 ///  - WKT: a LINESTRING or POINT each; arcs of a COMPOUNDCURVE as legs no farther from them
 ///    than a thousandth of their radius;

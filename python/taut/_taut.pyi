@@ -740,6 +740,24 @@ class Roadmap:
     def to_networkx(self) -> Any:
         """A networkx.Graph: nodes 0 to v - 1 with `pos`, edges with `weight`, their length."""
 
+class TradeoffStretch:
+    """Radii of discs whose shortest way bends around the same corners."""
+
+    @property
+    def radii(self) -> tuple[float, float]:
+        """The least and the largest."""
+    @property
+    def lengths(self) -> tuple[float, float]:
+        """Of their ways."""
+    @property
+    def then(self) -> str:
+        """What happens beyond, in words."""
+    def length(self, radius: float) -> float:
+        """Of the shortest way of that disc."""
+    def points(self, radius: float) -> NDArray[np.float64]:
+        """(n, 2): on that way, legs between them no farther from it than radius / 1000."""
+    def __repr__(self) -> str: ...
+
 class Verdict:
     """What the check of a path found that shares nothing with the planners."""
 
@@ -1071,6 +1089,12 @@ def shortest_path(space: FreeSpace, start: PointLike | None = ..., goal: GoalLik
 def snapped(world: World, snap: float | str | None) -> tuple[World, dict[str, Any]]:
     """The world with what nearly touches joined, and a report: tolerance, joined, displacement, remaining. snap: a
     distance, 'auto', or None for what lies within rounding. Raises InputError when contacts remain."""
+
+def tradeoff(
+    space: FreeSpace, start: PointLike | None = ..., goal: GoalLike | None = ...
+) -> list[TradeoffStretch]:
+    """What room costs: a TradeoffStretch for each radius at which the shortest way of a disc changes, up to the largest
+    disc that gets through; [] where none does. In a point's space."""
 
 def verify(
     space: FreeSpace,

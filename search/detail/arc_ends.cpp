@@ -8,7 +8,8 @@ namespace {
 
 class Joining {
  public:
-  Joining(const TangentParts& graph, Point s, Point g) : graph_(graph), s_(site_for(s)), g_(site_for(g)) {}
+  Joining(const TangentParts& graph, Point s, Point g)
+      : graph_(graph), s_(end_site(graph.walls(), s)), g_(end_site(graph.walls(), g)) {}
 
   ArcEnds join() {
     ends_.from_start = legs_of(s_, false);
@@ -23,16 +24,6 @@ class Joining {
   }
 
  private:
-  TangentSite site_for(Point p) const {
-    TangentSite site{p, kNone, kNone, false, {}};
-    const Location at = graph_.walls().space().locate(p);
-    if (at.kind != Location::Kind::vertex) return site;
-    const Triangulation& tri = graph_.walls().walls().triangulation();
-    site.vertex = tri.triangles[at.triangle][at.index];
-    site.sector = tri.sector_of[3 * at.triangle + static_cast<std::uint32_t>(at.index)];
-    return site;
-  }
-
   std::vector<ArcEndLeg> legs_of(const TangentSite& end, bool to) const {
     std::vector<ArcEndLeg> result;
     for (const std::uint32_t v : graph_.walls().seen_from(end.at)) {
@@ -96,6 +87,16 @@ class Joining {
 };
 
 }  // namespace
+
+TangentSite end_site(const TangentWalls& walls, Point p) {
+  TangentSite site{p, kNone, kNone, false, {}};
+  const Location at = walls.space().locate(p);
+  if (at.kind != Location::Kind::vertex) return site;
+  const Triangulation& tri = walls.walls().triangulation();
+  site.vertex = tri.triangles[at.triangle][at.index];
+  site.sector = tri.sector_of[3 * at.triangle + static_cast<std::uint32_t>(at.index)];
+  return site;
+}
 
 ArcEnds join_ends(const TangentParts& graph, Point s, Point g) { return Joining(graph, s, g).join(); }
 

@@ -30,6 +30,9 @@ struct ArcEnds {
   std::vector<Apart> apart;
 };
 
+/// An end as a site that legs lead to: no circle, in the sector that FreeSpace::locate names.
+TangentSite end_site(const TangentWalls& walls, Point p);
+
 /// Precondition: s and g are places of the disc, and not the same.
 ArcEnds join_ends(const TangentParts& graph, Point s, Point g);
 

@@ -94,6 +94,20 @@ def test_room_costs_length():
     assert all(a.length <= b.length and a.clearance < b.clearance for a, b in zip(trade, trade[1:]))
 
 
+def test_every_radius_at_which_the_way_of_a_disc_changes(data_folder):
+    space = taut.FreeSpace(taut.read_world_file(data_folder / "three_ways.txt"))
+    stretches = taut.tradeoff(space)
+    assert [s.radii[1] for s in stretches][0::3] == [0.2, 1]
+    assert stretches[0].then == "closed: 2/5 between (10, 5.8) and (10, 6.2)"
+    for one, following in zip(stretches, stretches[1:]):
+        assert one.radii[1] < following.radii[0] and one.lengths[1] <= following.lengths[0] + 1e-9
+    middle = sum(stretches[2].radii) / 2
+    assert stretches[2].length(middle) == pytest.approx(taut.disc_path(space, middle).length, rel=1e-12)
+    assert stretches[2].points(middle)[-1].tolist() == [19, 6]
+    with pytest.raises(ValueError):
+        stretches[0].length(0.5)
+
+
 def test_a_sealed_room_has_no_way_at_any_width(sealed):
     assert taut.widest_path(sealed) is None
     passage = taut.Gates(taut.FreeSpace(sealed)).passage()

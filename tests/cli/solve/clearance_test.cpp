@@ -103,53 +103,6 @@ TEST_F(SolveClearance, GoesThroughOpeningsWhereItStartsAndEnds) {
   EXPECT_EQ(answer["verified"], true);
 }
 
-TEST_F(SolveClearance, ListsTheTradeoff) {
-  const Outcome run = run_taut("solve - --tradeoff --svg " + in_folder("a.svg"), kTwoDoors);
-  EXPECT_EQ(run.code, 0);
-  EXPECT_THAT(run.out, StartsWith("radius up to"));
-  EXPECT_THAT(run.out, ContainsRegex(" +0.5 +[0-9.]+  between \\(10, 2\\) and \\(10, 3\\)"));
-  EXPECT_THAT(run.out, ContainsRegex(" +1.5 +[0-9.]+  between \\(10, 16\\) and \\(10, 19\\)"));
-  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 3);
-  const json answer = json::parse(run_taut("solve - --tradeoff --json -", kTwoDoors).out)["result"];
-  ASSERT_EQ(answer["tradeoff"].size(), 2U);
-  EXPECT_LT(answer["tradeoff"][0]["length"], answer["tradeoff"][1]["length"]);
-  EXPECT_EQ(answer["verified"], true);
-  const std::string picture = contents(in_folder("a.svg"));
-  EXPECT_THAT(picture, HasSubstr("<g class=\"shades\">"));
-  EXPECT_THAT(picture, HasSubstr("radius of the robot"));
-}
-
-// A wall with doors, each wider and farther off than the one before: every door is a trade.
-std::string doors(int count) {
-  const std::string height = std::to_string(4 * count + 4);
-  std::string world = "boundary 0 0 40 " + height + "\nstart 10 1\ngoal 30 1\n";
-  std::string from = "0";
-  for (int i = 1; i <= count; ++i) {
-    world += "20 " + from + " 20 " + std::to_string(4 * i) + "\n";
-    from = std::to_string(4 * i + 1 + i / 1000.0);
-  }
-  return world + "20 " + from + " 20 " + height + "\n";
-}
-
-TEST_F(SolveClearance, KeepsTheWaysOfATradeoffThatIsStopped) {
-  const std::string world = folder.file("doors.txt", doors(300));
-  for (double seconds = 0.05; seconds < 60; seconds *= 1.5) {
-    const Outcome run = run_taut("solve --tradeoff --max-seconds " + std::to_string(seconds) + " --json " +
-                                 in_folder("a.json") + " " + world);
-    const json answer = json::parse(contents(in_folder("a.json"))), result = answer["result"];
-    if (run.code == 0) {
-      EXPECT_GT(result["tradeoff"].size(), 290U);
-      break;
-    }
-    ASSERT_EQ(run.code, 4) << run.err;
-    EXPECT_EQ(answer["status"], "stopped");
-    if (!result.contains("verified")) continue;  // before the first search
-    EXPECT_EQ(result["verified"], false);
-    EXPECT_EQ(static_cast<std::size_t>(std::count(run.out.begin(), run.out.end(), '\n')),
-              result["tradeoff"].empty() ? 0 : 1 + result["tradeoff"].size());
-  }
-}
-
 TEST_F(SolveClearance, DrawsArcsAsBezierCurves) {
   EXPECT_THAT(run_taut("solve - --widest --svg -", kTwoDoors).out,
               ContainsRegex("<g class=\"path\"><path class=\"casing\" d=\"[^\"]*q"));
@@ -167,13 +120,6 @@ TEST_F(SolveClearance, EndsInARoom) {
   const json answer = json::parse(run_taut("solve --widest --json - " + data_file("mouse_16.maz")).out)["result"];
   EXPECT_EQ(answer["radius"], 0.5);
   EXPECT_EQ(answer["verified"], true);
-}
-
-TEST_F(SolveClearance, IsTheSameEveryTime) {
-  const std::string query = "solve --tradeoff --path " + data_file("half_open_60x60.txt");
-  EXPECT_EQ(run_taut("solve --tradeoff " + data_file("half_open_60x60.txt")).out,
-            run_taut("solve --tradeoff " + data_file("half_open_60x60.txt")).out);
-  EXPECT_EQ(run_taut(query).code, 2);
 }
 
 TEST_F(SolveClearance, RefusesWhatDoesNotGoTogether) {
