@@ -6,6 +6,8 @@
 #include <utility>
 
 #include <taut/search/detail/arc_ends.h>
+#include <taut/search/detail/arc_hierarchy_query.h>
+#include <taut/search/detail/arc_walk.h>
 
 namespace taut {
 
@@ -34,12 +36,13 @@ struct ArcQueries::Impl {
     if (auto at_start = blocked(graph, s, DiscStatus::start_blocked)) return *at_start;
     if (auto at_goal = blocked(graph, g, DiscStatus::goal_blocked)) return *at_goal;
     if (s == g) return {DiscStatus::found, {graph.r, s, g, {}, {}}, kNone, 0};
-    if (!landmarks && ++queries > kUnprepared) prepare();
-    return search(s, g);
+    if (!prepared && ++queries > kUnprepared) prepare();
+    ends = detail::join_ends(graph, s, g);
+    return prepared ? prepared_search(s, g) : search(s, g);
   }
 
   void prepare() {
-    if (!landmarks) landmarks.emplace(walk);
+    if (!prepared) prepared = std::make_unique<Prepared>(turnable());
   }
 
  private:
@@ -66,11 +69,53 @@ struct ArcQueries::Impl {
     bool found = false;
   };
 
+  struct Prepared {
+    explicit Prepared(const detail::TurnableGraph& of) : hierarchy(of), query(hierarchy) {}
+
+    detail::ArcHierarchy hierarchy;
+    detail::ArcHierarchyQuery query;
+  };
+
+  detail::TurnableGraph turnable() {
+    detail::TurnableGraph result;
+    result.first.push_back(0);
+    for (std::uint32_t n = 0; n < walk.nodes(); ++n) {
+      result.turned.push_back(walk.turned(n));
+      const bool is_used = n % 2 == 0 || walk.turned(n) != n;
+      if (is_used)
+        walk.onward(n, [&](std::uint32_t m, const Interval& length) { result.edges.push_back({m, length.middle()}); });
+      result.first.push_back(static_cast<std::uint32_t>(result.edges.size()));
+    }
+    return result;
+  }
+
+  /// Lengths are sums of doubles here: off by less than the enclosures of their pieces are wide.
+  ArcSearchResult prepared_search(Point s, Point g) {
+    const auto doors = [](const std::vector<ArcExit>& all) {
+      std::vector<detail::ArcDoor> result;
+      result.reserve(all.size());
+      for (const ArcExit& door : all) result.push_back({door.node, door.length.middle()});
+      return result;
+    };
+    const detail::ArcHierarchyQuery::Way way = prepared->query.find(doors(ends.entries), doors(ends.exits));
+    const auto apart = std::min_element(
+        ends.apart.begin(), ends.apart.end(),
+        [](const ArcEnds::Apart& a, const ArcEnds::Apart& b) { return a.length.middle() < b.length.middle(); });
+    ArcSearchResult result;
+    result.expanded = way.settled;
+    if (apart != ends.apart.end() && apart->length.middle() <= way.length)
+      result.path = path_apart(s, g, *apart);
+    else if (!way.nodes.empty())
+      result.path = path(s, g, ends.entries[way.entry], way.nodes, ends.exits[way.exit]);
+    else
+      return result;
+    result.status = DiscStatus::found;
+    return result;
+  }
+
   ArcSearchResult search(Point s, Point g) {
     ++query;
     goal = g;
-    ends = detail::join_ends(graph, s, g);
-    if (landmarks) landmarks->aim(walk, ends.exits);
     open.clear();
     best = {};
     for (std::uint32_t i = 0; i < ends.apart.size(); ++i) arrive(ends.apart[i].length, kNone, i);
@@ -101,8 +146,7 @@ struct ArcQueries::Impl {
     const double r = p.here.side == 0 ? 0 : graph.r;
     const double x = p.here.centre.x + r * p.x.middle() - goal.x, y = p.here.centre.y + r * p.y.middle() - goal.y;
     const double far = std::sqrt(x * x + y * y);
-    const double straight = std::max(0.0, far - 1e-13 * (far + std::abs(goal.x) + std::abs(goal.y)));
-    return landmarks ? std::max(straight, landmarks->least(n)) : straight;
+    return std::max(0.0, far - 1e-13 * (far + std::abs(goal.x) + std::abs(goal.y)));
   }
 
   void reach(std::uint32_t n, const Interval& length, std::uint32_t before) {
@@ -129,6 +173,23 @@ struct ArcQueries::Impl {
   bool is_entry(std::uint32_t before) const { return before >= kStart - ends.entries.size() && before < kStart; }
 
   ArcPath path(Point s, Point g) const {
+    if (best.node == kNone) return path_apart(s, g, ends.apart[best.number]);
+    std::vector<std::uint32_t> nodes;
+    std::uint32_t n = best.node;
+    for (; !is_entry(n); n = labels[n].before) nodes.push_back(n);
+    std::reverse(nodes.begin(), nodes.end());
+    return path(s, g, ends.entries[kStart - 1 - n], nodes, ends.exits[best.number]);
+  }
+
+  ArcPath path_apart(Point s, Point g, const ArcEnds::Apart& apart) const {
+    ArcPath path{graph.r, s, g, {}, {}};
+    if (apart.by_arc) path.bends.push_back(bend_of(ends.from_start[apart.start_leg]));
+    path.length = length_of(pieces(path));
+    return path;
+  }
+
+  ArcPath path(Point s, Point g, const ArcExit& entry, const std::vector<std::uint32_t>& nodes,
+               const ArcExit& exit) const {
     ArcPath path{graph.r, s, g, {}, {}};
     // The stops: the site and the side, and how many points of its circle the path stops at.
     std::vector<std::pair<ArcBend, std::size_t>> stops;
@@ -138,18 +199,8 @@ struct ArcQueries::Impl {
       last = site;
       stops.push_back({{graph.sites()[site].at, graph.sites()[site].round ? side : 0}, 1});
     };
-    if (best.node == kNone) {
-      const ArcEnds::Apart& apart = ends.apart[best.number];
-      if (apart.by_arc) path.bends.push_back(bend_of(ends.from_start[apart.start_leg]));
-      path.length = length_of(pieces(path));
-      return path;
-    }
-    std::vector<std::uint32_t> nodes;
-    std::uint32_t n = best.node;
-    for (; !is_entry(n); n = labels[n].before) nodes.push_back(n);
-    const ArcExit &entry = ends.entries[kStart - 1 - n], &exit = ends.exits[best.number];
     if (entry.by_arc) stop(ends.from_start[entry.leg].site, ends.from_start[entry.leg].side);
-    for (auto at = nodes.rbegin(); at != nodes.rend(); ++at) stop(graph.site_of[*at / 2], *at % 2 == 1 ? 1 : -1);
+    for (const std::uint32_t n : nodes) stop(graph.site_of[n / 2], n % 2 == 1 ? 1 : -1);
     if (exit.by_arc) stop(ends.to_goal[exit.leg].site, ends.to_goal[exit.leg].side);
     for (const auto& [bend, points] : stops)
       if (bend.turn == 0 || points > 1) path.bends.push_back(bend);
@@ -170,7 +221,7 @@ struct ArcQueries::Impl {
   detail::ArcWalk walk;
   std::vector<Label> labels;
   std::vector<Open> open;
-  std::optional<detail::ArcLandmarks> landmarks;
+  std::unique_ptr<Prepared> prepared;
   ArcEnds ends;
   Best best;
   Point goal;

@@ -18,7 +18,7 @@ struct SiteRadii {
     std::uint32_t wall = kNone;
   };
   double reach = 0;  ///< no leg touches a larger circle
-  std::vector<Forbidden> forbidden{};
+  std::vector<Forbidden> forbidden{};  ///< the nearest first
 };
 
 struct AllRadiiParts {
@@ -38,7 +38,7 @@ struct AllRadiiParts {
   std::vector<RadiusSpan> spans{};
 
  private:
-  /// From centre to centre, and the square of that.
+  /// From centre to centre, over the square of that.
   struct Vector {
     Interval x, y, squared;
   };

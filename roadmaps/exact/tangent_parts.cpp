@@ -24,10 +24,9 @@ std::vector<FoundTangent> all_tangents(const TangentGround& ground, double r) {
   return result;
 }
 
-/// std::stable_sort without its memory for the few points that most circles have.
+/// Insertion: for what is nearly in order, as what doubles have sorted.
 template <class Iterator, class Before>
-void sort_stably(Iterator first, Iterator last, Before before) {
-  if (last - first > 32) return std::stable_sort(first, last, before);
+void sort_again(Iterator first, Iterator last, Before before) {
   for (Iterator at = first; at != last; ++at)
     for (Iterator to = at; to != first && before(*to, *(to - 1)); --to) std::swap(*to, *(to - 1));
 }
@@ -70,21 +69,35 @@ void TangentParts::put_in_order(const std::vector<FoundTangent>& tangents, std::
   std::partial_sum(first.begin(), first.end(), first.begin());
   std::vector<std::uint32_t> next = first;
   for (std::uint32_t e = 0; e < order.size(); ++e) order[next[site(e)]++] = e;
+  // They lie across from the walls, within half a turn: from a wall on counter-clockwise their sines fall.
+  std::vector<std::pair<double, std::uint32_t>> sines;
+  const auto sort_by_doubles = [&](const TangentSite& at, auto begin, auto past) {
+    sines.clear();
+    const Point wall{at.walls.front().x - at.at.x, at.walls.front().y - at.at.y};
+    for (auto e = begin; e != past; ++e)
+      sines.emplace_back(end(*e).x.middle() * wall.y - end(*e).y.middle() * wall.x, *e);
+    std::sort(sines.begin(), sines.end());
+    for (const auto& [sine, e] : sines) *begin++ = e;
+  };
   first_point.reserve(count + 1);
   points.reserve(order.size());
   site_of.reserve(order.size());
   for (std::uint32_t i = 0; i < count; ++i) {
     const auto from = order.begin() + first[i], to = order.begin() + first[i + 1];
     const bool round = sites()[i].round;
-    if (round)
-      sort_stably(from, to, [&](std::uint32_t a, std::uint32_t b) { return is_before(end(a), end(b), sites()[i]); });
+    if (round) {
+      sort_by_doubles(sites()[i], from, to);
+      sort_again(from, to, [&](std::uint32_t a, std::uint32_t b) { return is_before(end(a), end(b), sites()[i]); });
+    }
     first_point.push_back(static_cast<std::uint32_t>(points.size()));
-    for (auto e = from; e != to; ++e) {
-      if (e == from || (round && !same_point(points.back(), end(*e)))) {
-        points.push_back(end(*e));
-        site_of.push_back(i);
-      }
-      point_of[*e] = static_cast<std::uint32_t>(points.size() - 1);
+    for (auto e = from; e != to;) {
+      auto behind = e + 1;
+      while (behind != to && (!round || same_point(end(*e), end(*behind)))) ++behind;
+      // Of equal ones the first by name stands for all.
+      std::sort(e, behind);
+      points.push_back(end(*e));
+      site_of.push_back(i);
+      for (; e != behind; ++e) point_of[*e] = static_cast<std::uint32_t>(points.size() - 1);
     }
   }
   first_point.push_back(static_cast<std::uint32_t>(points.size()));

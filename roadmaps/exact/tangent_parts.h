@@ -46,8 +46,9 @@ struct TangentPair {
   TangentPoint from, to;
   Interval length;
 };
+/// `filtered`: exactly only what doubles cannot tell (plain_tangent.h); the answers are the same.
 std::vector<TangentPair> free_tangents(const TangentWalls& walls, double r, const TangentSite& from,
-                                       const TangentSite& to);
+                                       const TangentSite& to, bool filtered = false);
 
 /// One that is free.
 struct FoundTangent {

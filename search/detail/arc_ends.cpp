@@ -41,7 +41,7 @@ class Joining {
       const TangentSite& site = graph_.sites()[j];
       if (site.at == end.at) continue;
       if (!site.cones.reaching(graph_.r).may_lead({end.at.x - site.at.x, end.at.y - site.at.y})) continue;
-      for (const TangentPair& pair : free_tangents(graph_.walls(), graph_.r, end, site))
+      for (const TangentPair& pair : free_tangents(graph_.walls(), graph_.r, end, site, true))
         result.push_back({j, to ? pair.to.here.side : -pair.to.here.side, pair.to, pair.length});
     }
     return result;

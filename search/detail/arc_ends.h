@@ -5,9 +5,17 @@
 #include <optional>
 #include <vector>
 
-#include <taut/search/detail/arc_landmarks.h>
+#include <taut/search/detail/arc_walk.h>
 
 namespace taut::detail {
+
+/// A node through which the goal is reached, and how far it is from there.
+struct ArcExit {
+  std::uint32_t node;
+  Interval length;
+  std::uint32_t leg;  ///< of the goal's
+  bool by_arc;        ///< an arc before that leg
+};
 
 /// The tangent from an end to a circle, or to a corner of openings.
 struct ArcEndLeg {
