@@ -1,6 +1,7 @@
 #include <taut/roadmaps/all_radii.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include <taut/geometry/expects.h>
 #include <taut/roadmaps/detail/leg_radii.h>
@@ -52,6 +53,16 @@ void AllRadiiParts::measure_legs() {
   for (const TangentName& leg : legs) {
     const TangentFrame<Interval> frame({ground->sites[leg.from].at, 0}, {ground->sites[leg.to].at, 0}, 0);
     vectors_.push_back({frame.dx / frame.D, frame.dy / frame.D, frame.D});
+  }
+  first_end_.assign(sites.size() + 1, 0);
+  for (const TangentName& leg : legs)
+    for (const std::uint32_t site : {leg.from, leg.to}) ++first_end_[site + 1];
+  std::partial_sum(first_end_.begin(), first_end_.end(), first_end_.begin());
+  std::vector<std::uint32_t> next(first_end_.begin(), first_end_.end() - 1);
+  ends_.resize(2 * legs.size());
+  for (std::uint32_t i = 0; i < legs.size(); ++i) {
+    ends_[next[legs[i].from]++] = 2 * i;
+    ends_[next[legs[i].to]++] = 2 * i + 1;
   }
 }
 
@@ -127,7 +138,7 @@ void AllRadiiParts::look_around(std::uint32_t site, double r, CircleObstacles& r
 }
 
 TangentGraph AllRadiiParts::at_radius(double r) const {
-  if (r < least_radius || r > most_radius) return TangentGraph(std::make_shared<const TangentParts>(ground, r));
+  if (!covers(r)) return TangentGraph(std::make_shared<const TangentParts>(ground, r));
   std::vector<FoundTangent> tangents;
   tangents.reserve(legs.size());
   for (std::size_t i = 0; i < legs.size(); ++i)

@@ -2,12 +2,17 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
-#include <taut/search/detail/arc_walk.h>
+#include <taut/roadmaps/exact/tangent_parts.h>
 
 namespace taut::detail {
+
+/// A tangent point with the side that a path has its circle's centre on.
+inline std::uint32_t arc_node(std::uint32_t point, int side) { return 2 * point + (side > 0); }
 
 /// A node through which the goal is reached, and how far it is from there.
 struct ArcExit {
@@ -38,7 +43,19 @@ struct ArcEnds {
   std::vector<Apart> apart;
 };
 
+/// The graph that they join.
+struct ArcGraph {
+  /// Of a site: the number of the first, and all in order.
+  struct Points {
+    std::uint32_t first;
+    std::span<const TangentPoint> all;
+  };
+  const TangentGround& ground;
+  double r;
+  std::function<Points(std::uint32_t site)> points_of;
+};
+
 /// Precondition: s and g are places of the disc, and not the same.
-ArcEnds join_ends(const TangentParts& graph, Point s, Point g);
+ArcEnds join_ends(const ArcGraph& graph, Point s, Point g);
 
 }  // namespace taut::detail
