@@ -1,6 +1,7 @@
 #include <taut/roadmaps/all_radii.h>
 
 #include <algorithm>
+#include <numeric>
 
 #include <taut/geometry/expects.h>
 #include <taut/roadmaps/detail/leg_radii.h>
@@ -51,7 +52,17 @@ void AllRadiiParts::measure_legs() {
   vectors_.reserve(legs.size());
   for (const TangentName& leg : legs) {
     const TangentFrame<Interval> frame({ground->sites[leg.from].at, 0}, {ground->sites[leg.to].at, 0}, 0);
-    vectors_.push_back({frame.dx, frame.dy, frame.D});
+    vectors_.push_back({frame.dx / frame.D, frame.dy / frame.D, frame.D});
+  }
+  first_end_.assign(sites.size() + 1, 0);
+  for (const TangentName& leg : legs)
+    for (const std::uint32_t site : {leg.from, leg.to}) ++first_end_[site + 1];
+  std::partial_sum(first_end_.begin(), first_end_.end(), first_end_.begin());
+  std::vector<std::uint32_t> next(first_end_.begin(), first_end_.end() - 1);
+  ends_.resize(2 * legs.size());
+  for (std::uint32_t i = 0; i < legs.size(); ++i) {
+    ends_[next[legs[i].from]++] = 2 * i;
+    ends_[next[legs[i].to]++] = 2 * i + 1;
   }
 }
 
@@ -101,7 +112,7 @@ FoundTangent AllRadiiParts::tangent(std::size_t leg, double r) const {
   const Interval length = root(d.squared - k * k);
   const TangentEnd from{ground->sites[name.from].at, name.from_side}, to{ground->sites[name.to].at, name.to_side};
   // The line's normal, to its left.
-  const Interval x = (k * d.x - length * d.y) / d.squared, y = (k * d.y + length * d.x) / d.squared;
+  const Interval x = k * d.x - length * d.y, y = k * d.y + length * d.x;
   const auto turned = [](const Interval& v, int side) { return side == 0 ? Interval(0) : side > 0 ? -v : v; };
   return {name,
           {TangentPoint(from, to, r, turned(x, from.side), turned(y, from.side)),
@@ -115,18 +126,19 @@ void AllRadiiParts::look_around(std::uint32_t site, double r, CircleObstacles& r
   const Point centre = ground->sites[site].at;
   const Interval wanted = meant<Interval>(r);
   const auto is_near = [&](const SiteRadii::Forbidden& forbidden) {
-    if (forbidden.half.lo >= wanted.hi) return false;
     if (forbidden.half.hi < wanted.lo) return true;
     const Segment s = ground->walls.walls().segment(forbidden.wall);
     return direction_forbidden(centre, r, s.a, s.b).has_value();
   };
-  for (const SiteRadii::Forbidden& forbidden : sites[site].forbidden)
+  for (const SiteRadii::Forbidden& forbidden : sites[site].forbidden) {
+    if (forbidden.half.lo >= wanted.hi) break;
     if (is_near(forbidden)) result.forbidden.push_back(forbidden.direction);
+  }
   ground->walls.add_crossings(centre, r, result);
 }
 
 TangentGraph AllRadiiParts::at_radius(double r) const {
-  if (r < least_radius || r > most_radius) return TangentGraph(std::make_shared<const TangentParts>(ground, r));
+  if (!covers(r)) return TangentGraph(std::make_shared<const TangentParts>(ground, r));
   std::vector<FoundTangent> tangents;
   tangents.reserve(legs.size());
   for (std::size_t i = 0; i < legs.size(); ++i)

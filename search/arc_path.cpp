@@ -16,6 +16,9 @@ Point touched(const TangentPoint& at, double r) {
   return {c.x + r * at.x.middle(), c.y + r * at.y.middle()};
 }
 
+/// From a circle's centre to the leg, whose normal v is of.
+Interval turned(const Interval& v, int side) { return side == 0 ? Interval(0) : side > 0 ? -v : v; }
+
 Interval not_negative(const Interval& range) { return {std::max(0.0, range.lo), range.hi}; }
 
 ArcPiece arc(const ArcBend& bend, const TangentPoint& in, const TangentPoint& out, double r) {
@@ -39,11 +42,16 @@ std::vector<ArcPiece> pieces(const ArcPath& path) {
   std::optional<TangentPoint> arrived;
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     const TangentEnd &from = ends[i], &to = ends[i + 1];
-    const TangentPoint leaves(from, to, r);
-    const TangentPoint arrives({to.centre, -to.side}, {from.centre, -from.side}, r);
-    if (from.side != 0) result.push_back(arc(path.bends[i - 1], *arrived, leaves, r));
     const TangentFrame<Interval> frame(from, to, r);
-    result.push_back({touched(leaves, r), touched(arrives, r), 0, {}, 0, 0, not_negative(root(frame.R))});
+    const Interval length = root(frame.R);
+    // The line's normal, to its left.
+    const Interval x = (frame.k * frame.dx - length * frame.dy) / frame.D,
+                   y = (frame.k * frame.dy + length * frame.dx) / frame.D;
+    const TangentPoint leaves(from, to, r, turned(x, from.side), turned(y, from.side));
+    const TangentPoint arrives({to.centre, -to.side}, {from.centre, -from.side}, r, turned(x, to.side),
+                               turned(y, to.side));
+    if (from.side != 0) result.push_back(arc(path.bends[i - 1], *arrived, leaves, r));
+    result.push_back({touched(leaves, r), touched(arrives, r), 0, {}, 0, 0, not_negative(length)});
     arrived = arrives;
   }
   return result;

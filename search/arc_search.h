@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <memory>
 
-#include <taut/roadmaps/tangent_graph.h>
+#include <taut/roadmaps/all_radii.h>
 #include <taut/search/arc_path.h>
 #include <taut/search/search_status.h>
 
@@ -34,12 +34,15 @@ struct ArcSearchResult {
 /// O(V) memory; joins the ends to what they see, then O((V + E) log V) at worst.
 ArcSearchResult arc_search(const TangentGraph& graph, Point s, Point g);
 
+/// The same at a radius that has no graph yet, of which only that is made which the search comes by: for one query or a
+/// few. The answer is that in all.at_radius(r), but of ways whose enclosures overlap it may keep another one.
+/// Precondition: 0 < r <= World::kLargest.
+ArcSearchResult arc_search(const AllRadii& all, double r, Point s, Point g);
+
 /// The same for many queries in one graph, the same answers. Nothing of the graph is copied or cleared for a query, and
-/// after some queries (or when asked to) it is prepared:
-///  - Landmarks: distances from a few places bound those to the goal from below (docs/all-radii.md).
-///  - Pockets, the tangent points from which no way leads on, are left out but where the goal lies in one.
-/// A query then looks at what lies along its path, mostly. Preparing takes some forty times as long as an unprepared
-/// query. Not for several threads at once.
+/// after some queries (or when asked to) it is prepared: tangent points are taken out of the graph one after the other,
+/// until a query climbs a few edges from each end and crosses a small core (docs/all-radii.md). Preparing takes some
+/// thirty times as long as an unprepared query. Not for several threads at once.
 class ArcQueries {
  public:
   explicit ArcQueries(TangentGraph graph);

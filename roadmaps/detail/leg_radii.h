@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <taut/roadmaps/all_radii.h>
+#include <taut/roadmaps/exact/plain_leg.h>
 #include <taut/roadmaps/exact/tangent_parts.h>
 
 namespace taut::detail {
@@ -29,9 +30,9 @@ class LegRadii {
   std::vector<RadiusSpan> spans(const TangentName& name, double most);
 
  private:
-  struct Leg {
-    Point from, to;
-    double radius;
+  /// How far a leg has turned; of one that keeps its direction the radius, as sine.
+  struct Turn {
+    double cosine, sine;
   };
   struct Own {
     Point direction;  ///< of a wall that ends in a centre, of length 1
@@ -41,16 +42,23 @@ class LegRadii {
 
   bool set_up(const TangentName& name, double most);
   bool find_own(const TangentSite& site, int side, bool second);
-  bool find_walls();
+  Box box(double from, double to, double most) const;
+  void gather(double most);
+  bool find_walls(double most);
   bool concerns(const Segment& wall, bool& blocks) const;
   void follow_steady();
   void follow_turning();
-  void divide(double from, double to, std::size_t first_own, std::size_t first_wall);
+  /// What of own_ and walls_ is of the range at hand, and how often the first one has been halved.
+  struct Stack {
+    std::size_t first_own, first_wall, depth;
+  };
+  int state(double r) const;
+  Turn half_turn(std::size_t depth);
+  void divide(double from, double to, Turn middle, const Stack& stack);
   void emit(double from, double to, bool certain);
-  Point direction(double x) const;
-  Leg at(double x) const;
+  std::vector<RadiusSpan> spans_found() const;
+  PlainLeg at(Turn turn) const;
   double radius(double x) const;
-  static double gap(const Leg& leg, const PlainSegment& wall);
 
   const TangentGround& ground_;
   double scale_, least_;
@@ -62,11 +70,16 @@ class LegRadii {
   double length_ = 0, most_ = 0, slack_ = 0;
   bool turns_ = false;
   double hand_ = 0, arm_ = 0;  // of a turning leg: which way, and its radius where it has turned by 90 degrees
-  bool asks_ = false;          // openings are near
+  double low_ = 0, high_ = 0;  // the angles that a turning leg turns by
   std::size_t parts_ = 0;
   std::vector<Own> own_;             // a stack: of the range at hand behind
   std::vector<PlainSegment> walls_;  // likewise
-  std::vector<RadiusSpan> spans_;
+  std::vector<RadiusSpan> ranges_;   // of the parameter
+  std::vector<Turn> halves_;
+  const TangentSite *near_from_ = nullptr, *near_to_ = nullptr;  // the pair that near_ is of
+  std::vector<Segment> near_;
+  bool openings_ = false;  // near the pair
+  bool asks_ = false;      // near the tangent
 };
 
 }  // namespace taut::detail

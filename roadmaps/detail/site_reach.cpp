@@ -91,6 +91,10 @@ SiteRadii site_radii(const TangentGround& ground, const TangentSite& site, doubl
     const auto direction = direction_forbidden(site.at, distance.hi, s.a, s.b);
     if (direction) result.forbidden.push_back({*direction, {distance.lo / 2, distance.hi / 2}, c});
   });
+  std::sort(result.forbidden.begin(), result.forbidden.end(),
+            [](const SiteRadii::Forbidden& a, const SiteRadii::Forbidden& b) {
+              return a.half.lo != b.half.lo ? a.half.lo < b.half.lo : a.wall < b.wall;
+            });
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include <taut/roadmaps/all_radii.h>
@@ -17,8 +18,8 @@ struct SiteRadii {
     Interval half;  ///< encloses half the distance
     std::uint32_t wall = kNone;
   };
-  double reach = 0;  ///< no leg touches a larger circle
-  std::vector<Forbidden> forbidden{};
+  double reach = 0;                    ///< no leg touches a larger circle
+  std::vector<Forbidden> forbidden{};  ///< the nearest first
 };
 
 struct AllRadiiParts {
@@ -30,6 +31,18 @@ struct AllRadiiParts {
 
   TangentGraph at_radius(double r) const;
 
+  /// Are the spans those of radius r? Else graphs are built in the plain way.
+  bool covers(double r) const { return r >= least_radius && r <= most_radius; }
+  /// Is a leg free? And with both ends, when it is. Exact. Precondition: covers(r).
+  bool has(std::size_t leg, double r) const;
+  FoundTangent tangent(std::size_t leg, double r) const;
+  /// What stands around a site's circle.
+  void look_around(std::uint32_t site, double r, CircleObstacles& obstacles) const;
+  /// The ends of legs at a site, ascending: twice the number of the leg, and one more for its second end.
+  std::span<const std::uint32_t> ends_at(std::uint32_t site) const {
+    return std::span(ends_).subspan(first_end_[site], first_end_[site + 1] - first_end_[site]);
+  }
+
   std::shared_ptr<const TangentGround> ground;
   double least_radius = 0, most_radius = 0;  ///< what the spans are of
   std::vector<SiteRadii> sites{};
@@ -38,18 +51,16 @@ struct AllRadiiParts {
   std::vector<RadiusSpan> spans{};
 
  private:
-  /// From centre to centre, and the square of that.
+  /// From centre to centre, over the square of that.
   struct Vector {
     Interval x, y, squared;
   };
 
   void find_legs();
   void measure_legs();
-  bool has(std::size_t leg, double r) const;
-  FoundTangent tangent(std::size_t leg, double r) const;
-  void look_around(std::uint32_t site, double r, CircleObstacles& obstacles) const;
 
   std::vector<Vector> vectors_{};
+  std::vector<std::uint32_t> first_end_{}, ends_{};
 };
 
 }  // namespace taut

@@ -70,9 +70,9 @@ SurdDirection TangentPoint::exact() const {
 }
 
 int cross_sign(const TangentPoint& a, const TangentPoint& b) {
+  if (const auto known = sign(a.x * b.y - a.y * b.x)) return *known;
   if (is_outer(a) && is_outer(b))
     return a.here.side * b.here.side * written::orientation(a.here.centre, a.other.centre, b.other.centre);
-  if (const auto known = sign(a.x * b.y - a.y * b.x)) return *known;
   return product_sign(a.exact(), b.exact(), cross);
 }
 

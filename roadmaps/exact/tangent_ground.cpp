@@ -1,4 +1,4 @@
-#include <taut/roadmaps/exact/tangent_parts.h>
+#include <taut/roadmaps/exact/plain_tangent.h>
 
 #include <algorithm>
 #include <array>
@@ -89,7 +89,7 @@ bool is_free_tangent(const TangentGround& ground, const TangentName& name, doubl
 }
 
 std::vector<TangentPair> free_tangents(const TangentWalls& walls, double r, const TangentSite& from,
-                                       const TangentSite& to) {
+                                       const TangentSite& to, bool filtered) {
   std::vector<TangentPair> result;
   static constexpr std::array kRound{1, -1};
   static constexpr std::array kPoint{0};
@@ -99,8 +99,9 @@ std::vector<TangentPair> free_tangents(const TangentWalls& walls, double r, cons
   for (const int s : sides(from))
     for (const int t : sides(to)) {
       const TangentEnd here{from.at, s}, there{to.at, t};
-      const TangentLine line(here, there, r);
-      if (is_free(walls, line, from, to)) result.push_back(pair_of(here, there, r, line.length()));
+      const std::optional<bool> known = filtered ? plainly_free(walls, r, from, s, to, t) : std::nullopt;
+      if (known ? *known : is_free(walls, TangentLine(here, there, r), from, to))
+        result.push_back(pair_of(here, there, r, root(TangentFrame<Interval>(here, there, r).R)));
     }
   return result;
 }

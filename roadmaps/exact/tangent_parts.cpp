@@ -24,10 +24,9 @@ std::vector<FoundTangent> all_tangents(const TangentGround& ground, double r) {
   return result;
 }
 
-/// std::stable_sort without its memory for the few points that most circles have.
+/// Insertion: for what is nearly in order, as what doubles have sorted.
 template <class Iterator, class Before>
-void sort_stably(Iterator first, Iterator last, Before before) {
-  if (last - first > 32) return std::stable_sort(first, last, before);
+void sort_again(Iterator first, Iterator last, Before before) {
   for (Iterator at = first; at != last; ++at)
     for (Iterator to = at; to != first && before(*to, *(to - 1)); --to) std::swap(*to, *(to - 1));
 }
@@ -40,6 +39,27 @@ bool is_before(const TangentPoint& p, const TangentPoint& q, const TangentSite& 
   const int turn = cross_sign(p, q);
   if (turn != 0 || dot_sign(p, q) > 0) return turn > 0;
   return cross_sign(p, PlainDirection(site.at, site.walls.front(), 0)) < 0;
+}
+
+void SiteOrder::put(const TangentSite& site, std::span<const TangentPoint> ends) {
+  order.clear();
+  is_first.assign(ends.size(), 0);
+  if (!is_first.empty()) is_first[0] = 1;
+  for (std::uint32_t e = 0; e < ends.size(); ++e) order.push_back(e);
+  if (!site.round) return;
+  // They lie across from the walls, within half a turn: from a wall on counter-clockwise their sines fall.
+  const Point wall{site.walls.front().x - site.at.x, site.walls.front().y - site.at.y};
+  sines_.clear();
+  for (const std::uint32_t e : order) sines_.emplace_back(ends[e].x.middle() * wall.y - ends[e].y.middle() * wall.x, e);
+  std::sort(sines_.begin(), sines_.end());
+  for (std::uint32_t k = 0; k < order.size(); ++k) order[k] = sines_[k].second;
+  sort_again(order.begin(), order.end(),
+             [&](std::uint32_t a, std::uint32_t b) { return is_before(ends[a], ends[b], site); });
+  for (std::uint32_t k = 0, behind = 0; k < order.size(); k = behind) {
+    is_first[k] = 1;
+    for (behind = k + 1; behind < order.size() && same_point(ends[order[k]], ends[order[behind]]);) ++behind;
+    std::sort(order.begin() + k, order.begin() + behind);
+  }
 }
 
 TangentParts::TangentParts(std::shared_ptr<const TangentGround> common, double radius)
@@ -73,18 +93,19 @@ void TangentParts::put_in_order(const std::vector<FoundTangent>& tangents, std::
   first_point.reserve(count + 1);
   points.reserve(order.size());
   site_of.reserve(order.size());
+  std::vector<TangentPoint> here;
+  SiteOrder around;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const auto from = order.begin() + first[i], to = order.begin() + first[i + 1];
-    const bool round = sites()[i].round;
-    if (round)
-      sort_stably(from, to, [&](std::uint32_t a, std::uint32_t b) { return is_before(end(a), end(b), sites()[i]); });
+    here.clear();
+    for (std::uint32_t k = first[i]; k < first[i + 1]; ++k) here.push_back(end(order[k]));
+    around.put(sites()[i], here);
     first_point.push_back(static_cast<std::uint32_t>(points.size()));
-    for (auto e = from; e != to; ++e) {
-      if (e == from || (round && !same_point(points.back(), end(*e)))) {
-        points.push_back(end(*e));
+    for (std::uint32_t k = 0; k < here.size(); ++k) {
+      if (around.is_first[k]) {
+        points.push_back(here[around.order[k]]);
         site_of.push_back(i);
       }
-      point_of[*e] = static_cast<std::uint32_t>(points.size() - 1);
+      point_of[order[first[i] + around.order[k]]] = static_cast<std::uint32_t>(points.size() - 1);
     }
   }
   first_point.push_back(static_cast<std::uint32_t>(points.size()));

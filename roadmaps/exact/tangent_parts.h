@@ -3,6 +3,8 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include <taut/roadmaps/exact/tangent_walls.h>
@@ -46,8 +48,9 @@ struct TangentPair {
   TangentPoint from, to;
   Interval length;
 };
+/// `filtered`: exactly only what doubles cannot tell (plain_tangent.h); the answers are the same.
 std::vector<TangentPair> free_tangents(const TangentWalls& walls, double r, const TangentSite& from,
-                                       const TangentSite& to);
+                                       const TangentSite& to, bool filtered = false);
 
 /// One that is free.
 struct FoundTangent {
@@ -69,6 +72,18 @@ struct TangentLeg {
 bool is_before(const TangentPoint& p, const TangentPoint& q, const TangentSite& site);
 /// Are two points of one circle the same?
 bool same_point(const TangentPoint& a, const TangentPoint& b);
+
+/// Puts the ends of tangents at one site in order.
+struct SiteOrder {
+  /// Ascending around a circle, equal ones as they come; a corner of openings has one point.
+  void put(const TangentSite& site, std::span<const TangentPoint> ends);
+
+  std::vector<std::uint32_t> order;    ///< numbers of ends
+  std::vector<std::uint8_t> is_first;  ///< of those in `order`, of its point
+
+ private:
+  std::vector<std::pair<double, std::uint32_t>> sines_;
+};
 
 struct TangentParts {
   /// Looks for all legs.

@@ -2,12 +2,25 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
-#include <taut/search/detail/arc_landmarks.h>
+#include <taut/roadmaps/exact/tangent_parts.h>
 
 namespace taut::detail {
+
+/// A tangent point with the side that a path has its circle's centre on.
+inline std::uint32_t arc_node(std::uint32_t point, int side) { return 2 * point + (side > 0); }
+
+/// A node through which the goal is reached, and how far it is from there.
+struct ArcExit {
+  std::uint32_t node;
+  Interval length;
+  std::uint32_t leg;  ///< of the goal's
+  bool by_arc;        ///< an arc before that leg
+};
 
 /// The tangent from an end to a circle, or to a corner of openings.
 struct ArcEndLeg {
@@ -33,7 +46,19 @@ struct ArcEnds {
 /// An end as a site that legs lead to: no circle, in the sector that FreeSpace::locate names.
 TangentSite end_site(const TangentWalls& walls, Point p);
 
+/// The graph that they join.
+struct ArcGraph {
+  /// Of a site: the number of the first, and all in order.
+  struct Points {
+    std::uint32_t first;
+    std::span<const TangentPoint> all;
+  };
+  const TangentGround& ground;
+  double r;
+  std::function<Points(std::uint32_t site)> points_of;
+};
+
 /// Precondition: s and g are places of the disc, and not the same.
-ArcEnds join_ends(const TangentParts& graph, Point s, Point g);
+ArcEnds join_ends(const ArcGraph& graph, Point s, Point g);
 
 }  // namespace taut::detail

@@ -5,12 +5,10 @@
 #include <limits>
 #include <vector>
 
-#include <taut/roadmaps/exact/tangent_parts.h>
+#include <taut/search/detail/arc_ends.h>
+#include <taut/search/detail/arc_hierarchy.h>
 
 namespace taut::detail {
-
-/// A tangent point with the side that a path has its circle's centre on.
-inline std::uint32_t arc_node(std::uint32_t point, int side) { return 2 * point + (side > 0); }
 
 /// Walks the graph both ways; keeps the lengths of arcs.
 class ArcWalk {
@@ -19,6 +17,18 @@ class ArcWalk {
       : graph_(graph), arc_(graph.points.size(), Interval(std::numeric_limits<double>::quiet_NaN())) {}
 
   std::size_t nodes() const { return 2 * graph_.points.size(); }
+  double radius() const { return graph_.r; }
+  const TangentPoint& point(std::uint32_t p) const { return graph_.points[p]; }
+  std::uint32_t site_of(std::uint32_t p) const { return graph_.site_of[p]; }
+  const TangentSite& site(std::uint32_t i) const { return graph_.sites()[i]; }
+
+  ArcEnds join(Point s, Point g) const {
+    const auto points_of = [this](std::uint32_t i) {
+      const std::uint32_t first = graph_.first_point[i];
+      return ArcGraph::Points{first, std::span(graph_.points).subspan(first, graph_.first_point[i + 1] - first)};
+    };
+    return join_ends({*graph_.ground, graph_.r, points_of}, s, g);
+  }
 
   /// The same point, passed the other way.
   std::uint32_t turned(std::uint32_t n) const { return graph_.sites()[graph_.site_of[n / 2]].round ? n ^ 1 : n; }
@@ -37,12 +47,6 @@ class ArcWalk {
     if (graph_.arc_is_free[arc]) visit(arc_node(side > 0 ? p + 1 : p - 1, side), arc_length(arc));
   }
 
-  /// Calls visit(node) for all that n follows.
-  template <class Visit>
-  void backward(std::uint32_t n, Visit&& visit) {
-    onward(turned(n), [&](std::uint32_t m, const Interval&) { visit(turned(m)); });
-  }
-
  private:
   /// From a point to the next one of its circle.
   const Interval& arc_length(std::uint32_t p) {
@@ -53,5 +57,22 @@ class ArcWalk {
   const TangentParts& graph_;
   std::vector<Interval> arc_;
 };
+
+/// What a hierarchy is made of. Arcs are so many times as long.
+inline TurnableGraph turnable(ArcWalk& walk, double arcs = 1) {
+  TurnableGraph result;
+  result.first.push_back(0);
+  for (std::uint32_t n = 0; n < walk.nodes(); ++n) {
+    result.turned.push_back(walk.turned(n));
+    // A corner of openings has one node for both ways.
+    if (n % 2 == 0 || walk.turned(n) != n)
+      walk.onward(n, [&](std::uint32_t m, const Interval& length) {
+        const bool is_arc = walk.site_of(n / 2) == walk.site_of(m / 2);
+        result.edges.push_back({m, (is_arc ? arcs : 1) * length.middle()});
+      });
+    result.first.push_back(static_cast<std::uint32_t>(result.edges.size()));
+  }
+  return result;
+}
 
 }  // namespace taut::detail

@@ -23,7 +23,7 @@ bool is_one_length(const Interval& a, const Interval& b) {
   return a.lo <= b.hi * (1 + 1e-12) + 1e-12 && b.lo <= a.hi * (1 + 1e-12) + 1e-12;
 }
 
-/// The answers for a radius, prepared and not, are those of a graph made for it alone, and can be followed.
+/// The answers for a radius, prepared, not, and without a graph, are those of a graph made for it alone, and can be followed.
 void agrees_at(const AllRadii& all, const Gates& gates, double r, const std::vector<std::array<Point, 2>>& ends) {
   const TangentGraph alone(all.space(), r);
   ArcQueries fresh(all.at_radius(r)), prepared(all.at_radius(r));
@@ -31,8 +31,7 @@ void agrees_at(const AllRadii& all, const Gates& gates, double r, const std::vec
   for (const auto& [s, g] : ends) {
     RC_LOG(fmt::format("s {} g {} r {}\n", test::show(s), test::show(g), r));
     const ArcSearchResult wanted = arc_search(alone, s, g);
-    for (ArcQueries* queries : {&fresh, &prepared}) {
-      const ArcSearchResult found = queries->find(s, g);
+    for (const ArcSearchResult& found : {fresh.find(s, g), prepared.find(s, g), arc_search(all, r, s, g)}) {
       RC_ASSERT(found.status == wanted.status);
       RC_ASSERT(found.wall == wanted.wall);
       if (found.status != DiscStatus::found) continue;
