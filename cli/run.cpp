@@ -11,6 +11,7 @@
 
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
+#include <taut/cli/progress.h>
 #include <taut/cli/stop.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/pictures/rasterised.h>
@@ -202,6 +203,7 @@ void Run::write_streams(const Answer& answer) {
 }
 
 int Run::end(Answer answer) {
+  progress_over();
   rasterise(answer.files);
   const bool to_stream = is_stream(options_.json) || std::ranges::any_of(answer.files, is_stream, &OutputFile::name);
   if (!to_stream) finish();
@@ -231,6 +233,7 @@ void Run::say(const Answer& answer) {
 }
 
 int Run::refuse(const std::string& reason) noexcept {
+  progress_over();
   finish();
   try {
     const std::lock_guard lock(shared_->mutex);

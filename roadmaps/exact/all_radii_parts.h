@@ -23,7 +23,7 @@ struct SiteRadii {
 
 struct AllRadiiParts {
   /// Looks for all legs and their spans.
-  explicit AllRadiiParts(const FreeSpace& space);
+  explicit AllRadiiParts(const FreeSpace& space, const TellProgress& tell = {});
   /// Of the legs of an earlier one.
   AllRadiiParts(std::shared_ptr<const TangentGround> common, std::vector<TangentName> names,
                 std::vector<std::uint32_t> first, std::vector<RadiusSpan> all);
@@ -43,7 +43,7 @@ struct AllRadiiParts {
     Interval x, y, squared;
   };
 
-  void find_legs();
+  void find_legs(const TellProgress& tell);
   void measure_legs();
   bool has(std::size_t leg, double r) const;
   FoundTangent tangent(std::size_t leg, double r) const;
