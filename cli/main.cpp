@@ -16,6 +16,7 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
 #include <taut/cli/program.h>
+#include <taut/cli/progress.h>
 #include <taut/cli/ranks.h>
 #include <taut/cli/run.h>
 #include <taut/cli/stop.h>
@@ -32,7 +33,7 @@ int run(const Command& command) {
     throw wrong_usage(command, error.what());
   }
   Run run(command.line->full_name().substr(std::string_view("taut ").size()), *command.common);
-  start_watch(command.common->limits);
+  start_watch(command.common->limits, progress_beat(*command.common));
   try {
     return command.run(run);
   } catch (const InputError& error) {

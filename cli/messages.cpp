@@ -20,6 +20,15 @@ constexpr std::size_t kWordBegin = 200;
 constexpr std::size_t kWordEnd = 60;
 std::atomic<std::size_t> progress_width{0};  // of the line on the terminal; the watching thread may complain
 
+/// Nothing else is written to stderr as long as this lives.
+class Hold {
+ public:
+  Hold() noexcept { flockfile(stderr); }
+  ~Hold() { funlockfile(stderr); }
+  Hold(const Hold&) = delete;
+  Hold& operator=(const Hold&) = delete;
+};
+
 // How many bytes of a control character begin at i: 0 where none does. U+0080 to U+009F are two bytes of UTF-8.
 std::size_t control_length(std::string_view text, std::size_t i) noexcept {
   const auto byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U; };
@@ -54,6 +63,7 @@ bool colour() noexcept {
 }  // namespace
 
 void complain(std::string_view message) noexcept {
+  const Hold hold;
   end_progress();
   char line[4096];
   std::size_t n = 0;
@@ -89,6 +99,7 @@ std::string printable(std::string_view text) {
 }
 
 void note(std::string_view line) noexcept {
+  const Hold hold;
   end_progress();
   try {
     const std::string text = printable(line) + "\n";
@@ -103,12 +114,14 @@ bool is_progress_shown() noexcept {
 }
 
 void progress(std::string_view line) noexcept {
-  if (!is_progress_shown()) return;
+  if (!is_progress_shown()) return note(line);
+  if (ftrylockfile(stderr) != 0) return;
   const auto width = static_cast<int>(std::min(line.size(), kWidestProgress));
   const std::size_t before = progress_width.exchange(static_cast<std::size_t>(width));
   std::fprintf(stderr, "\r%-*.*s", static_cast<int>(std::max(before, static_cast<std::size_t>(width))), width,
                line.data());
   std::fflush(stderr);
+  funlockfile(stderr);
 }
 
 void end_progress() noexcept {

@@ -23,8 +23,8 @@ void note(std::string_view line) noexcept;
 /// Is stderr a terminal that can show progress?
 bool is_progress_shown() noexcept;
 
-/// Shows a line on such a terminal in place of the one before, without a line end; complain() and note() wipe it off
-/// first.
+/// Shows a line on such a terminal in place of the one before, without a line end; complain(), note() and print() wipe
+/// it off first. Elsewhere it is written as any other. Left out while another thread writes.
 void progress(std::string_view line) noexcept;
 void end_progress() noexcept;
 

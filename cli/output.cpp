@@ -14,6 +14,7 @@
 #include <utility>
 
 #include <taut/cli/growing_file.h>
+#include <taut/cli/messages.h>
 #include <taut/geometry/errors.h>
 
 namespace taut::cli {
@@ -210,7 +211,10 @@ void write_file(const std::string& path, std::string_view bytes, Patience patien
   replace(resolved(path), path, bytes, exists ? &old : nullptr);
 }
 
-void print(std::string_view text) { write_all(STDOUT_FILENO, text, "<stdout>"); }
+void print(std::string_view text) {
+  end_progress();
+  write_all(STDOUT_FILENO, text, "<stdout>");
+}
 
 void abandon_files() noexcept {
   // Not locked: the writer may be in the middle, and the process ends right after this.

@@ -11,6 +11,7 @@
 
 #include <taut/cli/messages.h>
 #include <taut/cli/output.h>
+#include <taut/cli/progress.h>
 #include <taut/cli/stop.h>
 #include <taut/geometry/errors.h>
 #include <taut/io/pictures/rasterised.h>
@@ -210,6 +211,7 @@ void Run::write_streams(const Answer& answer) {
 }
 
 int Run::end(Answer answer) {
+  progress_over();
   rasterise(answer.files);
   make_pages(answer.files);
   const bool to_stream = is_stream(options_.json) || std::ranges::any_of(answer.files, is_stream, &OutputFile::name);
@@ -240,6 +242,7 @@ void Run::say(const Answer& answer) {
 }
 
 int Run::refuse(const std::string& reason) noexcept {
+  progress_over();
   finish();
   try {
     const std::lock_guard lock(shared_->mutex);

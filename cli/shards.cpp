@@ -15,6 +15,7 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/options.h>
 #include <taut/cli/output.h>
+#include <taut/cli/progress.h>
 #include <taut/cli/ranks.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/parallel.h>
@@ -173,13 +174,16 @@ Answer do_shard(const ShardOptions& options, const Items& items, Run& run) {
   };
   run.when_stopped(tell);
   std::vector<std::string> results(all - there);
+  const TellProgress show = shown_progress(run.options());
   const auto keep = [&](std::size_t over) {
     for (std::size_t k = *done - there; k < over; ++k) {
       part.add(shard_item_text(head.item(there + k), std::exchange(results[k], {})));
       ++*done;
     }
+    if (show) show({"items", *done, all});
   };
   if (!results.empty()) items.prepare();
+  if (show) show({"items", there, all});
   each_in_parallel(results.size(), {run.options().limits.jobs, {}, keep}, [&] {
     return [&, work = items.begin()](std::size_t k) { results[k] = work(head.item(there + k)); };
   });
@@ -190,10 +194,16 @@ Answer do_shard(const ShardOptions& options, const Items& items, Run& run) {
 
 void take_all(const ShardOptions& options, const Items& items, const Run& run,
               const std::function<void(std::size_t, std::string_view)>& take) {
+  const TellProgress show = shown_progress(run.options());
+  ProgressCount done("items", items.count, show);
+  const auto taken = [&](std::size_t item, std::string_view bytes) {
+    take(item, bytes);
+    done.add();
+  };
   if (options.ranks)
-    do_by_ranks(items, run.options().limits, options.lost_after, take);
+    do_by_ranks(items, run.options().limits, options.lost_after, taken);
   else
-    join_shards(options, run.command(), items.work, items.count, take);
+    join_shards(options, run.command(), items.work, items.count, taken);
 }
 
 }  // namespace taut::cli

@@ -38,6 +38,7 @@ struct Shared {
   sigset_t signals{};
   std::optional<timespec> deadline;
   std::string deadline_reason;
+  Beat beat;
 };
 
 Shared& shared() {
@@ -65,6 +66,10 @@ timespec in_seconds(double seconds) {
     t.tv_nsec -= 1'000'000'000;
   }
   return t;
+}
+
+bool is_before(const timespec& a, const timespec& b) {
+  return a.tv_sec != b.tv_sec ? a.tv_sec < b.tv_sec : a.tv_nsec < b.tv_nsec;
 }
 
 timespec until(const timespec& deadline) {
@@ -99,12 +104,24 @@ bool do_instead() {
   return shared().on_signal != nullptr;
 }
 
+/// The next time, where that one has come and the work is done.
+std::optional<timespec> beaten(const std::optional<timespec>& at) {
+  Shared& s = shared();
+  if (!s.beat.work) return std::nullopt;
+  if (at && is_before(now(), *at)) return at;
+  if (at && !s.ending.load()) s.beat.work(s.stage.load());
+  return in_seconds(s.beat.seconds);
+}
+
 void* watch(void*) {
   Shared& s = shared();
-  for (;;) {
-    const timespec rest = s.deadline ? until(*s.deadline) : timespec{};
-    const int signal = sigtimedwait(&s.signals, nullptr, s.deadline ? &rest : nullptr);
-    if (signal < 0 && errno == EINTR) continue;
+  for (std::optional<timespec> beat;;) {
+    beat = beaten(beat);
+    const bool beats_first = beat && (!s.deadline || is_before(*beat, *s.deadline));
+    const std::optional<timespec> next = beats_first ? beat : s.deadline;
+    const timespec rest = next ? until(*next) : timespec{};
+    const int signal = sigtimedwait(&s.signals, nullptr, next ? &rest : nullptr);
+    if (signal < 0 && (errno == EINTR || beats_first)) continue;
     if (signal > 0 && s.ending.load()) stop_while_finishing();
     if (signal > 0 && do_instead()) continue;
     if (signal > 0) stop(signal == SIGTERM ? "terminated" : "interrupted");
@@ -152,7 +169,8 @@ void limit_memory(std::size_t bytes) {
 
 }  // namespace
 
-void start_watch(const Limits& limits) {
+void start_watch(const Limits& limits, Beat beat) {
+  shared().beat = std::move(beat);
   if (limits.memory) mallopt(M_ARENA_MAX, 1);  // a second heap would reserve 128 MB of address space
   if (limits.seconds) {
     shared().deadline = in_seconds(*limits.seconds);

@@ -30,10 +30,16 @@ struct Stop {
   std::string stage;   ///< the last one begun, may be empty
 };
 
+/// What the watching thread does every so many seconds, with the name of the stage. It must not wait for long.
+struct Beat {
+  double seconds = 0;
+  std::function<void(const char* stage)> work{};  ///< empty: nothing
+};
+
 /// From now on SIGINT, SIGTERM and the end of the seconds stop the program: a thread of its own waits for them, so no
 /// computation has to ask. Memory that cannot be had is std::bad_alloc; GMP, which would abort, stops the program as
 /// well. Call once, before any work.
-void start_watch(const Limits& limits);
+void start_watch(const Limits& limits, Beat beat = {});
 
 /// Names what is being done, for messages. `stage` must live for ever.
 void begin_stage(const char* stage) noexcept;

@@ -81,7 +81,7 @@ def rendered(file, root, pages, titles):
 
 def main():
     root, out = Path(sys.argv[1]).resolve(), Path(sys.argv[2])
-    pages = [Path(p) for p in ABOVE] + sorted(p.relative_to(root) for p in (root / "docs").glob("*.md"))
+    pages = [Path(p) for p in ABOVE] + sorted(p.relative_to(root) for p in (root / "docs").glob("**/*.md"))
     titles = {p: re.search(r"^# (.*)$", (root / p).read_text("utf-8"), re.M)[1] for p in pages}
     for page in pages:
         target = out / page_of(page)

@@ -31,8 +31,9 @@ double extent_of(const FreeSpace& space) {
 
 }  // namespace
 
-AllRadiiParts::AllRadiiParts(const FreeSpace& space) : ground(std::make_shared<const TangentGround>(space)) {
-  find_legs();
+AllRadiiParts::AllRadiiParts(const FreeSpace& space, const TellProgress& tell)
+    : ground(std::make_shared<const TangentGround>(space)) {
+  find_legs(tell);
   measure_legs();
 }
 
@@ -66,7 +67,7 @@ void AllRadiiParts::measure_legs() {
   }
 }
 
-void AllRadiiParts::find_legs() {
+void AllRadiiParts::find_legs(const TellProgress& tell) {
   const double scale = scale_of(ground->walls.space()), extent = extent_of(ground->walls.space());
   const std::vector<TangentSite>& all = ground->sites;
   for (const TangentSite& site : all)
@@ -75,7 +76,8 @@ void AllRadiiParts::find_legs() {
   detail::LegRadii radii(*ground, scale, 0x1p-21 * extent);
   first_span.push_back(0);
   const auto sides = [](const TangentSite& site) { return site.round ? std::vector<int>{1, -1} : std::vector<int>{0}; };
-  for (std::uint32_t i = 0; i < all.size(); ++i) {
+  ProgressCount done("corners", all.size(), tell);
+  for (std::uint32_t i = 0; i < all.size(); ++i, done.add()) {
     const TautCones cones = all[i].cones.reaching(sites[i].reach);
     for (const std::uint32_t v : ground->walls.seen_from_vertex(all[i].vertex, cones)) {
       const std::uint32_t j = ground->site_at[v];
@@ -151,9 +153,9 @@ TangentGraph AllRadiiParts::at_radius(double r) const {
   return TangentGraph(std::make_shared<const TangentParts>(ground, r, tangents, around));
 }
 
-AllRadii::AllRadii(const FreeSpace& space) {
+AllRadii::AllRadii(const FreeSpace& space, const TellProgress& tell) {
   TAUT_EXPECTS(space.footprint().kind() == Footprint::Kind::point);
-  parts_ = std::make_shared<const AllRadiiParts>(space);
+  parts_ = std::make_shared<const AllRadiiParts>(space, tell);
 }
 
 const FreeSpace& AllRadii::space() const { return parts_->ground->walls.space(); }

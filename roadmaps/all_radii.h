@@ -46,7 +46,8 @@ struct AllRadiiParts;
 /// Precondition: the space's footprint is Footprint::point().
 class AllRadii {
  public:
-  explicit AllRadii(const FreeSpace& space);
+  /// Told are the corners whose legs are found.
+  explicit AllRadii(const FreeSpace& space, const TellProgress& tell = {});
   explicit AllRadii(std::shared_ptr<const AllRadiiParts> parts) : parts_(std::move(parts)) {}
 
   const FreeSpace& space() const;

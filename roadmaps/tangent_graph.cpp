@@ -5,10 +5,10 @@
 
 namespace taut {
 
-TangentGraph::TangentGraph(const FreeSpace& space, double r) {
+TangentGraph::TangentGraph(const FreeSpace& space, double r, const TellProgress& tell) {
   TAUT_EXPECTS(space.footprint().kind() == Footprint::Kind::point);
   TAUT_EXPECTS(r > 0 && r <= World::kLargest);
-  parts_ = std::make_shared<const TangentParts>(std::make_shared<const TangentGround>(space), r);
+  parts_ = std::make_shared<const TangentParts>(std::make_shared<const TangentGround>(space), r, tell);
 }
 
 const FreeSpace& TangentGraph::space() const { return parts_->walls().space(); }

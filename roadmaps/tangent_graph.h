@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <taut/geometry/free_space.h>
+#include <taut/geometry/progress.h>
 
 namespace taut {
 
@@ -38,7 +39,8 @@ struct TangentParts;
 /// Preconditions: the space's footprint is Footprint::point(); 0 < r <= World::kLargest.
 class TangentGraph {
  public:
-  TangentGraph(const FreeSpace& space, double r);
+  /// Told are the circles whose legs are found.
+  TangentGraph(const FreeSpace& space, double r, const TellProgress& tell = {});
   explicit TangentGraph(std::shared_ptr<const TangentParts> parts) : parts_(std::move(parts)) {}
 
   const FreeSpace& space() const;

@@ -144,14 +144,15 @@ std::vector<bool> bending_vertices(const Tri& tri) {
 
 }  // namespace
 
-VisibilityGraph::VisibilityGraph(FreeSpace space, VisibilityKind kind, unsigned jobs)
-    : VisibilityGraph(VisibilityRows(space, kind), kind, jobs) {}
+VisibilityGraph::VisibilityGraph(FreeSpace space, VisibilityKind kind, unsigned jobs, const TellProgress& tell)
+    : VisibilityGraph(VisibilityRows(space, kind), kind, jobs, tell) {}
 
-VisibilityGraph::VisibilityGraph(const VisibilityRows& rows, VisibilityKind kind, unsigned jobs)
+VisibilityGraph::VisibilityGraph(const VisibilityRows& rows, VisibilityKind kind, unsigned jobs,
+                                 const TellProgress& tell)
     : space_(rows.space()),
       kind_(kind),
       vertices_(rows.vertices()),
-      roadmap_(roadmap_of(rows, jobs)),
+      roadmap_(roadmap_of(rows, jobs, tell)),
       bends_(bending_vertices(space_.triangulation())) {}
 
 VisibilityGraph::VisibilityGraph(FreeSpace space, VisibilityKind kind, Roadmap roadmap)

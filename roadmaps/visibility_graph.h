@@ -15,8 +15,10 @@ namespace taut {
 /// Built of VisibilityRows. O(sum over vertices of the triangles seen); 12 bytes an edge while it is built.
 class VisibilityGraph {
  public:
-  /// By `jobs` threads, the calling one among them (each_in_parallel); the graph is the same for any number.
-  explicit VisibilityGraph(FreeSpace space, VisibilityKind kind = VisibilityKind::reduced, unsigned jobs = 1);
+  /// By `jobs` threads, the calling one among them (each_in_parallel); the graph is the same for any number. Told are
+  /// the vertices whose edges are found.
+  explicit VisibilityGraph(FreeSpace space, VisibilityKind kind = VisibilityKind::reduced, unsigned jobs = 1,
+                           const TellProgress& tell = {});
   /// From the roadmap of another VisibilityGraph of the same world, footprint and kind, as a file keeps it. Its edges
   /// are taken on trust. Throws InputError when its vertices are not this space's. O(n).
   VisibilityGraph(FreeSpace space, VisibilityKind kind, Roadmap roadmap);
@@ -38,7 +40,7 @@ class VisibilityGraph {
   std::vector<Roadmap::Vertex> visible_from(Point p, std::optional<Point> towards = std::nullopt) const;
 
  private:
-  VisibilityGraph(const VisibilityRows& rows, VisibilityKind kind, unsigned jobs);
+  VisibilityGraph(const VisibilityRows& rows, VisibilityKind kind, unsigned jobs, const TellProgress& tell);
 
   FreeSpace space_;
   VisibilityKind kind_;

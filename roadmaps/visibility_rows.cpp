@@ -95,21 +95,23 @@ namespace {
 
 /// The edges as they are found, by left end: one list for each block of vertices, all in one for one thread.
 struct FoundEdges {
-  FoundEdges(const VisibilityRows& rows, unsigned jobs)
+  FoundEdges(const VisibilityRows& rows, unsigned jobs, const TellProgress& tell)
       : lengths(rows.vertices().sectors.size()), block(block_length(lengths.size(), jobs, 32)) {
     others.resize((lengths.size() + block - 1) / block);
+    ProgressCount done("corners", lengths.size(), tell);
     each_in_parallel(others.size(), {jobs}, [&] {
       auto finder = std::make_shared<VisibilityRows::Finder>(rows);
-      return [this, finder](std::size_t i) { find(*finder, i); };
+      return [this, finder, &done](std::size_t i) { find(*finder, i, done); };
     });
   }
 
-  void find(VisibilityRows::Finder& finder, std::size_t i) {
+  void find(VisibilityRows::Finder& finder, std::size_t i, ProgressCount& done) {
     const std::size_t last = std::min(lengths.size(), (i + 1) * block);
     for (std::size_t v = i * block; v < last; ++v) {
       const auto row = finder.row(static_cast<Vertex>(v));
       lengths[v] = static_cast<std::uint32_t>(row.size());
       others[i].insert(others[i].end(), row.begin(), row.end());
+      done.add();
     }
   }
 
@@ -153,9 +155,9 @@ Rows neighbours_above(const FoundEdges& found, std::vector<std::uint64_t>& degre
 
 }  // namespace
 
-Roadmap roadmap_of(const VisibilityRows& rows, unsigned jobs) {
+Roadmap roadmap_of(const VisibilityRows& rows, unsigned jobs, const TellProgress& tell) {
   std::vector<std::uint64_t> degrees(rows.vertices().sectors.size());
-  const Rows above = neighbours_above(FoundEdges(rows, jobs), degrees);
+  const Rows above = neighbours_above(FoundEdges(rows, jobs, tell), degrees);
   // Vertices that put themselves into their neighbours' rows in order leave ascending rows behind: first those below
   // each vertex, and then, out of these, those above it.
   Rows all(std::move(degrees));

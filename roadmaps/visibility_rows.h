@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <taut/geometry/free_space.h>
+#include <taut/geometry/progress.h>
 #include <taut/roadmaps/roadmap.h>
 
 namespace taut {
@@ -71,7 +72,8 @@ class VisibilityRows {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// All of it, in compressed rows, found by `jobs` threads: the same for any number.
-Roadmap roadmap_of(const VisibilityRows& rows, unsigned jobs = 1);
+/// All of it, in compressed rows, found by `jobs` threads: the same for any number. Told are the vertices whose edges
+/// are found.
+Roadmap roadmap_of(const VisibilityRows& rows, unsigned jobs = 1, const TellProgress& tell = {});
 
 }  // namespace taut

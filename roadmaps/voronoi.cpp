@@ -14,8 +14,8 @@ Point doubled(Point p) { return {2 * p.x, 2 * p.y}; }
 
 }  // namespace
 
-VoronoiRoadmap::VoronoiRoadmap(const FreeSpace& space, unsigned jobs)
-    : impl_(std::make_shared<const Impl>(Impl{detail::voronoi_parts(space, jobs)})) {}
+VoronoiRoadmap::VoronoiRoadmap(const FreeSpace& space, unsigned jobs, const TellProgress& tell)
+    : impl_(std::make_shared<const Impl>(Impl{detail::voronoi_parts(space, jobs, tell)})) {}
 
 const FreeSpace& VoronoiRoadmap::space() const { return impl_->space; }
 const std::vector<VoronoiSite>& VoronoiRoadmap::sites() const { return impl_->sites; }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <taut/geometry/free_space.h>
+#include <taut/geometry/progress.h>
 #include <taut/roadmaps/bezier.h>
 
 namespace taut {
@@ -85,8 +86,9 @@ struct VoronoiJunction {
 /// 100 x 100 maze.
 class VoronoiRoadmap {
  public:
-  /// Curves are shaped by `jobs` threads, the calling one among them; the diagram is the same for any number.
-  explicit VoronoiRoadmap(const FreeSpace& space, unsigned jobs = 1);
+  /// Curves are shaped by `jobs` threads, the calling one among them; the diagram is the same for any number. Told are
+  /// the sites that are in it.
+  explicit VoronoiRoadmap(const FreeSpace& space, unsigned jobs = 1, const TellProgress& tell = {});
 
   const FreeSpace& space() const;
   const std::vector<VoronoiSite>& sites() const;

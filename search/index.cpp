@@ -35,9 +35,9 @@ IndexParts::IndexParts(VisibilityGraph ends, std::span<const std::byte> image_by
 
 }  // namespace detail
 
-Index::Index(FreeSpace space, std::size_t memory) {
-  const VisibilityGraph graph(std::move(space));
-  auto image = detail::index_bytes(graph, memory);
+Index::Index(FreeSpace space, std::size_t memory, const TellProgress& tell) {
+  const VisibilityGraph graph(std::move(space), VisibilityKind::reduced, 1, tell);
+  auto image = detail::index_bytes(graph, memory, std::nullopt, tell);
   if (!image)
     throw InputError(graph.space().world().source(), 0,
                      fmt::format("needs more than the {} bytes that its index may have", memory));

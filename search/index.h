@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <taut/geometry/free_space.h>
+#include <taut/geometry/progress.h>
 #include <taut/search/graph_search.h>
 
 namespace taut {
@@ -27,8 +28,9 @@ class Index {
 
   /// Takes `memory` bytes at most: bytes().size() is below. Where the labels of all bends do not fit, only a core of
   /// them has labels, the others are contracted below it, and queries climb to the core first. Throws InputError where
-  /// that does not fit either. Building takes the reduced visibility graph and a pruned search from each bend.
-  explicit Index(FreeSpace space, std::size_t memory = kMemory);
+  /// that does not fit either. Building takes the reduced visibility graph and a pruned search from each bend; told are
+  /// the corners of the one, then the bends of the other, these more than once where a part of the labels does not fit.
+  explicit Index(FreeSpace space, std::size_t memory = kMemory, const TellProgress& tell = {});
 
   /// From the bytes() of an index of the same world, mapped from a file say; `keeper` holds them as long as the index
   /// needs them. Every number in them is checked to lead nowhere else; that they are right is taken on trust. Throws

@@ -41,8 +41,8 @@ RoadmapKind visibility(const char* name, const char* title, const char* what, Vi
           true,
           false,
           [kind](const FreeSpace& space, const BuildRequest& request) {
-            return planned(std::make_shared<const VisibilityGraph>(space, kind, request.jobs), search_visibility,
-                           visibility_query);
+            return planned(std::make_shared<const VisibilityGraph>(space, kind, request.jobs, request.tell),
+                           search_visibility, visibility_query);
           },
           RoadmapKind::Keeping::rebuilt,
           false,
@@ -97,7 +97,11 @@ RoadmapKind growing_prm(const char* name, const char* title, const char* what, P
           random,
           [sampler](const FreeSpace& space, const BuildRequest& request) {
             PrmPlan plan = plan_of(request.prm, sampler, request.seed, request.is_limited);
-            plan.progress = request.progress;
+            if (request.tell)
+              plan.progress = [&](const PrmProgress& progress) {
+                request.tell({"samples", progress.counts.drawn, 0});
+                return true;
+              };
             const double clearance = plan.roadmap.clearance;
             if (!request.from) return prm_alone(space, plan.roadmap);
             PrmResult result = prm_path(space, *request.from, request.to, plan);
@@ -133,8 +137,8 @@ RoadmapKind fixed_prm() {
           true};
 }
 
-PlannedRoadmap voronoi_of(const FreeSpace& space, double tolerance, unsigned jobs) {
-  const auto map = std::make_shared<const VoronoiRoadmap>(space, jobs);
+PlannedRoadmap voronoi_of(const FreeSpace& space, double tolerance, unsigned jobs, const TellProgress& tell) {
+  const auto map = std::make_shared<const VoronoiRoadmap>(space, jobs, tell);
   PlannedRoadmap planned{
       std::make_shared<const Roadmap>(voronoi_legs(*map, tolerance)),
       [map, tolerance](Point from, const Goal& to, GraphMethod) { return voronoi_search(*map, from, to, tolerance); }};
@@ -144,17 +148,19 @@ PlannedRoadmap voronoi_of(const FreeSpace& space, double tolerance, unsigned job
 
 /// Of a disc: the diagram of the walls themselves, as far as they leave it room, instead of that of all the sides of
 /// the polygons around it. Where no way is found that the space agrees to, that one is asked after all.
-PlannedRoadmap voronoi_of_disc(const FreeSpace& space, Point start, const Goal& goal, double tolerance, unsigned jobs) {
-  std::vector<Point> ends = goal_points(space, goal);
-  ends.push_back(start);
+PlannedRoadmap voronoi_of_disc(const FreeSpace& space, const BuildRequest& request, double tolerance) {
+  std::vector<Point> ends = goal_points(space, request.to);
+  ends.push_back(*request.from);
+  const unsigned jobs = request.jobs;
   const double clearance = (1 + Footprint::kDiscExcess) * space.footprint().radius();
-  const auto map = std::make_shared<const VoronoiRoadmap>(FreeSpace(walled_world(space.world(), ends)), jobs);
+  const FreeSpace walled(walled_world(space.world(), ends));
+  const auto map = std::make_shared<const VoronoiRoadmap>(walled, jobs, request.tell);
   PlannedRoadmap planned{std::make_shared<const Roadmap>(voronoi_legs(*map, tolerance, clearance)),
                          [=](Point from, const Goal& to, GraphMethod method) {
                            GraphSearchResult found = voronoi_search(*map, from, to, tolerance, clearance);
                            if (found.status == SearchStatus::found && verify(found.path, space, from, to).valid)
                              return found;
-                           return voronoi_of(space, tolerance, jobs).search(from, to, method);
+                           return voronoi_of(space, tolerance, jobs, {}).search(from, to, method);
                          }};
   planned.diagram = map;
   return planned;
@@ -169,8 +175,8 @@ RoadmapKind voronoi() {
           [](const FreeSpace& space, const BuildRequest& request) {
             const double tolerance = corridor_width(space) * kArcTolerance;
             return space.footprint().kind() == Footprint::Kind::disc && request.from
-                       ? voronoi_of_disc(space, *request.from, request.to, tolerance, request.jobs)
-                       : voronoi_of(space, tolerance, request.jobs);
+                       ? voronoi_of_disc(space, request, tolerance)
+                       : voronoi_of(space, tolerance, request.jobs, request.tell);
           }};
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include <taut/geometry/free_space.h>
+#include <taut/geometry/progress.h>
 #include <taut/roadmaps/roadmap.h>
 #include <taut/roadmaps/visibility_rows.h>
 #include <taut/roadmaps/voronoi.h>
@@ -36,7 +37,7 @@ struct BuildRequest {
   Goal to{};
   PrmRequest prm{};
   bool is_limited = false;  ///< somebody else ends it in time: a PRM need not give up by itself
-  std::function<bool(const PrmProgress&)> progress{};
+  TellProgress tell{};
   unsigned jobs = 1;  ///< threads that visibility graphs and diagrams may take
 };
 

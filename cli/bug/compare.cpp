@@ -7,6 +7,7 @@
 
 #include <taut/cli/bug/journey.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/progress.h>
 #include <taut/io/results/bug_json.h>
 
 namespace taut::cli {
@@ -115,7 +116,12 @@ class Comparison {
 int run(const CompareOptions& options, Run& run) {
   run.sources(options.files);
   Comparison comparison(options, run);
-  for (const std::string& file : options.files) comparison.add(file);
+  const TellProgress show = shown_progress(options.common);
+  ProgressCount done("worlds", options.files.size(), show);
+  for (const std::string& file : options.files) {
+    comparison.add(file);
+    done.add();
+  }
   return run.end(comparison.answer());
 }
 

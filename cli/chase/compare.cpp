@@ -8,6 +8,7 @@
 #include <taut/cli/chase/options.h>
 #include <taut/cli/command.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/progress.h>
 #include <taut/cli/report_files.h>
 #include <taut/cli/run.h>
 
@@ -40,7 +41,8 @@ void add_compare_options(CommandLine& app, ChaseCompareOptions& options) {
 /// All planners on all maps: the rows, and what they say of each map.
 class Comparison {
  public:
-  Comparison(const ChaseRuleOptions& rules, Run& run) : rules_(rules), run_(run) {}
+  Comparison(const ChaseRuleOptions& rules, std::size_t maps, Run& run)
+      : rules_(rules), run_(run), done_("chases", maps * chase_pursuers().size(), show_) {}
 
   void add(const std::string& file) {
     const ChaseMap map = run_.stage("read", [&] { return read_chase_file(file); });
@@ -84,6 +86,7 @@ class Comparison {
       note(fmt::format("taut: {}: {}: {}", title_of(map.source()), pursuer.name, why_not_));
     }
     run_.so_far({{"chases", rows_}}, table_);
+    done_.add();
     return outcome;
   }
 
@@ -104,6 +107,8 @@ class Comparison {
 
   const ChaseRuleOptions& rules_;
   Run& run_;
+  TellProgress show_ = shown_progress(run_.options());
+  ProgressCount done_;
   std::string csv_ = "map,planner,caught,time,moves,cost,proven,cpu_seconds\n";
   std::string table_ =
       fmt::format("{:<20} {:<9} {:>6} {:>6} {:>6} {:>12} {:>7} {:>12} {:>12} {:>10}\n", "map", "planner", "caught",
@@ -117,7 +122,7 @@ int run_compare(const ChaseCompareOptions& options, Run& run) {
   run.promise(options.csv);
   promise_reports(options.report, run);
   run.sources(options.files);
-  Comparison comparison(options.rules, run);
+  Comparison comparison(options.rules, options.files.size(), run);
   for (const std::string& file : options.files) comparison.add(file);
   Answer answer = comparison.answer();
   if (!options.csv.empty()) answer.files.push_back({options.csv, comparison.csv()});

@@ -49,9 +49,10 @@ void require_one_kind(const CommandLine& app, const DriveOptions& options) {
                                                  "--show-values", "--controls", "--html"});
   const std::string for_cars =
       first_given(app, {"--from", "--to", "--weight", "--wall-thickness", "--polygons", "--format", "--resolution",
-                        "--snap", "--unknown-free", "--repair", "--geojson", "--wkt", "--csv", "--poses"});
+                        "--snap", "--unknown-free", "--repair", "--geojson", "--wkt", "--poses", "--csv"});
   if (options.world.car && !for_maps.empty())
     throw UsageError("--car drives in a world of walls: not with " + for_maps);
+  if (!options.world.car && for_cars == "--csv" && options.all) return;
   if (!options.world.car && !for_cars.empty())
     throw UsageError(for_cars + " needs --car: a roadblock map says where its own car starts");
 }
@@ -90,7 +91,7 @@ void add_explanations(CommandLine& app) {
 void add_options(CommandLine& app, DriveOptions& options) {
   add_world_drive_options(app, options.world);
   app.add_option("--sample", options.sample, "Drive this sample of the file (default: its first)").type_name("I");
-  app.add_flag("--all", options.all, "Drive all samples of the file");
+  app.add_flag("--all", options.all, "Drive all samples of the file; --csv then has a row a drive");
   add_jobs_option(app, options.common.limits);
   app.add_option("--open", options.bits, "Drive with these roadblocks open, as 101 for A and C").type_name("BITS");
   app.add_option_function(
@@ -119,6 +120,7 @@ void add_options(CommandLine& app, DriveOptions& options) {
     options.file = options.world.world.file;
     settle_animation(app, options.output.animation, options.output.svg, options.common.json);
     require_consistent(app, options);
+    if (options.all) options.report.csv = std::exchange(options.output.files.csv, {});
   });
   add_explanations(app);
 }

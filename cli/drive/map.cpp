@@ -11,6 +11,7 @@
 
 #include <taut/cli/drive/table.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/progress.h>
 #include <taut/cli/run.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/parallel.h>
@@ -181,8 +182,10 @@ void drive_all(const std::vector<roadblocks::Sample>& samples, const roadblocks:
   std::vector<RoadblockDrive> drives(samples.size());
   Keeping keeping;
   std::size_t noted = 0;
+  const TellProgress show = shown_progress(options.common);
+  ProgressCount done("drives", samples.size(), show);
   const auto note_until = [&](std::size_t over) {
-    for (; noted < over; ++noted) logbook.add(std::move(drives[noted]));
+    for (; noted < over; ++noted, done.add()) logbook.add(std::move(drives[noted]));
     keeping.tell([&] { run.so_far(logbook.json(), logbook.table()); });
   };
   each_in_parallel(samples.size(), {options.common.limits.jobs, {}, note_until}, [&] {

@@ -9,6 +9,7 @@
 #include <taut/cli/command.h>
 #include <taut/cli/grid/search_options.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/progress.h>
 #include <taut/cli/report_files.h>
 #include <taut/cli/run.h>
 #include <taut/io/pictures/grid_svg.h>
@@ -97,7 +98,9 @@ int compare(const GridCompareOptions& options, Run& run) {
   SearchStatus best = SearchStatus::stopped;
   LeastCosts least;
   std::vector<GridPicture> pictures;
-  for (std::size_t i = 0; i < kGridAlgorithms; ++i) {
+  const TellProgress show = shown_progress(options.common);
+  ProgressCount done("searches", kGridAlgorithms, show);
+  for (std::size_t i = 0; i < kGridAlgorithms; ++i, done.add()) {
     GridSearchOptions search = options.search;
     search.algorithm = static_cast<GridAlgorithm>(i);
     const GridMoves moves = moves_for(search.algorithm, options.grid, input);

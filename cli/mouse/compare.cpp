@@ -2,13 +2,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <utility>
 
 #include <taut/cli/command_line.h>
 #include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/mouse/mouse.h>
+#include <taut/cli/progress.h>
 #include <taut/cli/report_files.h>
 #include <taut/cli/run.h>
 #include <taut/geometry/parallel.h>
@@ -107,14 +107,10 @@ class Trials {
   void run_all() {
     const Parallel how{options_.common.limits.jobs, {}, [this](std::size_t over) { note_until(over); }};
     each_in_parallel(trials_.size(), how, [this](std::size_t i) {
-      if (!options_.common.quiet)
-        progress(fmt::format("{} of {}: {} in {}", ++begun_, trials_.size(), name(explorer(i)),
-                             title_of(contest_.mazes[i % mazes_.size()])));
       const Stopwatch watch(Stopwatch::Of::thread);
       trials_[i].score = score_of(explorer(i), mazes_[i % mazes_.size()], options_.max_steps, options_.common.seed);
       trials_[i].seconds = watch.seconds().cpu;
     });
-    end_progress();
   }
 
  private:
@@ -126,7 +122,7 @@ class Trials {
   Explorer explorer(std::size_t i) const { return options_.explorers[i / mazes_.size()]; }
 
   void note_until(std::size_t over) {
-    for (; noted_ < over; ++noted_) {
+    for (; noted_ < over; ++noted_, done_.add()) {
       if (noted_ % mazes_.size() == 0) {
         contest_.scores.emplace_back();
         contest_.seconds.push_back(0);
@@ -142,7 +138,8 @@ class Trials {
   Contest& contest_;
   Run& run_;
   std::vector<Trial> trials_;  // by explorer, then maze
-  std::atomic<std::size_t> begun_{0};
+  TellProgress show_ = shown_progress(options_.common);
+  ProgressCount done_{"trials", trials_.size(), show_};
   std::size_t noted_ = 0;
   Keeping keeping_;
 };

@@ -9,6 +9,7 @@
 
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/progress.h>
 #include <taut/cli/solve/point_ends.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/rounding.h>
@@ -42,7 +43,8 @@ class ArcSolver {
     read_ends(input);
     const FreeSpace space = run_.stage("space", [&] { return triangulated(FreeSpace(input.world)); });
     if (rounding_bound(space) > 0) answer_.within = rounding_bound(space);
-    const TangentGraph graph = run_.stage("roadmap", [&] { return TangentGraph(space, answer_.radius); });
+    const TangentGraph graph =
+        run_.stage("roadmap", [&] { return TangentGraph(space, answer_.radius, shown_progress(options_.common)); });
     answer_.result = run_.stage("search", [&] { return arc_search(graph, answer_.start, answer_.goal); });
     require_places(answer_, space);
     const Gates gates = run_.stage("gates", [&] { return Gates(space); });

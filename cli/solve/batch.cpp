@@ -17,6 +17,7 @@
 #include <taut/cli/input.h>
 #include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/progress.h>
 #include <taut/cli/run.h>
 #include <taut/cli/shards.h>
 #include <taut/cli/solve/batch_answers.h>
@@ -113,6 +114,9 @@ class Batch {
  private:
   void answer_all(QuerySource& source, const Input& input, BatchGround& ground) {
     QueryBlocks blocks(source, input, ground.shown(), options_.common.limits.jobs);
+    const TellProgress show = shown_progress(options_.common);
+    const std::size_t lines = show ? source.line_count() : 0;
+    if (show) show({"lines", 0, lines});
     for (bool more = true; more;) {
       std::vector<QueryLine> block;
       std::exception_ptr wrong;
@@ -125,6 +129,7 @@ class Batch {
         answers_.add(query, answer, source.name());
         answers_.flush(false);
         if (proofs_) prove(query, answer);
+        if (show) show({"lines", static_cast<std::size_t>(query.line), lines});
       });
       if (!wrong && blocks.wall()) wrong = changed(ground, *blocks.wall(), source.name(), blocks.line());
       answers_.prepared_in(ground.prepared());

@@ -11,6 +11,7 @@
 
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/progress.h>
 #include <taut/cli/solve/batch_answers.h>
 #include <taut/cli/solve/query_source.h>
 #include <taut/cli/world/geographic.h>
@@ -31,7 +32,7 @@ using Status = QueryAnswer::Status;
 /// Queries in the graphs of the radii asked about last: people have a few sizes and use them again and again.
 class RadiusQueries {
  public:
-  explicit RadiusQueries(const FreeSpace& space) : radii_(space) {}
+  RadiusQueries(const FreeSpace& space, const TellProgress& tell) : radii_(space, tell) {}
 
   ArcQueries& of(double r) {
     auto at =
@@ -85,14 +86,16 @@ class DiscBatch {
   }
 
   void answer_arcs(const FreeSpace& space, QuerySource& source) {
-    RadiusQueries graphs = run_.stage("index", [&] { return RadiusQueries(space); });
+    RadiusQueries graphs = run_.stage("index", [&] { return RadiusQueries(space, shown_progress(options_.common)); });
     answers_.prepared_in(run_.seconds());
     run_.stage("search", [&] { answer_all(source, [&](const QueryLine& query) { return arcs(graphs, query); }); });
   }
 
   void answer_all(QuerySource& source, const std::function<QueryAnswer(const QueryLine&)>& ask) {
     std::string line;
-    for (int number = 1; source.next(line); ++number) {
+    const TellProgress show = shown_progress(options_.common);
+    ProgressCount done("lines", show ? source.line_count() : 0, show);
+    for (int number = 1; source.next(line); ++number, done.add()) {
       std::optional<QueryLine> query = read(line, source.name(), number);
       if (!query) continue;
       query->from = plane(query->from);

@@ -7,6 +7,7 @@
 
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/progress.h>
 #include <taut/cli/solve/certify.h>
 #include <taut/cli/solve/point_ends.h>
 #include <taut/cli/world/snap_ends.h>
@@ -53,7 +54,8 @@ class ClearanceSolver {
     read_ends(space, input);
     const FreeSpace walled =
         run_.stage("space", [&] { return triangulated(FreeSpace(walled_world(input.world, all_ends()))); });
-    VoronoiRoadmap map = run_.stage("roadmap", [&] { return VoronoiRoadmap(walled); });
+    VoronoiRoadmap map =
+        run_.stage("roadmap", [&] { return VoronoiRoadmap(walled, 1, shown_progress(options_.common)); });
     Gates gates = run_.stage("gates", [&] { return Gates(walled); });
     const ClearancePlanner planner(space, std::move(map), std::move(gates), start_, goals_);
     search(planner);

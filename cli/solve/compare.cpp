@@ -12,6 +12,7 @@
 #include <taut/cli/input.h>
 #include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/progress.h>
 #include <taut/cli/run.h>
 #include <taut/cli/shards.h>
 #include <taut/cli/solve/compare_report.h>
@@ -137,7 +138,9 @@ Comparison compare(const CompareOptions& options, Run& run, const Arena& arena, 
 // Several worlds: what was found on each goes into the result, its roadmaps are let go.
 int run_many(const CompareOptions& options, Run& run, const std::vector<std::string>& files) {
   Json worlds = Json::array();
+  const TellProgress tell = shown_progress(options.common);
   Answer answer;
+  ProgressCount done("worlds", files.size(), tell);
   for (const std::string& file : files) {
     WorldOptions world = options.world;
     world.file = file;
@@ -151,6 +154,7 @@ int run_many(const CompareOptions& options, Run& run, const std::vector<std::str
     answer.line = worlds_table(summary);
     answer.result["summary"] = summary;
     run.so_far(answer.result, answer.line);
+    done.add();
   }
   add_reports(answer, options.report, fmt::format("{} worlds", files.size()), "name");
   return run.end(std::move(answer));

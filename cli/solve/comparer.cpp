@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <taut/cli/messages.h>
+#include <taut/cli/progress.h>
 #include <taut/cli/solve/packed_runs.h>
 #include <taut/cli/solve/prm_options.h>
 #include <taut/cli/stop.h>
@@ -29,6 +30,7 @@ class Comparer {
         run_(run),
         space_(space),
         tell_(std::move(note)),
+        tell_progress_(options.more.empty() ? shown_progress(options.common) : nullptr),  // else worlds are told
         work_(work_mark(options, input)),
         comparison_{*input.world.start(), input.world.goal(), options.common.seed, options.runs} {
     comparison_.within = path_bound(space);
@@ -37,18 +39,16 @@ class Comparer {
 
   /// One run of one planner is an item.
   int do_shard() {
-    Answer answer = run_.stage("planners", [&] { return cli::do_shard(options_.shards, items(), run_); });
-    end_progress();
-    return run_.end(std::move(answer));
+    return run_.end(run_.stage("planners", [&] { return cli::do_shard(options_.shards, items(), run_); }));
   }
 
   Comparison compare() {
     run_.stage("planners", [&] {
       if (options_.shards.is_shared()) return take();
+      if (tell_progress_) tell_progress_({"runs", 0, tasks_.size()});
       each_in_parallel(tasks_.size(), {options_.common.limits.jobs, {}, [this](std::size_t over) { note_until(over); }},
                        [this](std::size_t i) { tasks_[i].done = done(tasks_[i]); });
     });
-    end_progress();
     find_optimum();
     return std::move(comparison_);
   }
@@ -104,9 +104,8 @@ class Comparer {
   }
 
   PlannerRuns runs_of(const Planner& p, std::size_t number) const {
-    return run_planner(
-        p, space_, comparison_.start, comparison_.goal, options_.common.seed + number, 1,
-        {1, {}, {}, options_.prm, options_.common.limits.seconds.has_value(), prm_progress(options_.common.quiet)});
+    return run_planner(p, space_, comparison_.start, comparison_.goal, options_.common.seed + number, 1,
+                       {1, {}, {}, options_.prm, options_.common.limits.seconds.has_value()});
   }
 
   /// A planner that is unfit in one run, as for a world that is none of cells, is unfit.
@@ -123,6 +122,7 @@ class Comparer {
       }
       if (task.is_last) note_planner();
     }
+    if (tell_progress_) tell_progress_({"runs", noted_, tasks_.size()});
   }
 
   void note_planner() {
@@ -149,6 +149,7 @@ class Comparer {
   Run& run_;
   const FreeSpace& space_;
   NoteComparison tell_;
+  TellProgress tell_progress_;
   std::string work_;  // of shards
   Comparison comparison_;
   std::vector<Task> tasks_;  // by planner, then run

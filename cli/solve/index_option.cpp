@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <taut/cli/options.h>
+#include <taut/cli/progress.h>
 #include <taut/io/results/words.h>
 #include <taut/io/saved/index_file.h>
 
@@ -31,8 +32,10 @@ void add_index_options(CommandLine& app, IndexOptions& options) {
 
 std::optional<Index> index_of(const IndexOptions& options, const FreeSpace& space, Run& run) {
   if (!options.wanted()) return std::nullopt;
-  return run.stage(
-      "index", [&] { return options.load.empty() ? Index(space, options.memory) : load_index(options.load, space); });
+  return run.stage("index", [&] {
+    return options.load.empty() ? Index(space, options.memory, shown_progress(run.options()))
+                                : load_index(options.load, space);
+  });
 }
 
 void add_index(const IndexOptions& options, const Index& index, Answer& answer) {

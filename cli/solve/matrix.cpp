@@ -15,10 +15,12 @@
 #include <taut/cli/input.h>
 #include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/progress.h>
 #include <taut/cli/ranks.h>
 #include <taut/cli/run.h>
 #include <taut/cli/shards.h>
 #include <taut/cli/solve/ends_on_walls.h>
+#include <taut/cli/solve/matrix_lengths.h>
 #include <taut/cli/solve/matrix_shards.h>
 #include <taut/cli/world/geographic.h>
 #include <taut/cli/world/snap_ends.h>
@@ -85,55 +87,6 @@ void add_options(CommandLine& app, MatrixOptions& options) {
   app.example("taut matrix maze.txt points.txt -o lengths.npy");
 }
 
-/// The matrix, and how much of it is final: for the thread that stops the program, too.
-struct Lengths {
-  explicit Lengths(std::size_t points) : size(points), values(points * points) {}
-
-  const std::size_t size;
-  std::vector<double> values;
-  std::atomic<std::size_t> rows{0};
-
-  std::span<const double> first(std::size_t count) const { return {values.data(), count * size}; }
-  double operator()(std::size_t i, std::size_t j) const { return values[i * size + j]; }
-};
-
-/// Of the pairs that are finished, each once.
-struct Totals {
-  std::size_t found = 0, none = 0, unproven = 0;
-  double longest = 0;
-
-  Totals(const Lengths& lengths, std::size_t rows) {
-    for (std::size_t i = 0; i < rows; ++i)
-      for (std::size_t j = i + 1; j < lengths.size; ++j) add(lengths(i, j));
-  }
-  void add(double length) {
-    found += std::isfinite(length);
-    none += std::isinf(length);
-    unproven += std::isnan(length);
-    if (std::isfinite(length)) longest = std::max(longest, length);
-  }
-};
-
-Json row_json(std::span<const double> row) {
-  Json json = Json::array();
-  for (const double length : row)
-    json.push_back(std::isfinite(length) ? Json(length) : std::isnan(length) ? Json("unproven") : Json());
-  return json;
-}
-
-/// {points, rows, found, none, unproven, longest, lengths: null where there is no path}
-Json json_of(const Lengths& lengths, std::size_t rows, bool with_lengths) {
-  const Totals totals(lengths, rows);
-  Json json{{"points", lengths.size},      {"rows", rows},
-            {"found", totals.found},       {"none", totals.none},
-            {"unproven", totals.unproven}, {"longest", totals.longest}};
-  if (!with_lengths) return json;
-  json["lengths"] = Json::array();
-  for (std::size_t i = 0; i < rows; ++i)
-    json["lengths"].push_back(row_json(lengths.first(rows).subspan(i * lengths.size, lengths.size)));
-  return json;
-}
-
 class Matrix {
  public:
   Matrix(const MatrixOptions& options, Run& run) : options_(options), run_(run) {}
@@ -148,7 +101,7 @@ class Matrix {
     const auto lengths = std::make_shared<Lengths>(places_.size());
     run_.when_stopped([lengths, json = run_.wants_json(), csv = prints()]() -> std::pair<Json, std::string> {
       const std::size_t rows = lengths->rows;
-      return {json ? json_of(*lengths, rows, true) : Json(),
+      return {json ? matrix_json(*lengths, rows, true) : Json(),
               csv ? matrix_bytes(lengths->first(rows), lengths->size, MatrixFormat::csv) : ""};
     });
     measure(input, space, *lengths);
@@ -218,7 +171,12 @@ class Matrix {
       take_matrix(options_.shards, items(input, space), run_, lengths.values, lengths.size);
     } else {
       const VisibilityGraph graph = graph_of(space);
-      const auto finished = [&](std::size_t rows) { lengths.rows = is_doubted ? 0 : rows; };
+      const TellProgress show = shown_progress(options_.common);
+      if (show) show({"rows", 0, lengths.size});
+      const auto finished = [&](std::size_t rows) {
+        lengths.rows = is_doubted ? 0 : rows;
+        if (show) show({"rows", rows, lengths.size});
+      };
       run_.stage("search",
                  [&] { distance_matrix(graph, places_, lengths.values, finished, options_.common.limits.jobs); });
     }
@@ -227,8 +185,10 @@ class Matrix {
   }
 
   VisibilityGraph graph_of(const FreeSpace& space) {
-    return run_.stage("graph",
-                      [&] { return VisibilityGraph(space, VisibilityKind::reduced, options_.common.limits.jobs); });
+    return run_.stage("graph", [&] {
+      return VisibilityGraph(space, VisibilityKind::reduced, options_.common.limits.jobs,
+                             shown_progress(options_.common));
+    });
   }
 
   /// Where nothing proves that there is no path the length is no number.
@@ -255,7 +215,7 @@ class Matrix {
       answer.reason = fmt::format("{} unproven", count_text(totals.unproven, "pair", "pairs"));
     else if (totals.none > 0)
       answer.reason = fmt::format("{} without a path", count_text(totals.none, "pair", "pairs"));
-    if (run_.wants_json()) answer.result = json_of(lengths, lengths.size, options_.output.empty());
+    if (run_.wants_json()) answer.result = matrix_json(lengths, lengths.size, options_.output.empty());
     const std::string line = text(input, lengths, totals, answer.reason);
     if (options_.output.empty()) {
       note(line);

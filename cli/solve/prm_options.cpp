@@ -6,14 +6,12 @@
 #include <cmath>
 #include <vector>
 
-#include <taut/cli/messages.h>
 #include <taut/cli/options.h>
+#include <taut/io/results/words.h>
 
 namespace taut::cli {
 
 namespace {
-
-constexpr double kSecondsBeforeProgress = 0.3;
 
 const std::vector<Choice> kSamplers{
     {"uniform", "anywhere"},
@@ -128,16 +126,6 @@ void require_prm_options_fit(const PrmRequest& request, const RoadmapKind& kind)
        request.connection->rule == PrmConnection::Rule::forest))
     throw UsageError(
         "--lazy makes no sense with --connection visible:K or forest:K, which have to test edges as they go");
-}
-
-std::function<bool(const PrmProgress&)> prm_progress(bool quiet) {
-  if (quiet || !is_progress_shown()) return {};
-  return [](const PrmProgress& p) {
-    if (p.seconds > kSecondsBeforeProgress)
-      progress(fmt::format("{} samples, {} edges, {} components, {}", p.counts.drawn, p.counts.edges,
-                           p.counts.components, seconds_text(p.seconds)));
-    return true;
-  };
 }
 
 std::string connectivity_text(const PrmConnectivity& c) {

@@ -1,7 +1,6 @@
 // The options of probabilistic roadmaps: --sampler, --connection, --prm-clearance, --samples, --lazy.
 #pragma once
 
-#include <functional>
 #include <string>
 
 #include <taut/cli/command_line.h>
@@ -17,10 +16,6 @@ std::string first_option(const PrmRequest& request);
 
 /// Throws UsageError when options were given that a roadmap of this kind cannot heed.
 void require_prm_options_fit(const PrmRequest& request, const RoadmapKind& kind);
-
-/// Shows how far growth has come, in one line on stderr when that is a terminal (progress), from a third of a second
-/// on.
-std::function<bool(const PrmProgress&)> prm_progress(bool quiet);
 
 /// `1200 samples, 1180 vertices, 4000 edges of 9000 tested, 3 components, 700 vertices at the start, 12 at the goal`
 std::string connectivity_text(const PrmConnectivity& connectivity);

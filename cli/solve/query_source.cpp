@@ -1,8 +1,10 @@
 #include <taut/cli/solve/query_source.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <system_error>
 
 #include <taut/cli/ranks.h>
@@ -40,6 +42,15 @@ bool QuerySource::next(std::string& line) {
   if (std::getline(*in_, line)) return true;
   if (in_->bad()) throw InputError(name_, 0, "cannot be read");
   return false;
+}
+
+std::size_t QuerySource::line_count() {
+  if (in_ == &std::cin || !is_all_there_) return 0;
+  const auto at = in_->tellg();
+  const auto lines = std::count(std::istreambuf_iterator<char>(*in_), {}, '\n');
+  in_->clear();
+  in_->seekg(at);
+  return static_cast<std::size_t>(lines);
 }
 
 void QuerySource::unpack() {

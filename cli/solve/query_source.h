@@ -1,6 +1,7 @@
 // Where the queries of `taut batch` come from.
 #pragma once
 
+#include <cstddef>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -17,6 +18,8 @@ class QuerySource {
   const std::string& name() const { return name_; }
   /// Throws InputError where it cannot be read.
   bool next(std::string& line);
+  /// How many lines are to come; 0 where nobody knows, as of a pipe.
+  std::size_t line_count();
   /// Is there no whole line yet, so that the next one has to be waited for? Never in a file that is all there.
   bool may_wait() const { return !is_all_there_ && in_->rdbuf()->in_avail() <= 0; }
 

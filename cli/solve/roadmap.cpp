@@ -10,6 +10,7 @@
 #include <taut/cli/input.h>
 #include <taut/cli/jobs.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/progress.h>
 #include <taut/cli/run.h>
 #include <taut/cli/solve/prm_options.h>
 #include <taut/cli/solve/roadmap_option.h>
@@ -130,7 +131,8 @@ int stream(const RoadmapOptions& options, const Input& input, const FreeSpace& s
   const std::uint64_t edges = run.stage("roadmap", [&] {
     const VisibilityRows rows(space, *kind.rows);
     vertices = rows.vertices().sectors.size();
-    return stream_visibility(rows, [&](std::string_view piece) { file.add(piece); });
+    return stream_visibility(
+        rows, [&](std::string_view piece) { file.add(piece); }, shown_progress(options.common));
   });
   file.finish();
   Answer answer;
@@ -149,11 +151,11 @@ int run(const RoadmapOptions& options, Run& run) {
   const FreeSpace space = run.stage("space", [&] { return triangulated(FreeSpace(input.world, options.query.robot)); });
   if (!options.stream.empty()) return stream(options, input, space, run);
   const PlannedRoadmap planned = run.stage("roadmap", [&] {
-    return kind.build(space, {options.common.seed, input.world.start(), input.world.goal(), options.prm,
-                              options.common.limits.seconds.has_value(), prm_progress(options.common.quiet),
-                              options.common.limits.jobs});
+    return kind.build(
+        space, {options.common.seed, input.world.start(), input.world.goal(), options.prm,
+                options.common.limits.seconds.has_value(), shown_progress(options.common), options.common.limits.jobs});
   });
-  end_progress();
+  progress_over();
   Answer answer;
   answer.line = fmt::format("{}: {}, {}\n", input.name, fmt::join(roadmap_facts(kind, planned), ", "),
                             cpu_text(run.seconds("roadmap")));

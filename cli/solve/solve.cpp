@@ -9,6 +9,7 @@
 #include <taut/cli/command_line.h>
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
+#include <taut/cli/progress.h>
 #include <taut/cli/run.h>
 #include <taut/cli/solve/alternatives.h>
 #include <taut/cli/solve/anytime.h>
@@ -63,7 +64,7 @@ class Solver {
     require_free(space, *result_.start, "start", shown_);
     if (result_.goal.point) require_free(space, *result_.goal.point, "goal", shown_);
     answer_.planned = run_.stage("roadmap", [&] { return build_or_load(space); });
-    end_progress();
+    progress_over();
     result_.roadmap = answer_.kind->name;
     result_.prm = answer_.planned.prm;
     keep();
@@ -104,9 +105,8 @@ class Solver {
   PlannedRoadmap build_or_load(const FreeSpace& space) {
     if (options_.load.empty()) {
       answer_.kind = options_.kind ? options_.kind : roadmap_kind(wants_graph() ? "visibility" : "polyanya");
-      return answer_.kind->build(space,
-                                 {options_.common.seed, result_.start, result_.goal, options_.prm,
-                                  options_.common.limits.seconds.has_value(), prm_progress(options_.common.quiet)});
+      return answer_.kind->build(space, {options_.common.seed, result_.start, result_.goal, options_.prm,
+                                         options_.common.limits.seconds.has_value(), shown_progress(options_.common)});
     }
     LoadedRoadmap loaded =
         load_roadmap(read_bytes(options_.load), options_.load == "-" ? "<stdin>" : options_.load, space);

@@ -57,14 +57,16 @@ class Pieces {
 
 }  // namespace
 
-std::uint64_t stream_visibility(const VisibilityRows& rows, const std::function<void(std::string_view)>& write) {
+std::uint64_t stream_visibility(const VisibilityRows& rows, const std::function<void(std::string_view)>& write,
+                                const TellProgress& tell) {
   Pieces pieces(write);
   const Triangulation& tri = rows.space().triangulation();
   for (const std::uint32_t sector : rows.vertices().sectors) pieces.vertex(tri.points[tri.sectors[sector].vertex]);
   VisibilityRows::Finder finder(rows);
   std::uint64_t edges = 0;
   std::vector<Roadmap::Vertex> sorted;
-  for (Roadmap::Vertex u = 0; u < rows.vertices().sectors.size(); ++u) {
+  ProgressCount done("corners", rows.vertices().sectors.size(), tell);
+  for (Roadmap::Vertex u = 0; u < rows.vertices().sectors.size(); ++u, done.add()) {
     const auto row = finder.row(u);
     sorted.assign(row.begin(), row.end());
     std::sort(sorted.begin(), sorted.end());

@@ -48,8 +48,8 @@ class Builder {
     for (std::uint32_t i = 0; i < pairs_.size(); ++i) pieces_[next[pairs_[i].first]++] = i;
   }
 
-  VoronoiDiagram build() && {
-    insert();
+  VoronoiDiagram build(const TellProgress& tell) && {
+    insert(tell);
     collect_faces();
     contract();
     keep_edges();
@@ -68,10 +68,25 @@ class Builder {
     return ends;
   }
 
-  void insert() {
+  /// Graph::insert_segments, which tells nobody how far it is.
+  void insert(const TellProgress& tell) {
+    ProgressCount inserted("sites", ends_.size() + pairs_.size(), tell);
     std::vector<Kernel::Point_2> points;
     for (const Point p : ends_) points.emplace_back(p.x, p.y);
-    graph_.insert_segments(points, pairs_.begin(), pairs_.end());
+    std::vector<std::size_t> order(points.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    const auto at = CGAL::make_property_map(points);
+    CGAL::spatial_sort(order.begin(), order.end(), CGAL::Spatial_sort_traits_adapter_2<Traits, decltype(at)>(at));
+    std::vector<Graph::Vertex_handle> vertices(points.size());
+    Graph::Vertex_handle near;
+    for (const std::size_t i : order) {
+      vertices[i] = near = graph_.insert(points[i], near);
+      inserted.add();
+    }
+    for (const auto& [a, b] : pairs_) {
+      graph_.insert(vertices[a], vertices[b]);
+      inserted.add();
+    }
   }
 
   std::uint32_t site_of(Graph::Vertex_handle v) const {
@@ -226,11 +241,11 @@ Point scaled(Point p, int exponent) { return {std::ldexp(p.x, exponent), std::ld
 
 }  // namespace
 
-VoronoiDiagram voronoi_diagram(std::span<const Constraint> pieces) {
+VoronoiDiagram voronoi_diagram(std::span<const Constraint> pieces, const TellProgress& tell) {
   const int unit = exponent(pieces);
   std::vector<Constraint> in_unit(pieces.begin(), pieces.end());
   for (Constraint& c : in_unit) c.a = scaled(c.a, -unit), c.b = scaled(c.b, -unit);
-  VoronoiDiagram diagram = Builder(in_unit).build();
+  VoronoiDiagram diagram = Builder(in_unit).build(tell);
   for (Segment& s : diagram.sites) s = {scaled(s.a, unit), scaled(s.b, unit)};
   for (VoronoiPoint& v : diagram.vertices)
     v = {scaled(v.at, unit), std::ldexp(v.clearance, unit), std::ldexp(v.error, unit)};

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <taut/geometry/free_space.h>
+#include <taut/geometry/progress.h>
 #include <taut/roadmaps/detail/voronoi_geometry.h>
 
 namespace taut::detail {
@@ -27,6 +28,6 @@ struct VoronoiDiagram {
 
 /// Which edges have length 0 is decided exactly. Deterministic. Precondition: pieces meet only at end points. O(n log
 /// n) expected.
-VoronoiDiagram voronoi_diagram(std::span<const Constraint> pieces);
+VoronoiDiagram voronoi_diagram(std::span<const Constraint> pieces, const TellProgress& tell = {});
 
 }  // namespace taut::detail

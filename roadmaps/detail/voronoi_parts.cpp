@@ -205,8 +205,8 @@ std::vector<VoronoiEdge> free_edges(const FreeSpace& space, const VoronoiDiagram
 
 }  // namespace
 
-VoronoiParts voronoi_parts(const FreeSpace& space, unsigned jobs) {
-  const VoronoiDiagram diagram = voronoi_diagram(space.constraints());
+VoronoiParts voronoi_parts(const FreeSpace& space, unsigned jobs, const TellProgress& tell) {
+  const VoronoiDiagram diagram = voronoi_diagram(space.constraints(), tell);
   VoronoiParts parts{space, sites_of(space, diagram), {}, free_edges(space, diagram, jobs), {}, {}, {}};
   const std::vector<std::uint32_t> order = vertex_order(diagram, parts.edges);
   for (const std::uint32_t v : order) {

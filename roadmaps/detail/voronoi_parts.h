@@ -36,7 +36,7 @@ struct VoronoiParts {
 };
 
 /// Curves are shaped by `jobs` threads.
-VoronoiParts voronoi_parts(const FreeSpace& space, unsigned jobs = 1);
+VoronoiParts voronoi_parts(const FreeSpace& space, unsigned jobs = 1, const TellProgress& tell = {});
 
 }  // namespace detail
 

@@ -24,7 +24,7 @@ struct SiteRadii {
 
 struct AllRadiiParts {
   /// Looks for all legs and their spans.
-  explicit AllRadiiParts(const FreeSpace& space);
+  explicit AllRadiiParts(const FreeSpace& space, const TellProgress& tell = {});
   /// Of the legs of an earlier one.
   AllRadiiParts(std::shared_ptr<const TangentGround> common, std::vector<TangentName> names,
                 std::vector<std::uint32_t> first, std::vector<RadiusSpan> all);
@@ -56,7 +56,7 @@ struct AllRadiiParts {
     Interval x, y, squared;
   };
 
-  void find_legs();
+  void find_legs(const TellProgress& tell);
   void measure_legs();
 
   std::vector<Vector> vectors_{};

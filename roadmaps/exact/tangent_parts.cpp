@@ -9,10 +9,11 @@ namespace taut {
 namespace {
 
 /// Candidates are pairs of sites that see each other within both's taut cones.
-std::vector<FoundTangent> all_tangents(const TangentGround& ground, double r) {
+std::vector<FoundTangent> all_tangents(const TangentGround& ground, double r, const TellProgress& tell) {
   std::vector<FoundTangent> result;
   const std::vector<TangentSite>& sites = ground.sites;
-  for (std::uint32_t i = 0; i < sites.size(); ++i)
+  ProgressCount done("circles", sites.size(), tell);
+  for (std::uint32_t i = 0; i < sites.size(); ++i, done.add())
     for (const std::uint32_t v : ground.walls.seen_from_vertex(sites[i].vertex, sites[i].cones.reaching(r))) {
       const std::uint32_t j = ground.site_at[v];
       if (j == kNone || j <= i || sites[j].vertex == sites[i].vertex) continue;
@@ -62,8 +63,8 @@ void SiteOrder::put(const TangentSite& site, std::span<const TangentPoint> ends)
   }
 }
 
-TangentParts::TangentParts(std::shared_ptr<const TangentGround> common, double radius)
-    : TangentParts(common, radius, all_tangents(*common, radius),
+TangentParts::TangentParts(std::shared_ptr<const TangentGround> common, double radius, const TellProgress& tell)
+    : TangentParts(common, radius, all_tangents(*common, radius, tell),
                    [&, obstacles = CircleObstacles()](std::uint32_t i) mutable -> const CircleObstacles& {
                      return obstacles = common->walls.around(common->sites[i].at, radius);
                    }) {}

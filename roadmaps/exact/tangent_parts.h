@@ -87,7 +87,7 @@ struct SiteOrder {
 
 struct TangentParts {
   /// Looks for all legs.
-  TangentParts(std::shared_ptr<const TangentGround> ground, double radius);
+  TangentParts(std::shared_ptr<const TangentGround> ground, double radius, const TellProgress& tell = {});
   /// Of all free tangents, ascending by name, and what stands around a site's circle.
   TangentParts(std::shared_ptr<const TangentGround> ground, double radius, const std::vector<FoundTangent>& tangents,
                const std::function<const CircleObstacles&(std::uint32_t)>& around);

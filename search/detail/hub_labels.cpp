@@ -23,9 +23,11 @@ class Labeller {
     made_.rests.resize(graph.size());
   }
 
-  std::optional<HubLabels> labels(std::size_t most) && {
+  std::optional<HubLabels> labels(std::size_t most, const TellProgress& tell) && {
+    ProgressCount done("bends", graph_.size(), tell);
     for (std::uint32_t hub = 0; hub < graph_.size(); ++hub) {
       label(hub);
+      done.add();
       if (count_ > most) return {};
     }
     return std::move(made_);
@@ -140,8 +142,8 @@ std::size_t HubLabels::count() const {
 }
 
 std::optional<HubLabels> hub_labels(const HubGraph& graph, HubTree& tree, const SightLists* sights,
-                                    std::vector<std::uint32_t> order, std::size_t most) {
-  return Labeller(graph, tree, sights, std::move(order)).labels(most);
+                                    std::vector<std::uint32_t> order, std::size_t most, const TellProgress& tell) {
+  return Labeller(graph, tree, sights, std::move(order)).labels(most, tell);
 }
 
 }  // namespace taut::detail

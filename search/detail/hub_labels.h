@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include <taut/geometry/progress.h>
 #include <taut/search/detail/hub_tree.h>
 
 namespace taut::detail {
@@ -40,8 +41,8 @@ std::vector<std::uint32_t> hub_order(const HubGraph& graph, HubTree& tree, std::
 
 /// Pruned landmark labels (Akiba, Iwata, Yoshida, "Fast exact shortest-path distance queries on large networks by
 /// pruned landmark labeling", 2013), without those that no shortest path needs. Nothing where there would be more than
-/// `most`.
+/// `most`. Told are the hubs.
 std::optional<HubLabels> hub_labels(const HubGraph& graph, HubTree& tree, const SightLists* sights,
-                                    std::vector<std::uint32_t> order, std::size_t most);
+                                    std::vector<std::uint32_t> order, std::size_t most, const TellProgress& tell = {});
 
 }  // namespace taut::detail

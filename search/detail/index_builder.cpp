@@ -69,8 +69,8 @@ std::size_t bends_in(std::size_t bytes, double labels_a_bend) {
 
 class Builder {
  public:
-  Builder(const VisibilityGraph& graph, std::size_t memory)
-      : graph_(graph), memory_(memory), places_(IntegerPlaces::of(tri().points)) {
+  Builder(const VisibilityGraph& graph, std::size_t memory, const TellProgress& tell)
+      : graph_(graph), memory_(memory), tell_(tell), places_(IntegerPlaces::of(tri().points)) {
     hubs_ = hub_graph(graph, TautLegs(graph), places_ ? &*places_ : nullptr);
   }
 
@@ -95,7 +95,7 @@ class Builder {
     if (places_) sights = sight_lists(graph_, hubs_, *places_, memory_ / kSightBytes);
     const SightLists* const lists = sights ? &*sights : nullptr;
     HubTree tree(hubs_, lists, bends);
-    const auto labels = hub_labels(hubs_, tree, lists, hub_order(hubs_, tree, kSamples), memory_ / kLabelBytes);
+    const auto labels = hub_labels(hubs_, tree, lists, hub_order(hubs_, tree, kSamples), memory_ / kLabelBytes, tell_);
     if (!labels) return {};
     if (auto all = packed(hubs_, *labels, lists, nullptr)) return all;
     return packed(hubs_, *labels, nullptr, nullptr);
@@ -107,7 +107,7 @@ class Builder {
     std::vector<std::uint32_t> edge_of;
     const HubGraph core = core_graph(below, turns, edge_of);
     HubTree tree(core, nullptr, {});
-    const auto labels = hub_labels(core, tree, nullptr, hub_order(core, tree, kSamples), memory_ / kLabelBytes);
+    const auto labels = hub_labels(core, tree, nullptr, hub_order(core, tree, kSamples), memory_ / kLabelBytes, tell_);
     const LabelledCore labelled{below, turns, edge_of};
     return labels ? packed(core, *labels, nullptr, &labelled) : std::nullopt;
   }
@@ -124,6 +124,7 @@ class Builder {
 
   const VisibilityGraph& graph_;
   std::size_t memory_;
+  const TellProgress& tell_;
   std::optional<IntegerPlaces> places_;
   HubGraph hubs_;
 };
@@ -131,8 +132,8 @@ class Builder {
 }  // namespace
 
 std::optional<std::vector<std::byte>> index_bytes(const VisibilityGraph& graph, std::size_t memory,
-                                                  std::optional<std::size_t> core_size) {
-  return Builder(graph, memory).image(core_size);
+                                                  std::optional<std::size_t> core_size, const TellProgress& tell) {
+  return Builder(graph, memory, tell).image(core_size);
 }
 
 }  // namespace taut::detail

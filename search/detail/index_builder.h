@@ -13,6 +13,7 @@ namespace taut::detail {
 /// labels where those fit, with sights where these fit as well; else the others are contracted below a core as large
 /// as seems to, or of `core_size`. Precondition: the graph is a reduced one.
 std::optional<std::vector<std::byte>> index_bytes(const VisibilityGraph& graph, std::size_t memory,
-                                                  std::optional<std::size_t> core_size = std::nullopt);
+                                                  std::optional<std::size_t> core_size = std::nullopt,
+                                                  const TellProgress& tell = {});
 
 }  // namespace taut::detail

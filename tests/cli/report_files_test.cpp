@@ -54,5 +54,14 @@ TEST_F(ReportFiles, AreWrittenByAllThatCompares) {
   }
 }
 
+TEST_F(ReportFiles, OfAllDrivesHaveARowADrive) {
+  const std::string map = data_file("car/rooms_31x31.txt"), file = " --csv " + in_folder("drives.csv");
+  const Outcome run = run_taut("drive --all --json - " + map + file);
+  const std::string csv = contents(in_folder("drives.csv"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + json::parse(run.out)["result"]["samples"].size()) << csv;
+  EXPECT_THAT(csv.substr(0, csv.find('\n')), HasSubstr("steps"));
+  EXPECT_THAT(run_taut("drive --sample 1 " + map + file).err, HasSubstr("--csv needs --car"));
+}
+
 }  // namespace
 }  // namespace taut::test

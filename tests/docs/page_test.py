@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Does what README.md and docs/*.md say still hold? Runs the commands of a page, in order, in a folder of its own.
+"""Does what README.md and the pages in docs/ say still hold? Runs the commands of a page, in order, in a folder of its own.
 
 usage: page_test.py TAUT ROOT PAGE
        page_test.py --cpp COMPILER ROOT      compiles the blocks of C++ of all pages, as one program
@@ -42,7 +42,8 @@ class Check:
 
     # ---- commands --------------------------------------------------------------------------------------------------
     def shell(self, command):
-        environment = dict(os.environ, PATH=f"{self.folder / 'bin'}:{os.environ['PATH']}", NO_COLOR="1")
+        environment = dict(os.environ, PATH=f"{self.folder / 'bin'}:{os.environ['PATH']}", NO_COLOR="1",
+                           TAUT_PROGRESS="0")
         return subprocess.run(["bash", "-c", command], cwd=self.folder, env=environment, stdin=subprocess.DEVNULL,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=120)
 
@@ -175,7 +176,7 @@ def without_last_option(command):
 def compile_all(compiler, root):
     """All blocks of C++, each in a namespace of its own. README's is built and run, too, by tests/shape."""
     includes, bodies = [], []
-    for path in [root / "README.md", *sorted((root / "docs").glob("*.md"))]:
+    for path in [root / "README.md", *sorted((root / "docs").glob("**/*.md"))]:
         for block in Page(path).blocks:
             if block.language != "cpp":
                 continue
