@@ -76,14 +76,17 @@ Course two_lanes(const std::string& p) {
 }
 
 TEST(RolloutPolicy, TriesADoorThatIsLikelyToBeOpenAndGoesAroundWhenNot) {
-  const auto crossed = [](const std::string& p, Aim aim) {
+  using Look = RolloutPolicy::Look;
+  const auto crossed = [](const std::string& p, Aim aim, Look look = Look::rollouts) {
     const Course course = two_lanes(p);
     LatticePlanner planner(course, kPoints);
-    const auto choice = RolloutPolicy(planner, aim).choose(start_of(course), 0, 0);
+    const auto choice = RolloutPolicy(planner, aim, look).choose(start_of(course), 0, 0);
     return crosses(start_of(course), *choice.plan, course.roadblocks[0], kPoints);
   };
   EXPECT_TRUE(crossed("0.99", Aim::expected));
   EXPECT_FALSE(crossed("0.4", Aim::expected)) << "three in series are open with 0.064";
+  EXPECT_TRUE(crossed("0.99", Aim::expected, Look::uct));
+  EXPECT_FALSE(crossed("0.4", Aim::expected, Look::uct));
   EXPECT_FALSE(crossed("0.99", Aim::worst)) << "a world with the door closed is among those drawn";
 }
 
