@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The car among many roadblocks, judged on generated maps: `taut drive --all` of all planners, both readings of walls.
 
-roadblocks.py TAUT [--maps N] [--samples N] [--seed N] [--roadblocks LIST] [--side N] [--planners LIST] [--csv FILE]
+roadblocks.py TAUT [--maps N] [--samples N] [--seed N] [--roadblocks LIST] [--lane N] [--csv FILE]
 
 Maps take the numbers of roadblocks in turn, and seeds from --seed on. A line a map, reading and planner: samples
 reached, mean and worst steps, mean steps over the better of optimist and pessimist, CPU seconds and peak memory of the
@@ -103,6 +103,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--side", type=int, default=50)
     parser.add_argument("--roadblocks", default="12,16,24")
+    parser.add_argument("--lane", type=int, help="cells across the narrowest lanes; by default 2, for squares 3")
     parser.add_argument("--walls", default="points,squares")
     parser.add_argument("--planners", default=";".join(PLANNERS), help="separated by semicolons")
     parser.add_argument("--csv")
@@ -116,10 +117,11 @@ def main():
         for k in range(options.maps):
             number, seed = numbers[k % len(numbers)], options.seed + k
             file = os.path.join(scratch, "map.txt")
-            subprocess.run([options.taut, "generate", "--kind", "roadblocks", "--size", str(options.side),
-                            "--roadblocks", str(number), "--samples", str(options.samples), "--seed", str(seed),
-                            "-o", file], check=True)
             for walls in options.walls.split(","):
+                lane = options.lane or (3 if walls == "squares" else 2)
+                subprocess.run([options.taut, "generate", "--kind", "roadblocks", "--size", str(options.side),
+                                "--roadblocks", str(number), "--samples", str(options.samples), "--seed", str(seed),
+                                "--lane", str(lane), "-o", file], check=True)
                 runs = {planner: drive(options.taut, file, walls, planner) for planner in planners}
                 for fault in faults_of(runs, options.samples):
                     faults.append(f"{number} roadblocks, seed {seed}, {walls}: {fault}")
