@@ -157,9 +157,7 @@ int run_many(const CompareOptions& options, Run& run, const std::vector<std::str
 }
 
 // What many runs come to: the rate of success and quartiles.
-std::string runs_table(const Json& result) {
-  return "\n" + worlds_table(report_summary(report_rows(result), "name"));
-}
+std::string runs_table(const Json& result) { return "\n" + worlds_table(report_summary(report_rows(result), "name")); }
 
 int run(const CompareOptions& options, Run& run) {
   std::vector<std::string> files{options.world.file};
