@@ -48,6 +48,12 @@ struct RolloutPolicy::Impl {
     return kept.emplace(key, choice).first->second;
   }
 
+  Choice hope(const Pose& from, RoadblockSet open, RoadblockSet closed) {
+    const DrivePlan* plan = planned(from, closed);
+    if (plan) adopt(*plan, open, closed);
+    return {plan, plan ? static_cast<double>(plan->controls.size()) : 0, false, ObservedMap(course).all()};
+  }
+
   /// The next decision is due at the plan's first sight; from there the rest of it is known.
   void adopt(const DrivePlan& plan, RoadblockSet open, RoadblockSet closed) {
     const RoadblockSet unknown = ObservedMap(course).all() & ~(open | closed);
@@ -223,6 +229,18 @@ RolloutPolicy::~RolloutPolicy() = default;
 
 Choice RolloutPolicy::choose(const Pose& from, RoadblockSet open, RoadblockSet closed) {
   return impl_->choose(from, open, closed);
+}
+
+Choice RolloutPolicy::hope(const Pose& from, RoadblockSet open, RoadblockSet closed) {
+  return impl_->hope(from, open, closed);
+}
+
+std::vector<RoadblockSet> RolloutPolicy::worlds(std::size_t count) {
+  const Pose start{impl_->course.start.x, impl_->course.start.y, 0};
+  std::vector<RoadblockSet> open;
+  for (const World& world : impl_->worlds_for(impl_->graph.legs_from(start, 0), 0, 0))
+    if (open.size() < count) open.push_back(world.blocks);
+  return open;
 }
 
 RoadblockSet RolloutPolicy::relevant() { return impl_->relevant(); }

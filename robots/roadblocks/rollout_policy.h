@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include <taut/robots/roadblocks/roadblock_policy.h>
 
@@ -42,6 +43,12 @@ class RolloutPolicy {
   RolloutPolicy& operator=(const RolloutPolicy&) = delete;
 
   RoadblockPolicy::Choice choose(const Pose& from, RoadblockSet open, RoadblockSet closed);
+
+  /// What the optimist does, whose plans are kept in the same way.
+  RoadblockPolicy::Choice hope(const Pose& from, RoadblockSet open, RoadblockSet closed);
+
+  /// The open roadblocks of up to `count` random worlds that have a way by the places, from the course's start.
+  std::vector<RoadblockSet> worlds(std::size_t count);
 
   /// Of doors by which the goal might be reached sooner than without any that is unknown; all that can be reached where
   /// there is no such way. By estimates, from the course's start.

@@ -1,6 +1,7 @@
 // Decisions among many roadblocks, by simulated drives.
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -101,6 +102,21 @@ TEST(RolloutPolicy, GivesTheSameAnswersToTheSameQuestions) {
   const auto elsewhere = RolloutPolicy(other, Aim::expected).choose(start_of(course), 0, 0);
   EXPECT_EQ(elsewhere.value, choice.value);
   EXPECT_EQ(elsewhere.plan->controls, choice.plan->controls);
+}
+
+// There a drive by estimates alone needs a tenth more steps than the optimist.
+TEST(DrivePolicy, HopesWhereRealDrivesSayThatEstimatesMislead) {
+  const Course course = generate_roadblock_map({50, 50, 12, 0, 7004, 3}).course;
+  LatticePlanner planner(course, WallReading::squares);
+  RolloutPolicy estimates(planner, Aim::expected);
+  DrivePolicy policy(planner, Aim::expected);
+  std::size_t steps = 0, hoped = 0;
+  for (const RoadblockSet open : estimates.worlds(8)) {
+    steps += drive(course, open, *make_driver(policy, planner), WallReading::squares).controls.size();
+    hoped += drive(course, open, *make_driver(DriverKind::optimist, planner), WallReading::squares).controls.size();
+  }
+  EXPECT_GT(hoped, 8 * 300U);
+  EXPECT_LE(steps, hoped + 8);
 }
 
 TEST(DrivePolicy, IsExactAmongFewRoadblocksAndSaysWhenItIsNot) {
