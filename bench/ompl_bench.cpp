@@ -4,7 +4,8 @@
 // Second table: OMPL as it comes out of the box, with motions sampled at its default resolution, and what an exact
 // check says of its answers.
 //
-//   ompl_bench [--benchmark_filter=REGEX] [--sides=7,15,25,41,61] [--seeds=3] [--limit=10] [--audits=20]
+//   ompl_bench [--benchmark_filter=REGEX] [--sides=7,15,25,41,61] [--mazes=5] [--seeds=3] [--limit=10]
+//              [--audits=20]
 //
 // The filter is for planner names. --limit is CPU seconds for one run; who fails all runs of a size is not asked for
 // larger ones.
@@ -39,6 +40,7 @@ using namespace taut::bench;
 struct Settings {
   std::regex filter{"."};
   std::vector<int> sides{7, 15, 25, 41, 61};
+  int mazes = 5;  // a size
   int seeds = 3;
   double limit = 10;
   int audits = 20;
@@ -59,23 +61,25 @@ std::vector<double> of_found(const std::vector<Run>& runs, const std::function<d
   return values;
 }
 
-std::string ratio_text(const std::vector<Run>& runs, const Length& optimum) {
+std::string ratio_text(const std::vector<Run>& runs) {
   const bool all_equal =
-      std::all_of(runs.begin(), runs.end(), [&](const Run& run) { return !run.found || run.path.length == optimum; });
+      std::all_of(runs.begin(), runs.end(), [](const Run& run) { return !run.found || run.optimal; });
   if (all_equal) return "1";  // exactly
-  return fmt::format("{:.4f}",
-                     median(of_found(runs, [&](const Run& run) { return run.path.length.value() / optimum.value(); })));
+  return fmt::format("{:.4f}", median(of_found(runs, [](const Run& run) { return run.ratio; })));
 }
 
-void require_valid(const Run& run, const Task& task, const std::string& name) {
+/// Adds how the path compares with the shortest.
+void judge(Run& run, const Task& task, const std::string& name) {
   if (!run.found) return;
   const Verdict verdict = verify(run.path, task.space, task.from, task.to);
   if (!verdict.valid) fmt::print("ERROR: {} gave a path that is none: {}\n", name, verdict.reason);
+  run.optimal = run.path.length == task.optimum.length;
+  run.ratio = run.path.length.value() / task.optimum.length.value();
   if (run.path.length < task.optimum.length) fmt::print("ERROR: {} is shorter than the shortest path\n", name);
 }
 
-FreeSpace maze(int side, const Footprint& robot = Footprint::point()) {
-  return FreeSpace(world_of(std::make_shared<GridMaze>(generate_biased_maze(side, side, 1))), robot);
+FreeSpace maze(int side, std::uint64_t seed = 1, const Footprint& robot = Footprint::point()) {
+  return FreeSpace(world_of(std::make_shared<GridMaze>(generate_biased_maze(side, side, seed))), robot);
 }
 
 void first_paths(const Settings& settings) {
@@ -83,11 +87,21 @@ void first_paths(const Settings& settings) {
   std::vector<Row> rows{
       {"taut-visibility", [](const Task& task, std::uint64_t, double) { return our_exact(task); }},
       {"taut-prm",
-       [](const Task& t, std::uint64_t s, double limit) { return our_prm(t, s, limit, Rule::visible, false); }},
+       [](const Task& t, std::uint64_t s, double limit) {
+         return our_prm(t, s, limit, {Rule::visible, 8}, false);
+       }},
       {"taut-prm-funnel",
-       [](const Task& t, std::uint64_t s, double limit) { return our_prm(t, s, limit, Rule::visible, true); }},
+       [](const Task& t, std::uint64_t s, double limit) {
+         return our_prm(t, s, limit, {Rule::visible, 8}, true);
+       }},
       {"taut-forest-funnel",
-       [](const Task& t, std::uint64_t s, double limit) { return our_prm(t, s, limit, Rule::forest, true); }},
+       [](const Task& t, std::uint64_t s, double limit) {
+         return our_prm(t, s, limit, {Rule::forest, 8}, true);
+       }},
+      {"taut-forest",
+       [](const Task& t, std::uint64_t s, double limit) {
+         return our_prm(t, s, limit, {Rule::forest, 8}, false);
+       }},
       ompl_row<og::PRM>("ompl-PRM"),
       ompl_row<og::LazyPRM>("ompl-LazyPRM", 25),  // in larger mazes it looks at no limit for minutes
       ompl_row<og::PRMstar>("ompl-PRMstar"),
@@ -98,22 +112,24 @@ void first_paths(const Settings& settings) {
   fmt::print("{:<20}{:>6}{:>9}{:>12}{:>10}{:>10}{:>10}\n", "planner", "side", "solved", "cpu ms", "length", "vertices",
              "edges");
   for (const int side : settings.sides) {
-    const Task task(maze(side));
+    std::vector<Task> tasks;
+    for (int seed = 1; seed <= settings.mazes; ++seed) tasks.emplace_back(maze(side, static_cast<std::uint64_t>(seed)));
     for (Row& row : rows) {
       if (!row.run || side > row.largest) continue;
       std::vector<Run> runs;
-      for (int seed = 1; seed <= settings.seeds; ++seed) {
-        runs.push_back(row.run(task, static_cast<std::uint64_t>(seed), settings.limit));
-        require_valid(runs.back(), task, row.name);
-      }
+      for (const Task& task : tasks)
+        for (int seed = 1; seed <= settings.seeds; ++seed) {
+          runs.push_back(row.run(task, static_cast<std::uint64_t>(seed), settings.limit));
+          judge(runs.back(), task, row.name);
+        }
       const auto solved = std::count_if(runs.begin(), runs.end(), [](const Run& run) { return run.found; });
       if (solved == 0) row.run = nullptr;
       const auto middle = [&](auto number) { return median(of_found(runs, number)); };
       fmt::print("{:<20}{:>6}{:>9}{:>12}{:>10}{:>10.0f}{:>10.0f}\n", row.name, side,
                  fmt::format("{}/{}", solved, runs.size()),
                  solved ? fmt::format("{:.2f}", 1e3 * middle([](const Run& run) { return run.seconds; })) : "-",
-                 solved ? ratio_text(runs, task.optimum.length) : "-",
-                 middle([](const Run& run) { return run.vertices; }), middle([](const Run& run) { return run.edges; }));
+                 solved ? ratio_text(runs) : "-", middle([](const Run& run) { return run.vertices; }),
+                 middle([](const Run& run) { return run.edges; }));
       std::fflush(stdout);
     }
   }
@@ -152,7 +168,7 @@ void audits(const Settings& settings) {
   for (const int side : settings.sides) {
     if (side != 25 && side != 61) continue;
     for (const auto& [robot, shape] : {std::pair("point", Footprint::point()), {"disc:0.1", Footprint::disc(0.1)}}) {
-      const Task task(maze(side, shape));
+      const Task task(maze(side, 1, shape));
       audit(settings, fmt::format("ompl-PRM, {}", robot), task, side,
             [&](const Task& t) { return ompl_run<og::PRM>(t, settings.limit, false); });
       audit(settings, fmt::format("ompl-RRTConnect, {}", robot), task, side,
@@ -180,6 +196,7 @@ Settings settings_of(int count, char** words) {
     };
     if (const auto filter = value_of("--benchmark_filter=")) settings.filter = std::regex(*filter);
     if (const auto sides = value_of("--sides=")) settings.sides = numbers_in(*sides);
+    if (const auto mazes = value_of("--mazes=")) settings.mazes = std::stoi(*mazes);
     if (const auto seeds = value_of("--seeds=")) settings.seeds = std::stoi(*seeds);
     if (const auto limit = value_of("--limit=")) settings.limit = std::stod(*limit);
     if (const auto count_of = value_of("--audits=")) settings.audits = std::stoi(*count_of);

@@ -54,6 +54,8 @@ struct Run {
   double seconds = 0;
   Path path{};
   double vertices = 0, edges = 0;
+  bool optimal = false;  ///< exactly
+  double ratio = 0;      ///< length over that of the shortest path
 };
 
 struct Row {
@@ -64,10 +66,10 @@ struct Row {
 
 // ---- taut -----------------------------------------------------------------------------------------------------------
 
-inline Run our_prm(const Task& task, std::uint64_t seed, double limit, PrmConnection::Rule rule, bool pull) {
+inline Run our_prm(const Task& task, std::uint64_t seed, double limit, PrmConnection connection, bool pull) {
   PrmPlan plan;
   plan.roadmap.seed = seed;
-  plan.roadmap.connection.rule = rule;
+  plan.roadmap.connection = connection;
   plan.seconds = limit;
   const double begin = cpu_seconds();
   PrmResult result = prm_path(task.space, task.from, task.to, plan);

@@ -18,7 +18,7 @@ namespace {
 constexpr WallReading kPoints = WallReading::points;
 constexpr int kSamples = 100;
 
-enum Planner : std::uint8_t { clairvoyant, optimist, pessimist, rollouts, exact };
+enum Planner : std::uint8_t { clairvoyant, optimist, pessimist, rollouts, uct, exact };
 
 /// Decides with one RolloutPolicy at every sight.
 class RolloutDriver : public Driver {
@@ -46,11 +46,13 @@ std::vector<std::size_t> all_samples(const RoadblockMap& map, Planner kind) {
   constexpr DriverKind kKinds[]{DriverKind::clairvoyant, DriverKind::optimist, DriverKind::pessimist};
   LatticePlanner planner(map.course, kPoints);
   std::unique_ptr<RolloutPolicy> policy;
-  if (kind == rollouts) policy = std::make_unique<RolloutPolicy>(planner, Aim::expected);
+  using Look = RolloutPolicy::Look;
+  if (kind == rollouts || kind == uct)
+    policy = std::make_unique<RolloutPolicy>(planner, Aim::expected, kind == uct ? Look::uct : Look::rollouts);
   std::vector<std::size_t> steps;
   for (const Sample& sample : map.samples) {
     std::unique_ptr<Driver> driver;
-    if (kind == rollouts)
+    if (policy)
       driver = std::make_unique<RolloutDriver>(*policy);
     else if (kind == exact)
       driver = make_driver(DriverKind::policy, planner);  // which is exact up to kExactRoadblocks
@@ -99,6 +101,7 @@ BENCHMARK_CAPTURE(planners, clairvoyant, clairvoyant)->Apply(all_maps);
 BENCHMARK_CAPTURE(planners, optimist, optimist)->Apply(all_maps);
 BENCHMARK_CAPTURE(planners, pessimist, pessimist)->Apply(all_maps);
 BENCHMARK_CAPTURE(planners, rollouts, rollouts)->Apply(all_maps);
+BENCHMARK_CAPTURE(planners, uct, uct)->Apply(all_maps);
 BENCHMARK_CAPTURE(planners, exact, exact)->Apply(few_roadblocks);
 
 }  // namespace

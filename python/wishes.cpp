@@ -62,6 +62,8 @@ BuildRequest request_of(const py::kwargs& given) {
       request.prm.samples = value.cast<std::size_t>();
     else if (name == "lazy")
       request.prm.lazy = value.cast<bool>();
+    else if (name == "exactly")
+      request.prm.exactly = value.cast<bool>();
     else
       throw py::type_error("there is no option '" + name + "'");
   }

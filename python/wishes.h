@@ -8,7 +8,7 @@
 namespace taut::python {
 
 /// `seed`, and of a PRM `sampler`, `connection` (`nearest:8`, `visible:8`, `forest:8`, `radius:1.5`, `prm-star`),
-/// `clearance`, `samples`, `lazy`. TypeError for any other, ValueError for what they cannot be.
+/// `clearance`, `samples`, `lazy`, `exactly`. TypeError for any other, ValueError for what they cannot be.
 BuildRequest request_of(const py::kwargs& given);
 
 /// ValueError for words that are none.
@@ -22,6 +22,6 @@ void require_radius(double r);
 inline constexpr const char* kWishes =
     "Of the random ones seed; of a PRM also sampler ('uniform', 'lattice', 'gaussian', 'bridge', 'medial-axis', "
     "'corners'), connection ('nearest:8', 'visible:8', 'forest:8', 'radius:1.5', 'prm-star'), clearance, samples, "
-    "lazy.";
+    "lazy, exactly.";
 
 }  // namespace taut::python

@@ -58,6 +58,7 @@ class PrmRun {
 
   PrmResult run() {
     result_.search.status = SearchStatus::stopped;
+    while (plan_.exactly && may_go_on() && grow()) continue;
     for (bool is_first = true; !solve(); is_first = false)
       if (goals_.empty() || (!is_first && !may_go_on()) || !grow()) break;
     finish();

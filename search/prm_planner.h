@@ -23,6 +23,7 @@ struct PrmPlan {
   PrmOptions roadmap{};
   /// Test an edge only when a candidate for the shortest path uses it.
   bool lazy = false;
+  bool exactly = false;    ///< all samples are drawn before it is asked whether the ends are joined
   double seconds = 1e300;  ///< looked at after each batch of samples; a batch adds at most a quarter to what there is
   GraphAlgorithm algorithm = GraphAlgorithm::astar;
   /// Called after each batch; false ends the search.

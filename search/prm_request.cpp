@@ -11,6 +11,7 @@ constexpr double kSecondsWhenNothingIsSaid = 60;
 PrmPlan plan_of(const PrmRequest& request, PrmSampler sampler, std::uint64_t seed, bool is_limited) {
   PrmPlan plan;
   plan.lazy = request.lazy.value_or(false);
+  plan.exactly = request.exactly;
   plan.roadmap.sampler = request.sampler.value_or(sampler);
   plan.roadmap.samples = request.samples;
   plan.roadmap.seed = seed;

@@ -15,6 +15,7 @@ struct PrmRequest {
   std::optional<double> clearance{};
   std::optional<std::size_t> samples{};
   std::optional<bool> lazy{};  ///< false: all edges at once, as without it
+  bool exactly = false;        ///< PrmPlan::exactly
 };
 
 /// The plan of the request, with the sampler and connection that the kind has when nothing else was asked for. Where

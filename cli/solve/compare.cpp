@@ -160,6 +160,9 @@ int run_many(const CompareOptions& options, Run& run, const std::vector<std::str
   return run.end(std::move(answer));
 }
 
+// What many runs come to: the rate of success and quartiles.
+std::string runs_table(const Json& result) { return "\n" + worlds_table(report_summary(report_rows(result), "name")); }
+
 int run(const CompareOptions& options, Run& run) {
   std::vector<std::string> files{options.world.file};
   files.insert(files.end(), options.more.begin(), options.more.end());
@@ -177,6 +180,7 @@ int run(const CompareOptions& options, Run& run) {
   if (answer.outcome == Outcome::unproven) complain(answer.reason);
   answer.result = comparison_json(comparison);
   answer.line = comparison_table(comparison);
+  if (options.runs > 1) answer.line += runs_table(answer.result);
   if (!options.svg.empty())
     answer.files = {
         {options.svg, comparison_svg(comparison, arena.space, title_of(arena.input.name), arena.input.moves)}};

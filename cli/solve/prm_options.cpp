@@ -76,6 +76,7 @@ std::string first_option(const PrmRequest& request) {
          : request.clearance  ? "--prm-clearance"
          : request.samples    ? "--samples"
          : request.lazy       ? (*request.lazy ? "--lazy" : "--eager")
+         : request.exactly    ? "--exactly"
                               : "";
 }
 
@@ -112,10 +113,13 @@ void add_prm_options(CommandLine& app, PrmRequest& request, bool with_query) {
          "--eager", [&request] { request.lazy = false; }, "Test all edges at once (default)")
       .group(kGroup)
       .excludes("--lazy");
+  app.add_flag("--exactly", request.exactly, "Draw all of --samples, though start and goal are joined earlier")
+      .group(kGroup);
 }
 
 void require_prm_options_fit(const PrmRequest& request, const RoadmapKind& kind) {
   if (first_option(request).empty()) return;
+  if (request.exactly && !request.samples) throw UsageError("--exactly needs --samples: how many?");
   if (!kind.is_prm)
     throw UsageError(fmt::format("{} makes no sense with the roadmap {}: it is for prm and prm-lattice",
                                  first_option(request), kind.name));

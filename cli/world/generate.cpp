@@ -35,6 +35,7 @@ struct GenerateOptions {
   Kind kind = Kind::biased;
   int roadblocks = 4;
   int samples = 10;
+  int lane = roadblocks::kLeastLane;
   double loops = 0;
   Format format = Format::segments;
   std::string file = "-";
@@ -73,8 +74,8 @@ void check(const CommandLine& app, const GenerateOptions& options) {
   const bool roadblocks = options.kind == Kind::roadblocks;
   if (roadblocks && app.count("--as") + app.count("--loops") > 0)
     throw UsageError("--kind roadblocks writes maps of a format of their own: not with --as or --loops");
-  if (!roadblocks && app.count("--roadblocks") + app.count("--samples") > 0)
-    throw UsageError("--roadblocks and --samples need --kind roadblocks");
+  if (!roadblocks && app.count("--roadblocks") + app.count("--samples") + app.count("--lane") > 0)
+    throw UsageError("--roadblocks, --samples and --lane need --kind roadblocks");
   if (options.kind == Kind::biased && options.format == Format::cell_values)
     throw UsageError("--as cells knows no openings in the border: take --kind backtracker");
 }
@@ -95,6 +96,11 @@ void add_options(CommandLine& app, GenerateOptions& options) {
                  "With --kind roadblocks: how many, fewer only where all lanes are full (default: 4)")
       .group("Maze");
   app.add_option("--samples", options.samples, "With --kind roadblocks: how many (default: 10)").group("Maze");
+  app.add_option(
+         "--lane", options.lane,
+         "With --kind roadblocks: cells across the narrowest lanes, 2 (default) to 6; where walls are squares the "
+         "car needs 3")
+      .group("Maze");
   add("--loops", options.loops, loops_of, "SHARE", "Take down this share of the inner walls, 0 to 1 (default: 0)");
   add("--as", options.format, format_of, "NAME",
       "segments (default), drawing, cells, maz, num, wkt, geojson; in cells, maz and num the goal is the room in the "
@@ -125,7 +131,8 @@ std::string recipe(const GenerateOptions& options) {
       fmt::format("taut generate --size {}x{} --kind {} --seed {}", options.size.width, options.size.height,
                   kKinds[static_cast<std::size_t>(options.kind)], options.common.seed);
   if (options.kind == Kind::roadblocks)
-    return text + fmt::format(" --roadblocks {} --samples {}", options.roadblocks, options.samples);
+    return text + fmt::format(" --roadblocks {} --samples {}{}", options.roadblocks, options.samples,
+                              options.lane == roadblocks::kLeastLane ? "" : fmt::format(" --lane {}", options.lane));
   if (options.loops > 0) text += " --loops " + number_text(options.loops);
   return text;
 }
@@ -133,9 +140,9 @@ std::string recipe(const GenerateOptions& options) {
 std::string bytes_of(const GenerateOptions& options) {
   if (options.kind == Kind::roadblocks) {
     const auto [width, height] = options.size;
-    return roadblock_map_text(
-        roadblocks::generate_roadblock_map({width, height, options.roadblocks, options.samples, options.common.seed}),
-        recipe(options));
+    return roadblock_map_text(roadblocks::generate_roadblock_map({width, height, options.roadblocks, options.samples,
+                                                                  options.common.seed, options.lane}),
+                              recipe(options));
   }
   auto maze = std::make_shared<const GridMaze>(maze_of(options));
   const World world = world_of(std::move(maze));

@@ -913,12 +913,13 @@ def compare(
     clearance: float = ...,
     samples: int = ...,
     lazy: bool = ...,
+    exactly: bool = ...,
 ) -> list[dict[str, Any]]:
     """A table, for pandas.DataFrame: a dict for each run of each planner; random ones run with seeds seed, seed + 1,
     ... `ratio` is to the shortest in the plane, seconds are CPU, `unfit` says why a planner did not run at all. Of
     the random ones seed; of a PRM also sampler ('uniform', 'lattice', 'gaussian', 'bridge', 'medial-axis',
     'corners'), connection ('nearest:8', 'visible:8', 'forest:8', 'radius:1.5', 'prm-star'), clearance, samples,
-    lazy."""
+    lazy, exactly."""
 
 def disc_path(
     space: FreeSpace,
@@ -988,11 +989,12 @@ def plan(
     clearance: float = ...,
     samples: int = ...,
     lazy: bool = ...,
+    exactly: bool = ...,
 ) -> Path | None:
     """A Path by one of planners(); None when there is none, proven. Of the random ones seed; of a PRM also sampler
     ('uniform', 'lattice', 'gaussian', 'bridge', 'medial-axis', 'corners'), connection ('nearest:8', 'visible:8',
-    'forest:8', 'radius:1.5', 'prm-star'), clearance, samples, lazy. Raises InputError when an end is not free or
-    the world does not suit the planner, Unproven."""
+    'forest:8', 'radius:1.5', 'prm-star'), clearance, samples, lazy, exactly. Raises InputError when an end is
+    not free or the world does not suit the planner, Unproven."""
 
 def planners() -> dict[str, str]:
     """What planners there are: a line for each name."""
@@ -1059,11 +1061,12 @@ def roadmap(
     clearance: float = ...,
     samples: int = ...,
     lazy: bool = ...,
+    exactly: bool = ...,
 ) -> Roadmap:
     """A Roadmap of one of roadmap_kinds(). A 'prm' grows until it joins start and goal, the world's own unless others
     are given. Of the random ones seed; of a PRM also sampler ('uniform', 'lattice', 'gaussian', 'bridge', 'medial-
     axis', 'corners'), connection ('nearest:8', 'visible:8', 'forest:8', 'radius:1.5', 'prm-star'), clearance,
-    samples, lazy. Raises InputError where the world does not suit the kind."""
+    samples, lazy, exactly. Raises InputError where the world does not suit the kind."""
 
 def roadmap_kinds() -> dict[str, str]:
     """What roadmaps there are: a line for each name."""

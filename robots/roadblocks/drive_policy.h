@@ -16,6 +16,9 @@ namespace taut::roadblocks {
 ///     With its first choice that is not exact, after kSearches searches, it ends for good, and 3. begins.
 ///  3. Else one RolloutPolicy for all drives: what it decided and estimated serves every later drive; no budget starts
 ///     again.
+///     First it is judged: both it and the optimist are driven, with real plans, in kTrials random worlds of their own,
+///     and the optimist's choices are taken where they need fewer steps (Aim::worst: at most as many in the worst of
+///     them): estimates may mislead.
 ///  4. A course whose doors need more than kMostBytes of tables has RoadblockPolicy.
 class DrivePolicy {
  public:
@@ -29,13 +32,17 @@ class DrivePolicy {
 
   static constexpr std::size_t kExactRoadblocks = 8;
   static constexpr std::size_t kSearches = 100;
+  static constexpr std::size_t kTrials = 50;
   static constexpr std::size_t kMostBytes = 200'000'000;
 
  private:
+  void judge();
+
   LatticePlanner& planner_;
   Aim aim_;
   std::unique_ptr<RolloutPolicy> rollouts_;
   std::unique_ptr<RoadblockPolicy> exact_;
+  bool is_judged_ = false, hopes_ = false;
 };
 
 }  // namespace taut::roadblocks

@@ -17,9 +17,9 @@ namespace taut::roadblocks {
 namespace {
 
 constexpr std::size_t kMemory =
-    300'000'000;  // bytes for estimates that are kept: some 4 MB for a set of closed roadblocks on a map of 50 x 50
+    160'000'000;  // bytes for estimates that are kept: some 4 MB for a set of closed roadblocks on a map of 50 x 50
 constexpr std::size_t kLeastKnown = 8;
-constexpr std::size_t kMostCells = 2;  // likewise, 30 MB each
+constexpr std::size_t kMostCells = 2;  // likewise, 13 MB each
 constexpr double kNear = 3;            // more than half the car's diagonal, half a square's and a step
 
 /// From coarse to fine: the next one is asked only when there is no way in the former. The first is a short look at the

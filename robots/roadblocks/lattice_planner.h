@@ -65,7 +65,7 @@ class LatticePlanner {
   /// of the estimate knows no way.
   std::optional<double> estimate(const Pose& from, RoadblockSet closed);
 
-  /// Estimates for sets of closed roadblocks that are kept, 8 sets at least; 300 MB if never said.
+  /// Estimates for sets of closed roadblocks that are kept, 8 sets at least; 160 MB if never said.
   void keep_at_most(std::size_t bytes);
 
   const Course& course() const;

@@ -14,7 +14,6 @@ namespace taut::roadblocks {
 namespace {
 
 constexpr int kSlot = 15;                                       // cells of a slot, at least
-constexpr int kLeastRoom = 6;                                   // a side of a room
 constexpr std::array<int, 7> kLaneWidths{2, 2, 2, 3, 3, 4, 6};  // open cells: wall points are one more apart
 
 struct Room {
@@ -102,7 +101,8 @@ class Generator {
   }
 
   void lay_lane(const Room& a, const Room& b, bool along_x) {
-    const int width = kLaneWidths[draws_.below(static_cast<std::uint32_t>(kLaneWidths.size()))];
+    const int drawn = kLaneWidths[draws_.below(static_cast<std::uint32_t>(kLaneWidths.size()))];
+    const int width = std::max(recipe_.narrowest, drawn);
     Lane lane{{}, along_x};
     if (along_x) {
       const int lo = std::max(a.top, b.top), hi = std::min(a.bottom, b.bottom) - width + 1,
@@ -241,6 +241,7 @@ RoadblockMap generate_roadblock_map(const RoadblockMapRecipe& recipe) {
   require_range("a height of", recipe.height, kLeastMazeSide, kLargestSide);
   require_range("a number of roadblocks,", recipe.roadblocks, 0, Course::kMostRoadblocks);
   require_range("a number of samples,", recipe.samples, 0, 1'000'000);
+  require_range("lanes of", recipe.narrowest, kLeastLane, kLeastRoom);
   return Generator(recipe).run();
 }
 

@@ -1,7 +1,6 @@
 #include <taut/robots/roadblocks/rollout_policy.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <limits>
 #include <map>
@@ -11,50 +10,30 @@
 #include <vector>
 
 #include <taut/geometry/draws.h>
-#include <taut/robots/roadblocks/detail/door_graph.h>
+#include <taut/robots/roadblocks/detail/door_uct.h>
+#include <taut/robots/roadblocks/detail/door_values.h>
 
 namespace taut::roadblocks {
 
 namespace {
 
+using detail::Belief;
 using detail::DoorGraph;
 using detail::DoorSet;
+using detail::Option;
+using detail::World;
 using Choice = RoadblockPolicy::Choice;
 
-/// Prices of unknown doors: from the optimist's to the pessimist's.
-constexpr std::array<double, 5> kPrices{0, 50, 150, 500, std::numeric_limits<double>::infinity()};
-constexpr double kLost = 5000;          // steps, where the places know no way out
 constexpr double kDoubt = 0.97;         // of a value, which is an estimate
 constexpr std::size_t kMostDraws = 20;  // a world that is asked for
 constexpr std::uint64_t kSeed = 1;
-constexpr std::size_t kPlannersMemory = 100'000'000;  // plans go around few sets of doors
-
-struct Belief {
-  DoorSet open = 0, closed = 0;
-  bool is_known(DoorSet door) const { return ((open | closed) & door) != 0; }
-  Belief after(DoorSet door, DoorSet world) const {
-    return world & door ? Belief{open | door, closed} : Belief{open, closed | door};
-  }
-};
-
-struct World {
-  RoadblockSet blocks = 0;  ///< open
-  DoorSet doors = 0;        ///< open
-};
-
-/// What to make for: the sight of an unknown door, or the goal.
-struct Option {
-  int node = 0;
-  double value = std::numeric_limits<double>::infinity();
-  double price = 0;  ///< by which the drive goes on if the door is open
-  bool is_optimists = false;
-};
+constexpr std::size_t kPlannersMemory = 60'000'000;  // plans go around few sets of doors
 
 }  // namespace
 
 struct RolloutPolicy::Impl {
-  Impl(LatticePlanner& p, Aim a, std::size_t w, std::vector<Door> all_doors)
-      : planner(p), course(p.course()), aim(a), wanted(w), graph(course, p.reading(), std::move(all_doors)) {
+  Impl(LatticePlanner& p, Aim aim, Look l, DoorGraph g)
+      : planner(p), course(p.course()), look(l), graph(std::move(g)), values(graph, aim) {
     for (const Door& door : graph.doors()) at_doors |= door.blocks;
     planner.keep_at_most(kPlannersMemory);
   }
@@ -67,6 +46,12 @@ struct RolloutPolicy::Impl {
     choice.relevant = ObservedMap(course).all();
     if (choice.plan) adopt(*choice.plan, open, closed);
     return kept.emplace(key, choice).first->second;
+  }
+
+  Choice hope(const Pose& from, RoadblockSet open, RoadblockSet closed) {
+    const DrivePlan* plan = planned(from, closed);
+    if (plan) adopt(*plan, open, closed);
+    return {plan, plan ? static_cast<double>(plan->controls.size()) : 0, false, ObservedMap(course).all()};
   }
 
   /// The next decision is due at the plan's first sight; from there the rest of it is known.
@@ -142,6 +127,7 @@ struct RolloutPolicy::Impl {
   /// The optimist's, unless another is better by more than what the estimates may be wrong.
   Option best_option(const std::vector<double>& legs, const Belief& belief, DoorSet hoped,
                      const std::vector<World>& worlds) {
+    if (look == Look::uct) return detail::uct_option(graph, legs, belief, hoped, worlds);
     const DoorGraph::Ways hope = graph.ways(belief.open, belief.closed, 0);  // a copy: rollouts ask for many
     const std::vector<double> here = graph.from_here(legs, belief.open).first;
     Option best{graph.goal(), graph.first(legs, sure(belief), ~belief.open).second};
@@ -150,7 +136,7 @@ struct RolloutPolicy::Impl {
       const double leg = here[static_cast<std::size_t>(sight)];
       if (belief.is_known(graph.door_of(sight)) || leg + hope.steps[static_cast<std::size_t>(sight)] >= best.value)
         continue;
-      Option option = valued(sight, belief, worlds);
+      Option option = values.of(sight, belief, worlds);
       option.value += leg;
       option.is_optimists = graph.door_of(sight) == hoped;
       if (option.is_optimists && option.value < optimist.value) optimist = option;
@@ -171,56 +157,14 @@ struct RolloutPolicy::Impl {
     return blocks_of(found);
   }
 
-  const DoorGraph::Ways& sure(const Belief& belief) { return graph.ways(belief.open, belief.closed, kPrices.back()); }
-
-  /// Of the drives on from a sight.
-  Option valued(int sight, const Belief& belief, const std::vector<World>& worlds) {
-    const DoorSet door = graph.door_of(sight);
-    Option option{sight, 0, 0};
-    for (const DoorSet state : {door, DoorSet{0}}) {
-      const Belief then = belief.after(door, state);
-      std::pair<double, double> best{std::numeric_limits<double>::infinity(), 0};
-      for (const double price : kPrices)
-        best = std::min(best, std::pair{together(sight, then, price, worlds, door, state), price});
-      option.value = aim == Aim::expected ? option.value + best.first : std::max(option.value, best.first);
-      if (state != 0) option.price = best.second;
-    }
-    if (aim == Aim::expected) option.value /= static_cast<double>(std::max<std::size_t>(worlds.size(), 1));
-    return option;
-  }
-
-  /// The sum (maximum) of the drives in those worlds where the door's state is this.
-  double together(int sight, const Belief& then, double price, const std::vector<World>& worlds, DoorSet door,
-                  DoorSet state) {
-    double all = 0;
-    for (const World& world : worlds) {
-      if ((world.doors & door) != state) continue;
-      const double trap = state == 0 ? graph.trap(sight, world.blocks) : 0;
-      const double steps = trap + rollout(sight, then, price, world);
-      all = aim == Aim::expected ? all + steps : std::max(all, steps);
-    }
-    return all;
-  }
-
-  double rollout(int node, Belief belief, double price, const World& world) {
-    double steps = 0;
-    for (;;) {
-      const auto at = static_cast<std::size_t>(node);
-      const DoorGraph::Ways* ways = &graph.ways(belief.open, belief.closed, price);
-      if (ways->steps[at] >= DoorGraph::kFar) ways = &graph.ways(belief.open, belief.closed, 0);
-      if (ways->steps[at] >= DoorGraph::kFar) return steps + kLost;
-      steps += ways->to_stop[at];
-      node = ways->stop[at];
-      if (node == graph.goal()) return steps;
-      if (!(world.doors & graph.door_of(node))) steps += graph.trap(node, world.blocks);
-      belief = belief.after(graph.door_of(node), world.doors);
-    }
+  const DoorGraph::Ways& sure(const Belief& belief) {
+    return graph.ways(belief.open, belief.closed, std::numeric_limits<double>::infinity());
   }
 
   /// Random worlds that agree with what is known and have a way from here; the same draws for all decisions.
   std::vector<World> worlds_for(const std::vector<double>& legs, RoadblockSet open, RoadblockSet closed) {
     std::vector<World> worlds;
-    for (std::size_t k = 0; k < kMostDraws * wanted && worlds.size() < wanted; ++k) {
+    for (std::size_t k = 0; k < kMostDraws * kWorlds && worlds.size() < kWorlds; ++k) {
       const RoadblockSet blocks = (drawn(k) | open) & ~closed;
       const DoorSet doors = belief_of(blocks, 0).open;
       if (graph.first(legs, graph.ways(doors, graph.all() & ~doors, 0), ~doors).second < DoorGraph::kFar)
@@ -257,9 +201,9 @@ struct RolloutPolicy::Impl {
 
   LatticePlanner& planner;
   const Course& course;
-  Aim aim;
-  std::size_t wanted;
+  Look look;
   DoorGraph graph;
+  detail::DoorValues values;
   RoadblockSet at_doors = 0;
   RoadblockSet shut_by_choice = 0;  ///< of the last plan
   Draws random{kSeed};
@@ -267,8 +211,17 @@ struct RolloutPolicy::Impl {
   std::map<std::tuple<double, double, double, RoadblockSet, RoadblockSet>, Choice> kept;
 };
 
-RolloutPolicy::RolloutPolicy(LatticePlanner& planner, Aim aim, std::size_t worlds)
-    : RolloutPolicy(std::make_unique<Impl>(planner, aim, worlds, doors(planner.course(), planner.reading()))) {}
+namespace {
+
+std::optional<DoorGraph> graph_within(std::size_t bytes, const LatticePlanner& planner) {
+  return DoorGraph::within(bytes, planner.course(), planner.reading(), doors(planner.course(), planner.reading()));
+}
+
+}  // namespace
+
+RolloutPolicy::RolloutPolicy(LatticePlanner& planner, Aim aim, Look look)
+    : RolloutPolicy(std::make_unique<Impl>(planner, aim, look,
+                                           *graph_within(std::numeric_limits<std::size_t>::max(), planner))) {}
 
 RolloutPolicy::RolloutPolicy(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
@@ -278,13 +231,25 @@ Choice RolloutPolicy::choose(const Pose& from, RoadblockSet open, RoadblockSet c
   return impl_->choose(from, open, closed);
 }
 
+Choice RolloutPolicy::hope(const Pose& from, RoadblockSet open, RoadblockSet closed) {
+  return impl_->hope(from, open, closed);
+}
+
+std::vector<RoadblockSet> RolloutPolicy::worlds(std::size_t count) {
+  const Pose start{impl_->course.start.x, impl_->course.start.y, 0};
+  std::vector<RoadblockSet> open;
+  for (const World& world : impl_->worlds_for(impl_->graph.legs_from(start, 0), 0, 0))
+    if (open.size() < count) open.push_back(world.blocks);
+  return open;
+}
+
 RoadblockSet RolloutPolicy::relevant() { return impl_->relevant(); }
 
 std::unique_ptr<RolloutPolicy> RolloutPolicy::within(LatticePlanner& planner, Aim aim, std::size_t bytes) {
-  std::vector<Door> all = doors(planner.course(), planner.reading());
-  if (DoorGraph::bytes(planner.course(), all) > bytes) return nullptr;
+  std::optional<DoorGraph> graph = graph_within(bytes, planner);
+  if (!graph) return nullptr;
   return std::unique_ptr<RolloutPolicy>(
-      new RolloutPolicy(std::make_unique<Impl>(planner, aim, kWorlds, std::move(all))));
+      new RolloutPolicy(std::make_unique<Impl>(planner, aim, Look::rollouts, *std::move(graph))));
 }
 
 std::size_t RolloutPolicy::decisions() const { return impl_->kept.size(); }

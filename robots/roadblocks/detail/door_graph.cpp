@@ -20,29 +20,46 @@ Pose turned(Pose pose) {
   return pose;
 }
 
-PoseDistance table(const Obstacles& obstacles, Point goal) {
-  PoseDistance distance(obstacles, DiscDistance(obstacles, goal), goal);
-  distance.keep_steps_only();
-  return distance;
+StepTable table(const Obstacles& obstacles, Point goal) {
+  return PoseDistance(obstacles, DiscDistance(obstacles, goal), goal).table();
 }
 
 }  // namespace
 
-DoorGraph::DoorGraph(const Course& course, WallReading reading, std::vector<Door> doors) : doors_(std::move(doors)) {
-  std::erase_if(doors_, [](const Door& door) { return door.sides.size() < 2; });
+std::optional<DoorGraph> DoorGraph::within(std::size_t bytes, const Course& course, WallReading reading,
+                                           std::vector<Door> doors) {
+  std::optional<DoorGraph> graph{DoorGraph()};
+  graph->doors_ = std::move(doors);
+  std::erase_if(graph->doors_, [](const Door& door) { return door.sides.size() < 2; });
+  if (!graph->make_tables(bytes, course, reading)) return std::nullopt;
+  graph->choose_poses();
+  graph->order_blocks(course);
+  graph->make_legs();
+  return graph;
+}
+
+/// False as soon as they are too many.
+bool DoorGraph::make_tables(std::size_t bytes, const Course& course, WallReading reading) {
   const RoadblockSet all_blocks = ObservedMap(course).all();
+  std::size_t used = 0;
+  const auto add = [&](RoadblockSet closed, Point to) {
+    tables_.push_back(table(Obstacles(course, closed, reading), to));
+    used += tables_.back().bytes();
+  };
   first_side_.push_back(0);
   for (std::size_t d = 0; d < doors_.size(); ++d) {
-    const Obstacles obstacles(course, all_blocks & ~doors_[d].blocks, reading);
     for (const DoorSide& side : doors_[d].sides) {
-      tables_.push_back(table(obstacles, side.look));
+      add(all_blocks & ~doors_[d].blocks, side.look);
       door_of_.push_back(d);
+      if (used > bytes) return false;
     }
     first_side_.push_back(door_of_.size());
   }
-  tables_.push_back(table(Obstacles(course, all_blocks, reading), course.goal));
-  choose_poses();
-  order_blocks(course);
+  add(all_blocks, course.goal);
+  return used <= bytes;
+}
+
+void DoorGraph::make_legs() {
   const auto nodes = static_cast<std::size_t>(goal());
   legs_.assign(nodes, std::vector<double>(nodes + 1, kFar));
   for (std::size_t k = 0; k < door_of_.size(); ++k)
@@ -55,13 +72,6 @@ DoorGraph::DoorGraph(const Course& course, WallReading reading, std::vector<Door
       legs_[door_of_.size() + k][v] = from_beyond[v];
     }
   }
-}
-
-std::size_t DoorGraph::bytes(const Course& course, const std::vector<Door>& doors) {
-  std::size_t tables = 1;
-  for (const Door& door : doors)
-    if (door.sides.size() > 1) tables += door.sides.size();
-  return tables * course.walls.size() * kRaster * kRaster * PoseDistance::kTableHeadings * sizeof(std::uint16_t);
 }
 
 void DoorGraph::choose_poses() {

@@ -23,14 +23,14 @@ using DoorSet = std::uint32_t;
 ///     that leads through the door itself is none.
 ///  2. Of the poses where a side is come to, the sight is the one from where the door is passed soonest, the beyond the
 ///     one from where one is soonest at another door or the goal, both where the car can go on or turn back at all.
-///  3. Made once for a course: a table of poses for each side and one for the goal, 2.5 MB each on 50 x 50.
+///  3. Made once for a course: a table of poses for each side and one for the goal, each of the rooms between doors.
 class DoorGraph {
  public:
-  /// Doors with less than two sides are left out.
-  DoorGraph(const Course& course, WallReading reading, std::vector<Door> doors);
+  /// Doors with less than two sides are left out. Nothing when its tables would need more bytes.
+  static std::optional<DoorGraph> within(std::size_t bytes, const Course& course, WallReading reading,
+                                         std::vector<Door> doors);
 
   static constexpr double kFar = PoseDistance::kFar;
-  static std::size_t bytes(const Course& course, const std::vector<Door>& doors);  ///< about, of its tables
 
   const std::vector<Door>& doors() const { return doors_; }
   DoorSet all() const { return (DoorSet{1} << doors_.size()) - 1; }
@@ -46,6 +46,10 @@ class DoorGraph {
   /// Steps from a pose to each node; kFar where no leg leads. A beyond is reached from where the car stands at its open
   /// door.
   std::vector<double> legs_from(const Pose& pose, DoorSet open) const;
+
+  const std::vector<double>& legs_of(int node) const {
+    return legs_[static_cast<std::size_t>(node)];
+  }  ///< not the goal
 
   /// Corrects legs from a pose at a door that is known in part: the car stands at its nearest side, and may back out.
   void stand_at(int door, const Pose& pose, std::vector<double>& legs) const;
@@ -72,6 +76,9 @@ class DoorGraph {
   std::pair<std::vector<double>, std::vector<int>> from_here(std::vector<double> legs, DoorSet open) const;
 
  private:
+  DoorGraph() = default;
+  bool make_tables(std::size_t bytes, const Course& course, WallReading reading);
+  void make_legs();
   void choose_poses();
   void order_blocks(const Course& course);
   /// Of a side's arrivals, with any heading: where the cost is least, and less than kFar.
@@ -86,7 +93,7 @@ class DoorGraph {
   std::vector<Door> doors_;
   std::vector<std::size_t> door_of_;     ///< by side
   std::vector<std::size_t> first_side_;  ///< by door, and one more
-  std::vector<PoseDistance> tables_;     ///< by side, and the goal's
+  std::vector<StepTable> tables_;        ///< by side, and the goal's
   std::vector<Pose> sights_, beyonds_;
   std::vector<std::vector<std::pair<double, RoadblockSet>>> blocks_;  ///< by side: the door's, by their traps
   std::vector<std::vector<double>> legs_;                             ///< between nodes

@@ -132,6 +132,8 @@ PoseCells::PoseCells(const Obstacles& obstacles, Point goal)
   close_gates(obstacles);
   find_quarters(obstacles);
   spread(goal);
+  open_ = {};  // half of the memory
+  quarters_ = {};
 }
 
 int PoseCells::index(double v) const { return static_cast<int>(std::floor((v - 0.5 + kBeyond) * kCells)); }

@@ -65,7 +65,7 @@ class PoseCells {
   }
 
   int columns_, rows_;
-  std::vector<Bits> open_;     ///< not closed, and not reached so far
+  std::vector<Bits> open_;     ///< not closed, and not reached so far; only while it is made
   std::vector<Bits> reached_;  ///< the goal, from there
   /// bit 0: heading 0 or a half turn can be passed within a step from there, bit 1: a quarter turn
   std::vector<std::uint8_t> quarters_;

@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace taut::roadblocks::detail {
 
 namespace {
 
-constexpr int kParts = 4;  // of a step, in costs
+constexpr int kParts = StepTable::kParts;
 constexpr int kHeadings = PoseDistance::kTableHeadings;
 constexpr double kUnit = 2 * std::numbers::pi / kHeadings;
-constexpr double kArc = kUnit / kTurn;                                      // steps of an arc to the next heading
-constexpr std::int32_t kNever = std::numeric_limits<std::uint16_t>::max();  // and what costs more, 16 thousand steps
+constexpr double kArc = kUnit / kTurn;              // steps of an arc to the next heading
+constexpr std::int32_t kNever = StepTable::kNever;  // and what costs more, 16 thousand steps
 
 constexpr double kMostLost = 0.1;    // of all states: beyond that a repair takes longer than a new search
 constexpr int kTouch = 3 * kRaster;  // raster cells from a closed cell to where the car may touch it, and more
@@ -257,23 +256,11 @@ void PoseDistance::shut(const Obstacles& before, const Obstacles& obstacles, con
     for (std::size_t s = cell * kHeadings; near[cell] && s < (cell + 1) * kHeadings; ++s) lose(static_cast<State>(s));
 }
 
-void PoseDistance::keep_steps_only() {
-  entries_ = {};
-  free_ = {};
-}
-
 double PoseDistance::steps_from(const Pose& pose) const {
   const int i = raster(pose.x), j = raster(pose.y);
   if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return kFar;
-  const double turns = pose.heading / kUnit, whole = std::floor(turns), part = turns - whole;
-  const int h = ((static_cast<int>(whole) % kHeadings) + kHeadings) % kHeadings;
   const std::size_t cell = static_cast<std::size_t>(j * columns_ + i) * kHeadings;
-  const std::int32_t a = cost_[cell + static_cast<std::size_t>(h)],
-                     b = cost_[cell + static_cast<std::size_t>(wrapped(h + 1))];
-  if (a == kNever && b == kNever) return kFar;
-  if (a == kNever) return static_cast<double>(b) / kParts;
-  if (b == kNever) return static_cast<double>(a) / kParts;
-  return (a + part * (b - a)) / kParts;
+  return steps_between(pose.heading, [&](int h) { return cost_[cell + static_cast<std::size_t>(h)]; });
 }
 
 }  // namespace taut::roadblocks::detail

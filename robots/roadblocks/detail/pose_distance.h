@@ -7,6 +7,7 @@
 
 #include <taut/robots/roadblocks/detail/cost_queue.h>
 #include <taut/robots/roadblocks/detail/disc_distance.h>
+#include <taut/robots/roadblocks/detail/step_table.h>
 
 namespace taut::roadblocks::detail {
 
@@ -27,13 +28,13 @@ class PoseDistance {
   /// Steps, between the nearest headings; kFar where the lattice knows no way (the car may).
   double steps_from(const Pose& pose) const;
 
-  /// Gives the rest of the memory back: from now on steps_from only.
-  void keep_steps_only();
+  /// The same values, and nothing to repair them with.
+  StepTable table() const { return {cost_, columns_}; }
 
   std::size_t bytes() const { return entries_.size() * (sizeof(entries_[0]) + sizeof(cost_[0])); }  ///< about
 
-  static constexpr double kFar = 1e9;
-  static constexpr int kTableHeadings = 32;
+  static constexpr double kFar = StepTable::kFar;
+  static constexpr int kTableHeadings = StepTable::kHeadings;
   static constexpr double kTableSlack = 0.15;
 
  private:

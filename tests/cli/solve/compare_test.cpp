@@ -62,6 +62,14 @@ TEST_F(Compare, RunsRandomisedPlannersWithSeveralSeeds) {
   EXPECT_EQ(all["planners"][0]["verified"], true);
 }
 
+TEST_F(Compare, OfSeveralRunsHasQuartilesBelow) {
+  const std::string query = "compare --planners polyanya,prm " + data_file("maze_25x25.txt");
+  const std::string several = run_taut(query + " --runs 3").out;
+  EXPECT_THAT(several, ContainsRegex("solved +ratio +lower +median +upper +most"));
+  EXPECT_THAT(several, ContainsRegex("polyanya +1 +1 +1 +1 +1 +1 "));
+  EXPECT_EQ(run_taut(query).out.find("lower"), std::string::npos) << "of one run there are none";
+}
+
 TEST_F(RoadmapKinds, SolveWithAFixedNumberOfSamplesToo) {
   const Outcome lattice = run_taut("solve --roadmap prm-lattice " + data_file("maze_45x45.txt"));
   EXPECT_EQ(lattice.code, 0) << lattice.err;

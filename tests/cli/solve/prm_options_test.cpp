@@ -77,6 +77,17 @@ TEST_F(PrmProgram, StopsUnprovenWhenTheSamplesAreUsedUp) {
   EXPECT_LT(answer["prm"]["start_part"], 200);
 }
 
+TEST_F(PrmProgram, DrawsExactlyAsManySamplesAsAreAskedFor) {
+  const std::string query = "solve --roadmap prm --samples 3000 --json - " + data_file("maze_5x7.txt");
+  const auto prm = [&](const std::string& option) {
+    return json::parse(run_taut(query + option).out)["result"]["prm"];
+  };
+  const json grown = prm(""), whole = prm(" --exactly");
+  EXPECT_EQ(whole["samples"], 3000);
+  EXPECT_LT(grown["samples"], 3000) << "the ends were joined before";
+  EXPECT_EQ(run_taut("solve --roadmap prm --exactly " + data_file("maze_5x7.txt")).code, 2);
+}
+
 TEST_F(PrmProgram, ProvesThatThereIsNoPathWhereWallsSeparate) {
   const Outcome run = run_taut("solve --roadmap prm --json - -",
                                "0 0 3 0\n3 0 3 2\n3 2 0 2\n0 2 0 0\n1 0 1 2\nstart 0.5 0.5\ngoal 2.5 0.5\n");

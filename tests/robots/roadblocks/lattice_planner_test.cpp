@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include <taut/robots/roadblocks/detail/pose_distance.h>
 #include <taut/robots/roadblocks/detail/replay.h>
@@ -35,6 +37,28 @@ TEST(PoseDistance, RepairedAfterARoadblockClosesEqualsOneMadeAnew) {
       EXPECT_GT(finite, 100);
     }
   }
+}
+
+TEST(StepTable, SaysWhatItsPoseDistanceSaysInAFractionOfTheMemory) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const RoadblockMap map = generate_roadblock_map({31, 31, 3, 0, seed});
+    const detail::Obstacles closed(map.course, 7, WallReading::points);
+    const Point goal = map.course.goal;
+    const detail::PoseDistance distance(closed, detail::DiscDistance(closed, goal), goal);
+    const detail::StepTable table = distance.table();
+    EXPECT_LT(3 * table.bytes(), distance.bytes());
+    int finite = 0;
+    for (double x = -1; x < 34; x += 0.21)
+      for (double y = -1; y < 34; y += 0.17) {
+        const Pose pose{x, y, 3 * x * y - 20};
+        ASSERT_EQ(table.steps_from(pose), distance.steps_from(pose)) << seed << ": " << x << " " << y;
+        finite += table.steps_from(pose) < detail::StepTable::kFar;
+      }
+    EXPECT_GT(finite, 100);
+  }
+  const detail::StepTable none(std::vector<std::uint16_t>(4 * detail::StepTable::kHeadings, detail::StepTable::kNever),
+                               2);
+  EXPECT_EQ(none.steps_from({1, 1, 0}), detail::StepTable::kFar);
 }
 
 TEST(PoseDistance, IsWithinATenthOfWhatPlansNeed) {

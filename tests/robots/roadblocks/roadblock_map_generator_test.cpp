@@ -76,6 +76,20 @@ TEST(RoadMapGenerator, MakesAsManyRoadblocksAsAskedForThoughThereAreFewerLanes) 
     }
 }
 
+TEST(RoadMapGenerator, LaysNoLaneNarrowerThanAskedFor) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    RoadblockMapRecipe recipe{50, 50, 16, 1, seed};
+    EXPECT_EQ(generate_roadblock_map(recipe).course.walls,
+              generate_roadblock_map({50, 50, 16, 1, seed, 2}).course.walls);
+    recipe.narrowest = 3;
+    const Course course = generate_roadblock_map(recipe).course;
+    LatticePlanner planner(course, WallReading::squares);
+    EXPECT_TRUE(planner.estimate({course.start.x, course.start.y, 0}, 0)) << seed << ": squares leave the car a way";
+  }
+  EXPECT_THROW(generate_roadblock_map({50, 50, 16, 1, 1, 1}), InputError);
+  EXPECT_THROW(generate_roadblock_map({50, 50, 16, 1, 1, 7}), InputError);
+}
+
 TEST(RoadMapGenerator, LeavesRoomAtTheStartAndHasBothKindsOfSamples) {
   int reached = 0, none = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {

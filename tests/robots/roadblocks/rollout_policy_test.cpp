@@ -1,6 +1,7 @@
 // Decisions among many roadblocks, by simulated drives.
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -76,14 +77,17 @@ Course two_lanes(const std::string& p) {
 }
 
 TEST(RolloutPolicy, TriesADoorThatIsLikelyToBeOpenAndGoesAroundWhenNot) {
-  const auto crossed = [](const std::string& p, Aim aim) {
+  using Look = RolloutPolicy::Look;
+  const auto crossed = [](const std::string& p, Aim aim, Look look = Look::rollouts) {
     const Course course = two_lanes(p);
     LatticePlanner planner(course, kPoints);
-    const auto choice = RolloutPolicy(planner, aim).choose(start_of(course), 0, 0);
+    const auto choice = RolloutPolicy(planner, aim, look).choose(start_of(course), 0, 0);
     return crosses(start_of(course), *choice.plan, course.roadblocks[0], kPoints);
   };
   EXPECT_TRUE(crossed("0.99", Aim::expected));
   EXPECT_FALSE(crossed("0.4", Aim::expected)) << "three in series are open with 0.064";
+  EXPECT_TRUE(crossed("0.99", Aim::expected, Look::uct));
+  EXPECT_FALSE(crossed("0.4", Aim::expected, Look::uct));
   EXPECT_FALSE(crossed("0.99", Aim::worst)) << "a world with the door closed is among those drawn";
 }
 
@@ -98,6 +102,21 @@ TEST(RolloutPolicy, GivesTheSameAnswersToTheSameQuestions) {
   const auto elsewhere = RolloutPolicy(other, Aim::expected).choose(start_of(course), 0, 0);
   EXPECT_EQ(elsewhere.value, choice.value);
   EXPECT_EQ(elsewhere.plan->controls, choice.plan->controls);
+}
+
+// There a drive by estimates alone needs a tenth more steps than the optimist.
+TEST(DrivePolicy, HopesWhereRealDrivesSayThatEstimatesMislead) {
+  const Course course = generate_roadblock_map({50, 50, 12, 0, 7004, 3}).course;
+  LatticePlanner planner(course, WallReading::squares);
+  RolloutPolicy estimates(planner, Aim::expected);
+  DrivePolicy policy(planner, Aim::expected);
+  std::size_t steps = 0, hoped = 0;
+  for (const RoadblockSet open : estimates.worlds(8)) {
+    steps += drive(course, open, *make_driver(policy, planner), WallReading::squares).controls.size();
+    hoped += drive(course, open, *make_driver(DriverKind::optimist, planner), WallReading::squares).controls.size();
+  }
+  EXPECT_GT(hoped, 8 * 300U);
+  EXPECT_LE(steps, hoped + 8);
 }
 
 TEST(DrivePolicy, IsExactAmongFewRoadblocksAndSaysWhenItIsNot) {
