@@ -24,11 +24,11 @@ namespace {
 // ---- certificates ---------------------------------------------------------------------------------------------------
 
 std::string shortest(const FreeSpace& space, Point from, const Goal& to) {
-  if (!to.point) throw InputError("", 0, "a certificate is for a goal that is a point, not for a room");
+  if (!is_certifiable(to)) throw InputError("", 0, "a certificate is for a goal that is a point or a rectangle");
   const FreeSpace plain = is_plain(space.world(), space.footprint()) ? space : FreeSpace(plain_world(space));
-  const auto path = shortest_path(space, from, *to.point);
+  const auto path = shortest_path(space, from, to);
   const VisibilityGraph graph(plain);
-  const auto certificate = path ? shortest_certificate(graph, *path) : none_certificate(graph, from, *to.point);
+  const auto certificate = path ? shortest_certificate(graph, *path, to) : none_certificate(graph, from, to);
   if (!certificate) throw Unproven("no certificate: crossings of walls were rounded where paths bend");
   return certificate_text(*certificate, write_plain_integers(plain.world()));
 }

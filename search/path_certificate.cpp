@@ -6,7 +6,7 @@
 #include <utility>
 
 #include <taut/geometry/expects.h>
-#include <taut/search/shortest_path.h>
+#include <taut/search/detail/certificate_net.h>
 
 namespace taut {
 
@@ -16,6 +16,8 @@ __extension__ using Wide = __int128;
 using Int = std::int64_t;
 using Place = PathCertificate::Place;
 using Vertex = Roadmap::Vertex;
+using detail::CertificateNet;
+using detail::CertificatePlaces;
 
 constexpr Int kFar = INT64_MAX;
 constexpr int kMostBits = 40;
@@ -35,65 +37,24 @@ Int rounded_down(Place p, Place q, int bits) {
 }
 
 /// So many that lengths up to twice the path's, and distances in the box, stay below 2^60.
-int fraction_bits(const Box& box, const LatticeIntegers& integers, double length) {
+int fraction_bits(const Box& box, const CertificatePlaces& places, double length) {
   const double size = std::max(box.max.x - box.min.x, box.max.y - box.min.y);
-  const double largest =
-      std::max(2 * length, 4 * size) * static_cast<double>(integers.scale()) / integers.lattice().unit();
+  const double largest = std::max(2 * length, 4 * size) / places.unit();
   return std::clamp(60 - std::ilogb(largest) - 1, 0, kMostBits);
 }
-
-/// The reduced graph with both ends, its vertices as places: v, then start and goal.
-class Net {
- public:
-  Net(const VisibilityGraph& graph, const LatticeIntegers& integers, Point from, Point to)
-      : graph_(graph.roadmap()), query_(visibility_query(graph, from, Goal{to, {}})) {
-    sees_goal_.assign(goal() + 1, false);
-    if (!query_.goals.empty())
-      for (const Vertex v : query_.goals.front().vertices) sees_goal_[v] = true;
-    sees_goal_[start()] = !query_.direct.empty();
-    places_.reserve(goal() + 1);
-    for (const Point p : graph_.points()) add(integers.place(p));
-    add(integers.place(from));
-    add(integers.place(to));
-  }
-
-  bool is_exact() const { return is_exact_; }
-  Vertex start() const { return static_cast<Vertex>(graph_.vertex_count()); }
-  Vertex goal() const { return start() + 1; }
-  Place place(Vertex v) const { return places_[v]; }
-  std::size_t size() const { return places_.size(); }
-
-  template <class Visit>
-  void each_leg(Vertex v, Visit&& visit) const {
-    if (v == goal()) return;
-    if (v == start())
-      for (const Vertex w : query_.start.vertices) visit(w);
-    else
-      for (const Vertex w : graph_.neighbours(v)) visit(w);
-    if (sees_goal_[v]) visit(goal());
-  }
-
- private:
-  void add(const std::optional<Place>& place) {
-    is_exact_ &= place.has_value();
-    places_.push_back(place.value_or(Place{}));
-  }
-
-  const Roadmap& graph_;
-  GraphQuery query_;
-  std::vector<bool> sees_goal_;
-  std::vector<Place> places_;
-  bool is_exact_ = true;
-};
 
 /// Distances from the start, of legs rounded down, as far as length and straight way to the goal together go.
 class Distances {
  public:
-  Distances(const Net& net, int bits) : net_(net), bits_(bits), distance_(net.size(), kFar) { search(); }
+  Distances(const CertificateNet& net, const std::array<Place, 2>& goal, int bits)
+      : net_(net), goal_(goal), bits_(bits), distance_(net.size(), kFar) {
+    search();
+  }
 
   Int horizon() const { return horizon_; }
   bool lists(Vertex v) const { return distance_[v] != kFar && estimate(v) <= horizon_ - kGap; }
   Int operator[](Vertex v) const { return distance_[v]; }
+  Int reach() const { return *std::min_element(distance_.begin() + net_.start() + 1, distance_.end()); }
 
  private:
   // The judge rounds a root up and one down: no place may be as near to the horizon.
@@ -102,7 +63,12 @@ class Distances {
   static constexpr Int kMargin = 1 << 20;
 
   Int estimate(Vertex v) const { return distance_[v] + straight(v); }
-  Int straight(Vertex v) const { return rounded_down(net_.place(v), net_.place(net_.goal()), bits_); }
+
+  Int straight(Vertex v) const {
+    const Place p = net_.place(v);
+    const auto [min, max] = goal_;
+    return rounded_down(p, {std::clamp(p[0], min[0], max[0]), std::clamp(p[1], min[1], max[1])}, bits_);
+  }
 
   void search() {
     using Entry = std::pair<Int, Vertex>;  // estimate
@@ -118,7 +84,7 @@ class Distances {
       if (bound != kFar && key > bound + kMargin && key > highest(seen, bound) + kMargin) break;
       if (key != estimate(v) || seen[v] == key) continue;
       seen[v] = key;
-      if (v == net_.goal()) bound = key;
+      if (net_.is_goal(v)) bound = std::min(bound, key);
       net_.each_leg(v, [&](Vertex w) {
         const Int through = distance_[v] + rounded_down(net_.place(v), net_.place(w), bits_);
         if (through >= distance_[w]) return;
@@ -143,7 +109,8 @@ class Distances {
     return top;
   }
 
-  const Net& net_;
+  const CertificateNet& net_;
+  std::array<Place, 2> goal_;
   int bits_;
   std::vector<Int> distance_;
   Int horizon_ = 0;
@@ -157,25 +124,29 @@ void keep_one_a_place(std::vector<std::array<Int, 3>>& rows) {
 
 constexpr int kFiner = 20;
 
+using Exactly = std::vector<std::optional<Place>>;
+
 /// By how many halvings of the unit the path's points are near enough to multiples of it: 0 where they are multiples.
-int halvings(const std::vector<Point>& points, const LatticeIntegers& integers, const Box& box) {
-  if (std::all_of(points.begin(), points.end(), [&](Point p) { return integers.place(p).has_value(); })) return 0;
+int halvings(const Exactly& exact, const CertificatePlaces& places, const Box& box) {
+  if (std::all_of(exact.begin(), exact.end(), [](const auto& place) { return place.has_value(); })) return 0;
   double largest = 1;
   for (const double v : {box.min.x, box.min.y, box.max.x, box.max.y}) largest = std::max(largest, std::abs(v));
   int finer = 0;
-  while (finer < kFiner && std::ldexp(largest * integers.per_one(), finer + 1) < LatticeIntegers::kLargest) ++finer;
+  while (finer < kFiner && std::ldexp(largest * places.per_one(), finer + 1) < LatticeIntegers::kLargest) ++finer;
   return finer;
 }
 
 /// The path by its ends and bends, in the unit halved so often; rounded where it has to be.
-std::vector<Place> bends_of(const std::vector<Point>& points, const LatticeIntegers& integers, int finer) {
+std::vector<Place> bends_of(const std::vector<Point>& points, const Exactly& exact, const CertificatePlaces& places,
+                            int finer) {
   const auto whole = [&](double v) {
-    return static_cast<Int>(std::llround(std::ldexp(static_cast<long double>(v) * integers.per_one(), finer)));
+    return static_cast<Int>(std::llround(std::ldexp(static_cast<long double>(v) * places.per_one(), finer)));
   };
   std::vector<Place> bends;
-  for (const Point p : points) {
-    const auto place = integers.place(p);
-    const Place q = place ? Place{(*place)[0] << finer, (*place)[1] << finer} : Place{whole(p.x), whole(p.y)};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto place = exact[i];
+    const Place q =
+        place ? Place{(*place)[0] << finer, (*place)[1] << finer} : Place{whole(points[i].x), whole(points[i].y)};
     if (!bends.empty() && bends.back() == q) continue;
     while (bends.size() > 1) {
       const Place a = bends[bends.size() - 2], b = bends.back();
@@ -189,45 +160,67 @@ std::vector<Place> bends_of(const std::vector<Point>& points, const LatticeInteg
   return bends;
 }
 
+/// Of the path's points; of a room the last may be a crossing with its border.
+Exactly exact_places(const std::vector<Point>& points, const CertificatePlaces& places, bool is_room) {
+  Exactly exact;
+  for (const Point p : points) exact.push_back(places.exactly(p));
+  if (is_room && !exact.back()) {
+    const Place end = places.nearest(points.back()), min = places.goal()[0], max = places.goal()[1];
+    const bool on_border = end[0] == min[0] || end[0] == max[0] || end[1] == min[1] || end[1] == max[1];
+    if (on_border) exact.back() = end;
+  }
+  return exact;
+}
+
+void shift(Place& place, int finer) {
+  for (Int& v : place) v <<= finer;
+}
+
 }  // namespace
 
-std::optional<PathCertificate> shortest_certificate(const VisibilityGraph& graph, const Path& path) {
+bool is_certifiable(const Goal& goal) { return detail::goal_box(goal).has_value(); }
+
+std::optional<PathCertificate> shortest_certificate(const VisibilityGraph& graph, const Path& path, const Goal& to) {
   TAUT_EXPECTS(!path.points.empty() && graph.kind() == VisibilityKind::reduced);
-  const std::array ends{path.points.front(), path.points.back()};
   const World& world = graph.space().world();
-  const LatticeIntegers integers(world, ends);
-  const Net net(graph, integers, ends[0], ends[1]);
-  if (!net.is_exact()) return std::nullopt;
-  const int bits = fraction_bits(world.box(), integers, path.length.value());
-  const int finer = std::min(bits, halvings(path.points, integers, world.box()));
-  PathCertificate certificate{.scale = integers.scale() << finer, .is_found = true};
-  certificate.path = bends_of(path.points, integers, finer);
+  const CertificatePlaces places(world, path.points.front(), detail::goal_box(to).value());
+  if (!places.fits()) return std::nullopt;
+  const CertificateNet net(graph, places, path.points.front(), to);
+  if (!net.is_exact() || net.start() + 1 == net.size()) return std::nullopt;
+  const int bits = fraction_bits(world.box(), places, path.length.value());
+  const Exactly exact = exact_places(path.points, places, !to.point);
+  const int finer = std::min(bits, halvings(exact, places, world.box()));
+  const Distances distances(net, places.goal(), bits);
+  PathCertificate certificate{.scale = places.scale() << finer, .is_found = true, .goal = places.goal()};
+  for (Place& corner : certificate.goal) shift(corner, finer);
+  certificate.path = bends_of(path.points, exact, places, finer);
   certificate.fraction_bits = bits - finer;
-  const Distances distances(net, bits);
   certificate.horizon = distances.horizon();
-  for (Vertex v = 0; v < net.size(); ++v) {
-    const Place p = net.place(v);
-    const bool at_end = v < net.start() && (p == net.place(net.start()) || p == net.place(net.goal()));
-    if (!at_end && distances.lists(v)) certificate.potentials.push_back({p[0] << finer, p[1] << finer, distances[v]});
+  certificate.reach = distances.reach();
+  for (Vertex v = 0; v <= net.start(); ++v) {
+    Place p = net.place(v);
+    if ((v < net.start() && p == net.place(net.start())) || !distances.lists(v)) continue;
+    shift(p, finer);
+    certificate.potentials.push_back({p[0], p[1], distances[v]});
   }
   keep_one_a_place(certificate.potentials);
   return certificate;
 }
 
-std::optional<PathCertificate> none_certificate(const VisibilityGraph& graph, Point from, Point to) {
+std::optional<PathCertificate> none_certificate(const VisibilityGraph& graph, Point from, const Goal& to) {
   TAUT_EXPECTS(graph.kind() == VisibilityKind::reduced);
-  const std::array ends{from, to};
-  const LatticeIntegers integers(graph.space().world(), ends);
-  const Net net(graph, integers, from, to);
+  const CertificatePlaces places(graph.space().world(), from, detail::goal_box(to).value());
+  if (!places.fits()) return std::nullopt;
+  const CertificateNet net(graph, places, from, to);
   if (!net.is_exact()) return std::nullopt;
-  PathCertificate certificate{.scale = integers.scale(), .path = {net.place(net.start()), net.place(net.goal())}};
+  PathCertificate certificate{.scale = places.scale(), .path = {net.place(net.start())}, .goal = places.goal()};
   std::vector<Vertex> open{net.start()};
   std::vector<bool> seen(net.size());
   seen[net.start()] = true;
   while (!open.empty()) {
     const Vertex v = open.back();
     open.pop_back();
-    certificate.potentials.push_back({net.place(v)[0], net.place(v)[1], 0});
+    if (!net.is_goal(v)) certificate.potentials.push_back({net.place(v)[0], net.place(v)[1], 0});
     net.each_leg(v, [&](Vertex w) {
       if (!seen[w]) open.push_back(w);
       seen[w] = true;

@@ -1,22 +1,17 @@
 #include <taut/verify/judge.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
+
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
-#include <span>
-#include <sstream>
 
 namespace taut::proof {
 
 namespace {
 
 constexpr Int kMost = Int{1} << 61;  // of potentials; what is unreached has INT64_MAX
-
-Int within(Int n, Int least, Int most) {
-  return least <= n && n <= most ? n : throw BadInput("a number of the certificate is out of range");
-}
 
 Wide root(Wide square) {  // rounded down
   Wide root = static_cast<Wide>(std::sqrt(static_cast<Real>(square)));
@@ -25,118 +20,76 @@ Wide root(Wide square) {  // rounded down
   return root;
 }
 
-struct Node : Corner {
-  Int low = 0, high = 0, is_listed = false;  // of its potential, in 2^-bits of the unit
-};
-
-struct Box {  // of nodes
-  Place min, max;
-  Int low, high;
-};
-
-class Potentials {
- public:
-  std::map<Place, Node> nodes;
-  const int bits;
-
-  Potentials(const World& world, Place start, Place goal, int fraction_bits) : bits(fraction_bits), world_(world) {
-    if (bits < 0 || bits > 59 || dot(world.high - world.low, world.high - world.low) >> (118 - 2 * bits) != 0)
-      throw BadInput("fraction_bits are out of range");
-    for (const Corner& c : world.corners) nodes[c.at] = {c};
-    for (const Place p : {start, goal}) nodes[p] = {Corner{p}};
+// The sides, 1 left and 2 right, around which a path from u gets no further into the room, at whose border v is: what
+// stands at v, and does not point into the room, is in the way. Along the border the path comes outside, for inside it
+// would have been in the room before.
+int barred(const World& world, const Box& room, Place u, Place v) {
+  const Place back = u - v, in = (room.min - v) - (v - room.max), near = least(most(u, room.min), room.max);
+  const auto is_between = [](Place p, Place d, Place q) {  // on the turn to the left from p to q
+    const bool from = cross(p, d) > 0, to = cross(d, q) > 0;
+    return cross(p, q) > 0 ? from && to : from || to;
+  };
+  const bool is_along = near != v && cross(near - v, back) == 0;
+  bool left = is_along && cross(back, in) < 0, right = is_along && cross(back, in) > 0;
+  for (const Edge& e : world.leaving(v)) {
+    const Place d = e.b - v;
+    const bool x = (v.x > room.min.x || d.x > 0) && (v.x < room.max.x || d.x < 0);
+    const bool y = (v.y > room.min.y || d.y > 0) && (v.y < room.max.y || d.y < 0);
+    left |= !(x && y) && is_between(in, d, back), right |= !(x && y) && is_between(back, d, in);
   }
+  return room.min.x == room.max.x || room.min.y == room.max.y ? 0 : left + 2 * right;
+}
 
-  Int distance(Place p, Place q) const { return static_cast<Int>(root(squared(q - p))); }
+// Where a shortest path can end: the room's corners, feet of perpendiculars from its last bend, and where edges meet
+// the border. Feet of all ends of edges, as those that lie on the border are their own.
+std::vector<Corner> ends(const World& world, const Box& room, Place start, Int number) {
+  std::vector<Corner> found;
+  const auto add = [&](Place p, Place q) {  // or what lies between them
+    if (room.holds(p) && room.holds(q))     // nothing leads away from there
+      found.push_back({p == q ? p : throw BadInput("an edge meets the room between units"), {}, {}, INT64_MAX, number});
+  };
+  std::vector<Edge> all = world.edges.items;
+  all.insert(all.end(), {{start, start}, {room.min, room.max}});
+  for (const Edge& e : all)
+    for (const bool is_turned : {false, true})
+      for (const Place corner : {room.min, room.max}) {
+        const auto turned = [&](Place p) { return is_turned ? Place{p.y, p.x} : p; };
+        const Place a = turned(e.a), b = turned(e.b), s = turned(corner);
+        const auto at = [&](Place p, Place q) {  // the line x = s.x, rounded towards p
+          return turned({s.x, p.y + static_cast<Int>(Wide{q.y - p.y} * (s.x - p.x) / (q.x - p.x))});
+        };
+        for (const Place p : {a, b}) add(turned({s.x, p.y}), turned({s.x, p.y}));
+        if (sign(s.x - a.x) * sign(b.x - s.x) > 0) add(at(a, b), at(b, a));
+      }
+  return found;
+}
 
-  // A leg from a listed node that a shortest path could have, while the potentials of its ends differ by more than it
-  // is long. Nodes are asked about by boxes of them, a kd-tree.
-  std::string refutation() {
-    for (const auto& [p, node] : nodes) order_.push_back(&node);
-    boxes_.resize(4 * order_.size());
-    build(0, order_);
-    for (const auto& [p, from] : nodes) {
-      blockers_.clear();
-      if (const Node* const to = from.is_listed ? open(from, 0, order_) : nullptr)
-        return "nothing stops the leg " + world_.text(p) + "-" + world_.text(to->at) + ", shorter than potentials say";
-    }
-    return {};
-  }
-
- private:
-  using Run = std::span<const Node*>;
-
-  Wide squared(Place d) const { return dot(d, d) << (2 * bits); }
-
-  void build(std::size_t at, Run run) {
-    Box& box = boxes_[at] = {run[0]->at, run[0]->at, run[0]->low, run[0]->high};
-    for (const Node* n : run)
-      box = {least(box.min, n->at), most(box.max, n->at), std::min(box.low, n->low), std::max(box.high, n->high)};
-    if (run.size() == 1) return;
-    const bool wide = box.max.x - box.min.x > box.max.y - box.min.y;
-    const auto key = [wide](const Node* n) { return wide ? n->at : Place{n->at.y, n->at.x}; };
-    const std::size_t half = run.size() / 2;
-    std::nth_element(run.begin(), run.begin() + half, run.end(), [&](auto* a, auto* b) { return key(a) < key(b); });
-    build(2 * at + 1, run.first(half));
-    build(2 * at + 2, run.subspan(half));
-  }
-
-  // Potentials in the box differ by less than it is away; or no leg into it is tangent at the node; or it lies wholly
-  // behind an edge that was in the way of another leg.
-  bool is_settled(const Node& from, const Box& box) const {
-    const Place u = from.at, away{std::max<Int>({box.min.x - u.x, u.x - box.max.x, 0}),
-                                  std::max<Int>({box.min.y - u.y, u.y - box.max.y, 0})};
-    const Wide differ = std::max(Wide{from.high} - box.low, Wide{box.high} - from.low);
-    if (differ <= 0 || (differ <= 2 * kMost && differ * differ <= squared(away))) return true;
-    const auto holds = [&](auto inside) {  // a convex place holds the box when it holds the corners
-      return inside(box.min) && inside(box.max) && inside({box.min.x, box.max.y}) && inside({box.max.x, box.min.y});
+// A leg from a listed node that a shortest path could have, while the potentials of its ends differ by more than it is
+// long.
+std::string refutation(const World& world, const Box& room, const Tree<Corner>& nodes, int bits) {
+  for (const Corner& from : nodes.items) {
+    const Place u = from.at;
+    std::vector<Edge> blockers;  // u lies to their left
+    // Potentials in the box differ by less than it is away; or no leg into it is tangent at the node; or it lies wholly
+    // behind an edge that was in the way of another leg.
+    const auto is_settled = [&](const Box& box) {
+      const Wide differ = std::max(Wide{from.high} - box.low, Wide{box.high} - from.low);
+      const Place d = box.away(u), l = from.left, r = from.right, o{};
+      if (differ <= 0 || (differ <= 2 * kMost && differ * differ <= dot(d, d) << (2 * bits))) return true;
+      if ((box.is_left(u, r) && box.is_left(u, o - l)) || (box.is_left(u, l) && box.is_left(u, o - r))) return true;
+      return std::any_of(blockers.rbegin(), blockers.rend(), [&](const Edge& e) {
+        return box.is_left(e.b, e.a - e.b) && box.is_left(u, e.a - u) && box.is_left(u, u - e.b);
+      });
     };
-    for (const int s : {1, -1})
-      if (holds([&](Place p) { return s * cross(from.right, p - u) > 0 && s * cross(p - u, from.left) > 0; }))
-        return true;
-    return std::any_of(blockers_.rbegin(), blockers_.rend(), [&](const Edge& e) {  // u lies to their left
-      return holds([&](Place p) { return side(e.a, e.b, p) < 0 && side(u, e.a, p) > 0 && side(u, e.b, p) < 0; });
-    });
-  }
-
-  // The nearer half first: what is near casts wider shadows.
-  const Node* open(const Node& from, std::size_t at, Run run) {
-    if (is_settled(from, boxes_[at])) return nullptr;
-    if (run.size() == 1) return is_open(from, *run[0]) ? run[0] : nullptr;
-    const auto away = [&](const Box& b) { return (b.min - from.at) - (from.at - b.max); };
-    const Place d = away(boxes_[2 * at + 1]), e = away(boxes_[2 * at + 2]);
-    const std::size_t nearer = dot(e, e) < dot(d, d) ? 1 : 0, half = run.size() / 2;
-    for (const std::size_t i : {nearer, 1 - nearer})
-      if (const Node* to = open(from, 2 * at + 1 + i, i == 0 ? run.first(half) : run.subspan(half))) return to;
-    return nullptr;
-  }
-
-  bool is_open(const Node& from, const Node& to) {
-    if (from.at == to.at || !from.is_tangent(to.at - from.at) || !to.is_tangent(to.at - from.at)) return false;
-    const int found = world_.leg(from, to);
-    if (found < 0) return found == World::kOpen;
-    const Edge& e = world_.edges[static_cast<std::size_t>(found)];
-    blockers_.push_back(side(e.a, e.b, from.at) > 0 ? e : Edge{e.b, e.a});
-    return false;
-  }
-
-  const World& world_;
-  std::vector<const Node*> order_;
-  std::vector<Box> boxes_;
-  std::vector<Edge> blockers_;
-};
-
-// Why the path cannot be followed. It bends around corners, and where nothing stands.
-std::string fault(const std::vector<Place>& path, const World& world, const Potentials& potentials) {
-  int turn = 0;  // at u
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const bool ends = i + 2 == path.size();
-    const Corner u{path[i], Place{i > 0, 0}}, v{path[i + 1], Place{!ends, 0}};  // ends have no directions
-    const int next = ends ? 0 : side(u.at, v.at, path[i + 2]);
-    if (u.at == v.at || !(ends || (next != 0 && potentials.nodes.contains(v.at)) || !world.joins(v.at, v.at)))
-      return "the path bends at " + world.text(v.at) + ", on a wall";
-    if (world.leg(u, v, turn, next) != World::kOpen)
-      return "the path does not get from " + world.text(u.at) + " to " + world.text(v.at);
-    turn = next;
+    const auto is_open = [&](const Corner& to) {
+      const Place d = to.at - u;
+      if (d == Place{} || !from.is_tangent(d) || !to.is_tangent(d)) return false;
+      const Edge* const stop = world.leg(from, to, 0, to.is_end() ? barred(world, room, u, to.at) : 0);
+      if (stop) blockers.push_back(side(stop->a, stop->b, u) > 0 ? *stop : Edge{stop->b, stop->a});
+      return !stop;
+    };
+    if (const Corner* const to = from.is_listed ? nodes.find(u, is_settled, is_open) : nullptr)
+      return "nothing stops the leg " + world.text(u) + "-" + world.text(to->at) + ", shorter than potentials say";
   }
   return {};
 }
@@ -150,14 +103,27 @@ bool is_near(Place p, const Edge& e, Int r) {
   return away < r * (root(square) + 1);
 }
 
-std::string nearness(const std::vector<Place>& path, const World& world, Int r) {
-  for (std::size_t i = 0; i < path.size(); ++i)
-    for (const Edge& e : world.edges) {
-      const Edge leg{path[i], path[std::min(i + 1, path.size() - 1)]};
-      if (is_near(leg.a, e, r) || is_near(leg.b, e, r) || is_near(e.a, leg, r) || is_near(e.b, leg, r))
-        return "the path comes too near to a wall from " + world.text(leg.a) + " to " + world.text(leg.b);
-    }
-  return {};
+// Why the path cannot be followed, or comes nearer to edges than it says. It bends around corners, and where nothing
+// stands.
+std::string fault(const std::vector<Place>& path, const World& world, const Box& room, Int keeps) {
+  const std::size_t last = path.size() - 1;
+  int turn = 0;  // at u, to the left 1
+  for (std::size_t i = 0; i == 0 || i < last; ++i) {
+    const bool ends = i + 1 >= last;
+    // Ends have no directions.
+    const Corner u{path[i], Place{i > 0, 0}}, v{path[std::min(i + 1, last)], Place{!ends, 0}};
+    const int next = ends ? barred(world, room, u.at, v.at) : (3 + side(u.at, v.at, path[i + 2])) % 3;
+    const std::string words = " from " + world.text(u.at) + " to " + world.text(v.at);
+    if (!ends && !(next != 0 && world.corners.contains(v.at)) && world.joins(v.at, v.at))
+      return "the path bends at " + world.text(v.at) + ", on a wall";
+    if (last > 0 && (u.at == v.at || world.leg(u, v, turn, next))) return "the path does not get" + words;
+    const auto meets = [&](const Edge& e, const Edge& f) { return is_near(e.a, f, keeps) || is_near(e.b, f, keeps); };
+    for (const Edge& e : world.edges.items)
+      if (const Edge leg{u.at, v.at}; keeps > 0 && (meets(leg, e) || meets(e, leg)))
+        return "the path comes too near to a wall" + words;
+    turn = next;
+  }
+  return room.holds(path[last]) ? "" : "the path ends at " + world.text(path[last]) + ", not in the goal";
 }
 
 // Why no closed chain of pieces and gates, links between pieces with squares up to `wide`, is between both ends.
@@ -177,55 +143,63 @@ std::string passage(const std::vector<Place>& chain, const World& world, Place s
 }
 
 Judgement judged(const std::string& lines, const nlohmann::json& json) {
-  Judgement said{false, json.at("kind").get<std::string>(), "the certificate is of another world"};
-  const bool none = said.kind == "none", widest = said.kind == "widest";
-  if (json.at("format") != "taut certificate 1" || (!none && !widest && said.kind != "shortest"))
+  const std::string kind = json.at("kind");
+  const bool none = kind == "none", widest = kind == "widest";
+  if (json.at("format") != "taut certificate 1" || (!none && !widest && kind != "shortest"))
     throw BadInput("the certificate is of another format");
   const World world(lines, json.at("scale").get<Int>());
-  char words[200];
-  std::snprintf(words, sizeof words, "%016llx", static_cast<unsigned long long>(world.hash));
-  if (json.at("world") != words) return said;
+  if (json.at("world") != fmt::format("{:016x}", world.hash))
+    return {false, kind, "the certificate is of another world"};
+  const auto number = [](Int n, Int least, Int most) {
+    return least <= n && n <= most ? n : throw BadInput("a number of the certificate is out of range");
+  };
   const auto places = [&](const char* name) {
     std::vector<Place> all;
     for (const auto& [x, y] : json.at(name).get<std::vector<std::array<Int, 2>>>()) all.push_back({x, y});
-    const auto lies_in = [&](Place p) { return least(p, world.low) == world.low && most(p, world.high) == world.high; };
-    if (all.empty() || !std::all_of(all.begin(), all.end(), lies_in)) throw BadInput("places are out of range");
+    const auto is_outside = [&](Place p) { return !world.edges.box().holds(p); };
+    if (all.empty() || std::ranges::any_of(all, is_outside)) throw BadInput("places are out of range");
     return all;
   };
-  const std::vector<Place> path = places("path");
-  const Place start = path.front(), goal = path.back();
-  Potentials potentials(world, start, goal, json.value("fraction_bits", 0));
-  said.words = none ? "" : fault(path, world, potentials);
+  const std::vector<Place> path = places("path"), goal = places("goal");
+  const Box room{least(goal[0], goal.back()), most(goal[0], goal.back())};
+  const Int keeps = widest ? number(json.at("keeps"), 0, kLargest) : 0;
+  std::string words = none ? "" : fault(path, world, room, keeps);
   if (widest || json.contains("chain")) {
-    const Int keeps = within(json.value("keeps", Int{0}), 0, kLargest),
-              width = within(json.at("width").get<Int>(), 0, kLargest);
-    if (said.words.empty()) said.words = passage(places("chain"), world, start, goal, Wide{width} * width - none);
-    if (said.words.empty() && widest) said.words = nearness(path, world, keeps);
-    if (!said.words.empty()) return said;
-    const Real bound = world.unit * static_cast<Real>(width) / 2, kept = world.unit * static_cast<Real>(keeps);
-    const char* const form = none ? "no disc of radius %.12Lg gets through"
-                                  : "no disc of a radius above %.12Lg gets through; the path keeps %.12Lg";
-    std::snprintf(words, sizeof words, form, bound, kept);
-    return {true, said.kind, words, kept, bound};
+    const Int width = number(json.at("width"), 0, kLargest);
+    if (words.empty()) words = passage(places("chain"), world, path[0], path.back(), Wide{width} * width - none);
+    if (!words.empty()) return {false, kind, words};
+    const Real bound = world.unit * width / 2, kept = world.unit * keeps;
+    if (none) return {true, kind, fmt::format("no disc of radius {:.12g} gets through", bound), kept, bound};
+    words = "no disc of a radius above {:.12g} gets through; the path keeps {:.12g}";
+    return {true, kind, fmt::format(fmt::runtime(words), bound, kept), kept, bound};
   }
-  const Int horizon = within(json.at("horizon").get<Int>(), -kMost, kMost);
-  for (auto& [p, node] : potentials.nodes)  // between those that are not listed the differences are legs' anyway
-    node.high = none ? INT64_MAX : horizon - potentials.distance(p, goal), node.low = node.high - !none;
-  for (const auto& [x, y, n] : json.at("potentials").get<std::vector<std::array<Int, 3>>>())
-    if (const auto at = potentials.nodes.find({x, y}); at != potentials.nodes.end())
-      at->second.low = at->second.high = within(n, -kMost, kMost), at->second.is_listed = true;
-  const Node &from = potentials.nodes[start], &to = potentials.nodes[goal];
-  if (said.words.empty() && (!from.is_listed || to.is_listed == none)) said.words = "an end is listed, or is not";
-  if (said.words.empty()) said.words = potentials.refutation();
-  if (!said.words.empty()) return said;
-  Wide length = 0;
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) length += potentials.distance(path[i], path[i + 1]) + 1;
-  const Real step = std::ldexp(world.unit, -potentials.bits), yours = step * static_cast<Real>(length),
-             bound = yours - step * static_cast<Real>(length - to.low + from.low),
+  const Place start = path[0], size = world.edges.box().max - world.edges.box().min;
+  const int bits = static_cast<int>(number(json.at("fraction_bits"), 0, 59));
+  if (dot(size, size) >> (118 - 2 * bits) != 0) throw BadInput("fraction_bits are out of range");
+  const auto length = [bits](Place d) { return static_cast<Int>(root(dot(d, d) << (2 * bits))); };
+  const Int horizon = number(json.at("horizon"), -kMost, kMost);
+  const Int reach = none ? INT64_MAX : number(json.at("reach"), -kMost, horizon - 1);
+  std::map<Place, Corner> nodes = world.corners;
+  nodes[start] = {start};
+  for (auto& [p, node] : nodes)  // between those that are not listed the differences are legs' anyway
+    node.high = none ? INT64_MAX : horizon - length(room.away(p)), node.low = node.high - !none;
+  for (const auto& row : json.at("potentials"))
+    if (const auto at = nodes.find({row.at(0), row.at(1)}); at != nodes.end())
+      at->second.low = at->second.high = number(row.at(2), -kMost, kMost), at->second.is_listed = true;
+  const Int from = nodes[start].low;
+  if (words.empty() && (!nodes[start].is_listed || (room.holds(start) && reach > from)))
+    words = "the start is not listed, or in the goal";
+  std::vector<Corner> all = ends(world, room, start, reach);
+  for (const auto& [p, node] : nodes) all.push_back(node);
+  if (words.empty()) words = refutation(world, room, Tree(all), bits);
+  if (none || !words.empty()) return {words.empty(), kind, words.empty() ? "there is no path" : words};
+  Wide sum = 0;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) sum += length(path[i + 1] - path[i]) + 1;
+  const Real step = std::ldexp(world.unit, -bits), yours = step * static_cast<Real>(sum),
+             bound = yours - step * static_cast<Real>(sum - reach + from),
              slack = std::fmod(yours - bound, 1e-6L);  // of a path that is the shortest all of it
-  std::snprintf(words, sizeof words, "no path is shorter than %.9Lf - %.0Le; yours is %.9Lf long", bound + slack, slack,
-                yours);
-  return {true, said.kind, none ? "there is no path" : words, yours, bound};
+  words = fmt::format("no path is shorter than {:.9f} - {:.0e}; yours is {:.9f} long", bound + slack, slack, yours);
+  return {true, kind, words, yours, bound};
 }
 
 }  // namespace

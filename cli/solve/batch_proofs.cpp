@@ -16,7 +16,8 @@ BatchProofs::BatchProofs(const FreeSpace& space)
 void BatchProofs::add(int line, const std::optional<Path>& path, Point from, Point to) {
   std::optional<PathCertificate> proof;
   try {
-    proof = path ? shortest_certificate(graph_, *path) : none_certificate(graph_, from, to);
+    const Goal goal{to, {}};
+    proof = path ? shortest_certificate(graph_, *path, goal) : none_certificate(graph_, from, goal);
   } catch (const InputError&) {  // ends too fine for the world's lattice
   }
   missing_ += !proof;

@@ -52,15 +52,16 @@ Certified of_disc(const std::optional<DiscCertificate>& certificate, const Gates
 
 Certified certified(const FreeSpace& space, const PlanResult& result, bool is_judged, Run& run) {
   const World& world = space.world();
-  if (!result.goal.point)
+  if (!is_certifiable(result.goal))
     throw InputError(world.source(), 0,
-                     "a certificate is for a goal that is a point, not for a room: name one by --to");
+                     "a certificate is for a goal that is a point or a rectangle, not for other rooms: name one by "
+                     "--to");
   const FreeSpace plain = is_plain(world, space.footprint()) ? space : FreeSpace(plain_world(space));
   const std::string text = write_plain_integers(plain.world());
   const auto certificate = run.stage("certificate", [&] {
     const VisibilityGraph graph(plain);
-    return result.status == SearchStatus::found ? shortest_certificate(graph, result.path)
-                                                : none_certificate(graph, *result.start, *result.goal.point);
+    return result.status == SearchStatus::found ? shortest_certificate(graph, result.path, result.goal)
+                                                : none_certificate(graph, *result.start, result.goal);
   });
   if (!certificate) return {"", "no certificate: crossings of walls were rounded where paths bend", 0};
   return judged(certificate_text(*certificate, text), text, is_judged, run);

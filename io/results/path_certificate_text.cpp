@@ -1,5 +1,6 @@
 #include <taut/io/results/path_certificate_text.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -62,7 +63,9 @@ std::string certificate_text(const DiscCertificate& certificate, std::string_vie
   append(out += ", ", ends[1].y);
   out += "]],\n\"width\": " + std::to_string(certificate.width);
   if (certificate.is_found) out += ",\n\"keeps\": " + std::to_string(certificate.keeps);
-  append(out, "path", certificate.path);
+  const std::span path(certificate.path);
+  append(out, "goal", path.last(std::min<std::size_t>(1, path.size())));
+  append(out, "path", path);
   append(out, "chain", certificate.chain);
   return out + "\n}\n";
 }
@@ -90,6 +93,8 @@ std::string certificate_text(const PathCertificate& certificate, std::string_vie
   std::string out = heading(certificate.is_found ? "shortest" : "none", world_text, certificate.scale);
   out += ",\n\"fraction_bits\": " + std::to_string(certificate.fraction_bits);
   out += ",\n\"horizon\": " + std::to_string(certificate.horizon);
+  if (certificate.is_found) out += ",\n\"reach\": " + std::to_string(certificate.reach);
+  append(out, "goal", certificate.goal);
   append(out, "path", certificate.path);
   append(out, "potentials", certificate.potentials);
   return out + "\n}\n";

@@ -75,7 +75,7 @@ std::optional<GraphSearchResult> answer_at_start(const FreeSpace& space, Point f
 
 std::optional<Point> RoomSide::foot(Point p) const {
   const Point q = vertical(side) ? Point{side.a.x, p.y} : Point{p.x, side.a.y};
-  if (!(side.a < q && q < side.b)) return std::nullopt;
+  if (q == p || !(side.a < q && q < side.b)) return std::nullopt;
   return q;
 }
 

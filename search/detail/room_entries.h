@@ -23,7 +23,8 @@ struct RoomSide {
   Segment side;  ///< axis-parallel, a < b
   Point inside;
 
-  /// The point of the side that is nearest to p, if it is none of its ends. Exact.
+  /// The point of the side that is nearest to p, if it is none of its ends nor p itself: a corner on the side is a
+  /// RoomEntry, of which it is known from where the room can be entered. Exact.
   std::optional<Point> foot(Point p) const;
 };
 

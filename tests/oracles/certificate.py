@@ -11,206 +11,218 @@ import sys
 from fractions import Fraction
 
 
-def side(p, q, r):
-    """> 0 where r lies to the left of p -> q."""
-    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
+def minus(p, q):
+    return p[0] - q[0], p[1] - q[1]
 
 
 def cross(d, e):
     return d[0] * e[1] - d[1] * e[0]
 
 
-def dot(p, d, q):
-    return d[0] * (q[0] - p[0]) + d[1] * (q[1] - p[1])
+def dot(d, e):
+    return d[0] * e[0] + d[1] * e[1]
 
 
-def minus(p, q):
-    return (p[0] - q[0], p[1] - q[1])
+def side(p, q, r):
+    """> 0 where r lies to the left of p -> q."""
+    return cross(minus(q, p), minus(r, p))
+
+
+def holds(a, b, p):
+    return side(a, b, p) == 0 and dot(minus(a, p), minus(b, p)) <= 0
 
 
 class World:
-    """Edges (a, b, polygon), solid on the left of those of polygons; which polygons are areas; corners."""
+    """Edges (a, b, is_side), solid on the left of sides; corners."""
 
     def __init__(self, text, scale):
-        self.edges, self.areas, self.unit = [], [], None
+        self.edges, self.unit, self.has_area, area = [], None, False, False
         for line in text.splitlines():
             word, *numbers = line.split()
             if word == "unit":
-                self.unit = Fraction(numbers[0])
+                self.unit = Fraction(numbers[0]) / scale
             if word not in ("area", "solid", "hole", "wall"):
                 continue
             n = [int(x) * scale for x in numbers]
             ring = list(zip(n[::2], n[1::2]))
             if word == "wall":
-                self.edges.append((*ring, None))
+                self.edges.append((*ring, False))
                 continue
-            if word != "hole":
-                self.areas.append(word == "area")
             low = ring.index(min(ring))
-            turn = side(ring[low - 1], ring[low], ring[(low + 1) % len(ring)])
-            if (turn > 0) == (word == "hole"):
+            if (side(ring[low - 1], ring[low], ring[(low + 1) % len(ring)]) > 0) == (word == "hole"):
                 raise ValueError("a ring goes the wrong way round")
-            if self.areas[-1]:
-                ring.reverse()
-            self.edges += [(p, q, len(self.areas) - 1) for p, q in zip(ring, ring[1:] + ring[:1])]
-        self.corners = self.find_corners()
+            area = word == "area" or (area and word == "hole")
+            self.has_area |= area
+            ring = ring[::-1] if area else ring
+            self.edges += [(p, q, True) for p, q in zip(ring, ring[1:] + ring[:1])]
+        places = {p for edge in self.edges for p in edge[:2]}
+        self.corners = {p: corner for p in places if (corner := self.corner_at(p))}
 
-    def find_corners(self):
-        """By place: what leaves it farthest clockwise and counter-clockwise, within less than half a turn."""
-        leaving = {}
-        for a, b, polygon in self.edges:
-            leaving.setdefault(a, []).append((minus(b, a), polygon))
-            leaving.setdefault(b, []).append((minus(a, b), None))
-        by_x = sorted(leaving)
-        corners = {}
-        for p, out in leaving.items():
-            for right, _ in out:
-                for left, polygon in out:
-                    within = all(cross(right, d) >= 0 and cross(d, left) >= 0 and dot((0, 0), d, right) >
-                                 (0 if cross(d, right) == 0 else -math.inf) for d, _ in out)
-                    if within and (cross(right, left) > 0 or dot((0, 0), right, left) > 0):
-                        solid = any(cross(d, left) == 0 and of is not None for d, of in out)
-                        if not solid:
-                            corners[p] = (right, left)
-        for a, b, _ in self.edges:  # where one passes, nothing bends
-            for p in by_x if len(by_x) < 50 else self.between(by_x, a, b):
-                if p in corners and p != a and p != b and side(a, b, p) == 0 and dot(p, minus(a, p), b) < 0:
-                    del corners[p]
-        return corners
+    def leaving(self, p):
+        """What stands at p: directions, and whether a solid is to their left."""
+        for a, b, is_side in self.edges:
+            if (a[0] <= p[0] <= b[0] or b[0] <= p[0] <= a[0]) and holds(a, b, p):
+                yield from ((minus(q, p), solid) for q, solid in ((b, is_side), (a, False)) if q != p)
 
-    @staticmethod
-    def between(places, a, b):
-        from bisect import bisect_left, bisect_right
-        return places[bisect_left(places, min(a, b)):bisect_right(places, max(a, b))]
+    def corner_at(self, p):
+        """What leaves p farthest clockwise and counter-clockwise, all of it within less than half a turn."""
+        out = list(self.leaving(p))
+        for right, _ in out:
+            for left, _ in out:
+                if all(cross(right, d) >= 0 <= cross(d, left) and (cross(right, left) > 0 or dot(right, d) > 0) and
+                       not (solid and cross(d, left) == 0) for d, solid in out):
+                    return right, left
+        return None
 
     def is_solid(self, p, d):
-        """Is where p is moved along d by next to nothing no place, to the left of d and to the right of it?"""
-        steps = [(d, (-d[1] * s, d[0] * s)) for s in (1, -1)]
-        return all(self.is_solid_at(p, step) for step in steps)
+        """Is where p is moved along d by next to nothing no place, neither to the left of d nor to the right?"""
+        n = 2**200
+        return all(self.around((p[0] * n * n + d[0] * n - s * d[1], p[1] * n * n + d[1] * n + s * d[0]), n * n) > 0
+                   for s in (1, -1))
 
-    def is_solid_at(self, p, step):
-        def at(value):  # the sign of value(p), or of how it grows along the steps
-            return next((value(q) for q in [None, *step] if value(q) != 0), 0)
-        inside = [False] * len(self.areas)
-        for a, b, polygon in self.edges:
-            if polygon is None:
-                continue
-            left = [at(lambda q, e=e: p[0] - e[0] if q is None else q[0]) > 0 for e in (a, b)]
-            above = at(lambda q: side(a, b, p) if q is None else cross(minus(b, a), q)) > 0
-            if left[0] != left[1] and above != (a[0] < b[0]):
-                inside[polygon] = not inside[polygon]
-        free = not any(self.areas) or any(i and area for i, area in zip(inside, self.areas))
-        return not free or any(i and not area for i, area in zip(inside, self.areas))
+    def around(self, q, n):
+        """How many solids are around q / n; areas, which do not overlap, count for what is outside."""
+        total = int(self.has_area)
+        for a, b, is_side in self.edges:
+            a, b = (a[0] * n, a[1] * n), (b[0] * n, b[1] * n)
+            if is_side and (a[0] > q[0]) != (b[0] > q[0]) and (side(a, b, q) > 0) == (a[0] > b[0]):
+                total += 1 if a[0] > b[0] else -1
+        return total
+
+    def joins(self, p, q):
+        return any(holds(a, b, p) and holds(a, b, q) for a, b, _ in self.edges)
 
 
-def leg(world, edges, u, v, ends, turns=(0, 0)):
-    """The edge that crosses it; True where it is closed, None where it is open."""
-    d, contacts = minus(v, u), []
-    length = dot(u, d, v)
-    if u in ends and world.is_solid(u, d):
+def leg(world, edges, u, v, u_ends, v_ends, at_u=(False, False), at_v=(False, False)):
+    """The edge that crosses it; True where it is closed, None where it is open. At the ends left and right may be."""
+    d, touch = minus(v, u), []
+    length = dot(d, d)
+    if u_ends and world.is_solid(u, d):
         return True
-    for edge in edges:
-        a, b, polygon = edge
-        left_a, left_b = side(u, v, a), side(u, v, b)
-        if (left_a > 0 and left_b > 0) or (left_a < 0 and left_b < 0):
+    for a, b, is_side in edges:
+        s, t = side(u, v, a), side(u, v, b)
+        if (s > 0 and t > 0) or (s < 0 and t < 0):
             continue
-        at_a, at_b = dot(u, d, a), dot(u, d, b)
-        if left_a == left_b == 0:
+        at_a, at_b = dot(d, minus(a, u)), dot(d, minus(b, u))
+        if s == t == 0:
             low, high = max(min(at_a, at_b), 0), min(max(at_a, at_b), length)
-            solid = polygon is not None and low < high
-            contacts.append((low, high, solid and at_a < at_b, solid and at_a > at_b))
-        elif left_a == 0 or left_b == 0:
-            at = at_a if left_a == 0 else at_b
-            contacts.append((at, at, left_a + left_b > 0, left_a + left_b < 0))
+            solid = is_side and low < high
+            touch.append((low, high, solid and at_a < at_b, solid and at_a > at_b))
+        elif s == 0 or t == 0:
+            touch.append((at_a if s == 0 else at_b,) * 2 + (s + t > 0, s + t < 0))
         else:
             side_u, side_v = side(a, b, u), side(a, b, v)
             if side_u * side_v < 0:
-                return edge
-            contacts += [(t, t, True, True) for t, s in ((0, side_u), (length, side_v)) if s == 0]
-    touch = [c for c in contacts if 0 <= c[0] <= c[1] <= length and
-             not (c[0] == c[1] and ((c[0] == 0 and u in ends) or (c[0] == length and v in ends)))]
-    touch += [(t, t, turn > 0, turn < 0) for t, turn in zip((0, length), turns) if turn]
-    end, left, right = -1, False, False
-    for c in sorted(touch):
-        if c[0] > end:
-            left = right = False
-        end, left, right = max(end, c[1]), left or c[2], right or c[3]
+                return a, b
+            touch += [(end, end, True, True) for end, on in ((0, side_u), (length, side_v)) if on == 0]
+    aside = ([(0, 0)] if u_ends else []) + ([(length, length)] if v_ends else [])
+    touch = [c for c in touch if 0 <= c[0] <= c[1] <= length and c[:2] not in aside]
+    touch += [(0, 0, *at_u), (length, length, *at_v)]
+    reach, left, right = -1, False, False
+    for low, high, closes_left, closes_right in sorted(touch):
+        left, right = (left or closes_left, right or closes_right) if low <= reach else (closes_left, closes_right)
+        reach = max(reach, high)
         if left and right:
             return True
     return None
 
 
-def is_tangent(corner, d):
-    return corner is None or not (cross(corner[0], d) * cross(corner[1], d) < 0)
+class Goal:
+    """A room, its least and its greatest corner; a point is one, too."""
+
+    def __init__(self, world, places):
+        self.world, self.min, self.max = world, *(tuple(map(f, zip(*places))) for f in (min, max))
+
+    def away(self, p):
+        return tuple(max(self.min[i] - p[i], p[i] - self.max[i], 0) for i in (0, 1))
+
+    def barred(self, u, v):
+        """Around the left, around the right: does something stop a path from u, to the border at v, on its way in?"""
+        def between(p, d, q):  # d, on the turn to the left from p to q
+            from_p, to_q = cross(p, d) > 0, cross(d, q) > 0
+            return (from_p and to_q) if cross(p, q) > 0 else (from_p or to_q)
+        back, inside = minus(u, v), minus(minus(self.min, v), minus(v, self.max))
+        near = tuple(min(max(u[i], self.min[i]), self.max[i]) for i in (0, 1))
+        turn = cross(back, inside) if near != v and side(v, near, u) == 0 else 0  # along the border it comes outside
+        aside = [d for d, _ in self.world.leaving(v) if not all(
+            (v[i] > self.min[i] or d[i] > 0) and (v[i] < self.max[i] or d[i] < 0) for i in (0, 1))]
+        if self.min[0] == self.max[0] or self.min[1] == self.max[1]:
+            return False, False
+        return (turn < 0 or any(between(inside, d, back) for d in aside),
+                turn > 0 or any(between(back, d, inside) for d in aside))
+
+    def ends(self, start):
+        """Its corners, feet of perpendiculars, and where edges meet the border."""
+        found = set()
+        for a, b, _ in [*self.world.edges, (start, start, False), (self.min, self.max, False)]:
+            for i, line in ((0, self.min[0]), (0, self.max[0]), (1, self.min[1]), (1, self.max[1])):
+                across = [a[1 - i], b[1 - i]]
+                if (a[i] - line) * (b[i] - line) < 0:
+                    across.append(a[1 - i] + Fraction((b[1 - i] - a[1 - i]) * (line - a[i]), b[i] - a[i]))
+                found |= {(line, y) if i == 0 else (y, line) for y in across}
+        found = {p for p in found if self.away(p) == (0, 0)}
+        if any(Fraction(x).denominator > 1 for p in found for x in p):
+            raise ValueError("an edge meets the border between multiples of the unit")
+        return [tuple(map(int, p)) for p in found]
 
 
-def refutation(world, numbers, listed, ends, bits):
-    """An open leg from a listed place that is shorter than the numbers (low, high) of its ends differ."""
-    corner = {p: None if p in ends else world.corners[p] for p in numbers}
-    for u in listed:
-        def away(e):
-            return max(min(e[0][0], e[1][0]) - u[0], u[0] - max(e[0][0], e[1][0]), 0) + max(
-                min(e[0][1], e[1][1]) - u[1], u[1] - max(e[0][1], e[1][1]), 0)
-        edges, blockers = sorted(world.edges, key=away), []
-        for v in sorted(numbers, key=lambda v: abs(v[0] - u[0]) + abs(v[1] - u[1])):
-            differ = max(numbers[u][1] - numbers[v][0], numbers[v][1] - numbers[u][0])
-            d = minus(v, u)
-            if differ <= 0 or differ * differ <= (d[0] * d[0] + d[1] * d[1]) << (2 * bits):
+def refutation(world, goal, nodes, bits):
+    """An open leg from a listed place that is shorter than the numbers of its ends differ.
+
+    Nodes: place, corner, low and high number, whether they are listed, whether they are ends of paths."""
+    for u, corner, low, high, is_listed, _ in nodes:
+        def away(e, u=u):
+            return sum(max(min(a, b) - c, c - max(a, b), 0) for a, b, c in zip(e[0], e[1], u))
+        edges, blockers = sorted(world.edges, key=away) if is_listed else [], []
+        for v, other, other_low, other_high, _, is_goal in sorted(nodes, key=lambda n: away((n[0], n[0]))):
+            differ, d = max(high - other_low, other_high - low), minus(v, u)
+            if not is_listed or differ <= 0 or differ * differ <= dot(d, d) << (2 * bits):
                 continue
-            if not is_tangent(corner[u], d) or not is_tangent(corner[v], d):
+            if any(c and cross(c[0], d) * cross(c[1], d) < 0 for c in (corner, other)) or u == v:
                 continue
-            if any(side(a, b, v) < 0 and side(u, a, v) > 0 and side(u, b, v) < 0 for a, b in reversed(blockers)):
+            if any(side(a, b, v) < 0 < side(u, a, v) and side(u, b, v) < 0 for a, b in reversed(blockers)):
                 continue
-            found = leg(world, edges, u, v, ends)
+            barred = goal.barred(u, v) if is_goal else (False, False)
+            found = leg(world, edges, u, v, corner is None, other is None, at_v=barred)
             if found is None:
                 return u, v
-            if found is not True:
-                blockers.append(found[:2] if side(found[0], found[1], u) > 0 else (found[1], found[0]))
+            if found not in (None, True):
+                blockers.append(found if side(*found, u) > 0 else found[::-1])
     return None
 
 
-def holds(a, b, p):
-    return side(a, b, p) == 0 and dot(p, minus(a, p), b) <= 0
-
-
-def joins(world, p, q):
-    return any(holds(a, b, p) and holds(a, b, q) for a, b, _ in world.edges)
-
-
-def fault(world, path, ends):
+def fault(world, goal, path):
     turns = [0, *(side(*path[i - 1:i + 2]) for i in range(1, len(path) - 1)), 0]
-    for i in range(len(path) - 1):
-        u, v = path[i], path[i + 1]
-        bends = (turns[i + 1] != 0 and (v in world.corners or v in ends)) or not joins(world, v, v)
-        if u == v or (i + 2 < len(path) and not bends):
+    for i, (u, v) in enumerate(zip(path, path[1:])):
+        ends = i + 2 == len(path)
+        if not ends and not (turns[i + 1] != 0 and v in world.corners) and world.joins(v, v):
             return f"the path bends at {v}, on a wall"
-        if leg(world, world.edges, u, v, ends, (turns[i], turns[i + 1])) is not None:
+        at_u, at_v = ((turn > 0, turn < 0) for turn in turns[i:i + 2])
+        if u == v or leg(world, world.edges, u, v, i == 0, ends, at_u, goal.barred(u, v) if ends else at_v):
             return f"the path does not get from {u} to {v}"
-    return None
+    return None if goal.away(path[-1]) == (0, 0) else f"the path ends at {path[-1]}, not in the goal"
 
 
-def squared(p, a, b=None):
-    """Of the distance of p from the place a, or the segment a b, as a fraction."""
-    d = minus(b, a) if b else (0, 0)
-    along, length = dot(a, d, p), dot((0, 0), d, d)
-    if along <= 0 or along >= length:
-        q = a if along <= 0 else b
-        return Fraction(dot(p, minus(q, p), q))
-    return Fraction(side(a, b, p) ** 2, length)
+def squared(p, a, b):
+    """Of the distance of p from the segment a b, as a fraction."""
+    d = minus(b, a)
+    if dot(d, minus(p, a)) <= 0 or dot(d, minus(p, b)) >= 0:
+        return min(dot(minus(p, q), minus(p, q)) for q in (a, b))
+    return Fraction(side(a, b, p) ** 2, dot(d, d))
 
 
 def passage(world, chain, ends, wide):
     """Why no closed chain of pieces and gates, links with squares up to wide, is between both ends."""
     between = False
     for p, q in zip(chain, chain[1:] + chain[:1]):
-        gate = squared(p, q) <= wide and joins(world, p, p) and joins(world, q, q)
-        if not gate and not joins(world, p, q):
+        gate = squared(p, q, q) <= wide and world.joins(p, p) and world.joins(q, q)
+        if not gate and not world.joins(p, q):
             return f"the chain is open from {p} to {q}"
         for end in ends:
             if holds(p, q, end):
                 return f"the chain passes through {end}"
             between ^= (p[1] > end[1]) != (q[1] > end[1]) and (side(p, q, end) > 0) == (q[1] > p[1])
-            between |= len(chain) == 1 and 4 * squared(end, p) <= wide
+            between |= len(chain) == 1 and 4 * squared(end, p, p) <= wide
     return None if between else "the chain separates nothing"
 
 
@@ -222,17 +234,15 @@ def nearness(world, path, r):
     return None
 
 
-def judge_disc(world, claim, path):
-    widest, width, keeps = claim["kind"] == "widest", claim["width"], claim.get("keeps", 0)
+def judge_disc(world, claim, path, wrong):
+    width, keeps = claim["width"], claim["keeps"] if claim["kind"] == "widest" else 0
     if width < 0 or keeps < 0:
         raise ValueError("out of range")
-    wrong = fault(world, path, {path[0], path[-1]}) if widest else None
-    wrong = wrong or passage(world, [tuple(p) for p in claim["chain"]], (path[0], path[-1]), width**2 - (not widest))
-    wrong = wrong or (nearness(world, path, keeps) if widest else None)
-    unit = world.unit / claim["scale"]
-    proven = f"no disc of radius {float(unit * width / 2)!r} gets through"
-    if widest:
-        proven = f"{proven} if it is larger; the path keeps {float(unit * keeps)!r}"
+    none = claim["kind"] == "none"
+    wrong = wrong or passage(world, [tuple(p) for p in claim["chain"]], (path[0], path[-1]), width**2 - none)
+    wrong = wrong or nearness(world, path, keeps)
+    radius, keeps = float(world.unit * width / 2), float(world.unit * keeps)
+    proven = f"no disc of radius {radius!r} gets through" + ("" if none else f" if larger; the path keeps {keeps!r}")
     return (None, wrong) if wrong else (proven, None)
 
 
@@ -247,29 +257,32 @@ def fingerprint(text):
 
 def judge(text, claim):
     """What is proven and None, or None and what is wrong."""
-    none, bits = claim["kind"] == "none", claim.get("fraction_bits", 0)
-    if claim["format"] != "taut certificate 1" or claim["kind"] not in ("none", "shortest", "widest") or claim["scale"] < 1:
+    kind, none = claim["kind"], claim["kind"] == "none"
+    if claim["format"] != "taut certificate 1" or kind not in ("none", "shortest", "widest") or claim["scale"] < 1:
         raise ValueError("another format")
     if claim["world"] != fingerprint(text):
         return None, "the certificate is of another world"
     world, path = World(text, claim["scale"]), [tuple(p) for p in claim["path"]]
-    if claim["kind"] == "widest" or "chain" in claim:
-        return judge_disc(world, claim, path)
-    ends = {path[0], path[-1]}
-    listed = {(x, y): n for x, y, n in claim["potentials"] if (x, y) in world.corners or (x, y) in ends}
-    numbers = {p: (n, n) for p, n in listed.items()}
-    for p in (ends | set(world.corners)) - set(listed):
-        d = minus(p, path[-1])
-        away = math.isqrt((d[0] * d[0] + d[1] * d[1]) << (2 * bits))
-        numbers[p] = (2**200, 2**200) if none else (claim["horizon"] - away - 1, claim["horizon"] - away)
-    wrong = None if none else fault(world, path, ends)
-    if wrong or path[0] not in listed or (path[-1] in listed) == none:
-        return None, wrong or "an end is listed, or is not"
-    found = refutation(world, numbers, listed, ends, bits)
-    if found:
+    goal, start = Goal(world, claim["goal"]), path[0]
+    wrong = None if none else fault(world, goal, path)
+    if kind == "widest" or "chain" in claim:
+        return judge_disc(world, claim, path, wrong)
+    bits, infinite = claim["fraction_bits"], 2**200
+    horizon, reach = (infinite, infinite) if none else (claim["horizon"], claim["reach"])
+    listed = {(x, y): n for x, y, n in claim["potentials"]}
+    if wrong or start not in listed or (goal.away(start) == (0, 0) and reach > listed[start]):
+        return None, wrong or "the start is not listed, or in the goal"
+    if not none and reach >= horizon:
+        raise ValueError("out of range")
+    nodes = [(p, None, infinite, reach, False, True) for p in goal.ends(start)]  # nothing leads away from there
+    for p, corner in {**world.corners, start: None}.items():
+        d = goal.away(p)
+        least = horizon - (0 if none else math.isqrt(dot(d, d) << (2 * bits)) + 1)
+        low, high = (listed[p], listed[p]) if p in listed else (least, least + (not none))
+        nodes.append((p, corner, low, high, p in listed, False))
+    if found := refutation(world, goal, nodes, bits):
         return None, f"nothing stops the leg {found[0]}-{found[1]}"
-    step = world.unit / claim["scale"] / 2**bits
-    bound = (listed[path[-1]] - listed[path[0]]) * step if not none else 0
+    bound = 0 if none else (reach - listed[start]) * world.unit / 2**bits
     return ("there is no path" if none else f"no path is shorter than {float(bound)!r}"), None
 
 

@@ -27,6 +27,9 @@ def any_world(rng):
         at = rng.randrange(1, side)
         walls.append([at, 0, at, side])
     ends = [f"{word} {rng.randrange(4 * side + 1) / 4} {rng.randrange(4 * side + 1) / 4}" for word in ("start", "goal")]
+    if rng.random() < 0.4:  # a room
+        x, y = rng.randrange(2 * side - 1) / 2, rng.randrange(2 * side - 1) / 2
+        ends[1] = f"goal {x} {y} {x + rng.choice([0.5, 1])} {y + rng.choice([0.5, 1])}"
     lines = [f"boundary 0 0 {side} {side}", *ends, *(" ".join(map(str, w)) for w in walls)]
     return "\n".join(lines) + "\n"
 
@@ -36,8 +39,12 @@ def tampered(claim, rng):
     if "chain" in claim:
         return tampered_chain(claim, rng)
     rows, path, unit = claim["potentials"], claim["path"], 2 ** claim["fraction_bits"]
-    what = rng.randrange(5)
-    if what == 0:
+    what = rng.randrange(7)
+    if what == 5 and "reach" in claim:
+        claim["reach"] += rng.choice([-1, 1]) * rng.randrange(1, 3 * unit)
+    elif what == 6:
+        rng.choice(claim["goal"])[rng.randrange(2)] += rng.choice([-1, 1]) * claim["scale"]
+    elif what == 0:
         rng.choice(rows)[2] += rng.choice([-1, 1]) * rng.randrange(1, 3 * unit)
     elif what == 1:
         rng.choice(path)[rng.randrange(2)] += rng.choice([-1, 1])
