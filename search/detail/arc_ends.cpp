@@ -8,7 +8,8 @@ namespace {
 
 class Joining {
  public:
-  Joining(const ArcGraph& graph, Point s, Point g) : graph_(graph), s_(site_for(s)), g_(site_for(g)) {}
+  Joining(const ArcGraph& graph, Point s, Point g)
+      : graph_(graph), s_(end_site(graph.ground.walls, s)), g_(end_site(graph.ground.walls, g)) {}
 
   ArcEnds join() {
     ends_.from_start = legs_of(s_, false);
@@ -24,16 +25,6 @@ class Joining {
 
  private:
   const TangentWalls& walls() const { return graph_.ground.walls; }
-
-  TangentSite site_for(Point p) const {
-    TangentSite site{p, kNone, kNone, false, {}};
-    const Location at = walls().space().locate(p);
-    if (at.kind != Location::Kind::vertex) return site;
-    const Triangulation& tri = walls().walls().triangulation();
-    site.vertex = tri.triangles[at.triangle][at.index];
-    site.sector = tri.sector_of[3 * at.triangle + static_cast<std::uint32_t>(at.index)];
-    return site;
-  }
 
   std::vector<ArcEndLeg> legs_of(const TangentSite& end, bool to) const {
     std::vector<ArcEndLeg> result;
@@ -99,6 +90,24 @@ class Joining {
 
 }  // namespace
 
+TangentSite end_site(const TangentWalls& walls, Point p) {
+  TangentSite site{p, kNone, kNone, false, {}};
+  const Location at = walls.space().locate(p);
+  if (at.kind != Location::Kind::vertex) return site;
+  const Triangulation& tri = walls.walls().triangulation();
+  site.vertex = tri.triangles[at.triangle][at.index];
+  site.sector = tri.sector_of[3 * at.triangle + static_cast<std::uint32_t>(at.index)];
+  return site;
+}
+
 ArcEnds join_ends(const ArcGraph& graph, Point s, Point g) { return Joining(graph, s, g).join(); }
+
+ArcEnds join_ends(const TangentParts& graph, Point s, Point g) {
+  const auto points_of = [&](std::uint32_t i) {
+    const std::uint32_t first = graph.first_point[i];
+    return ArcGraph::Points{first, std::span(graph.points).subspan(first, graph.first_point[i + 1] - first)};
+  };
+  return join_ends({*graph.ground, graph.r, points_of}, s, g);
+}
 
 }  // namespace taut::detail
