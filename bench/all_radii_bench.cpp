@@ -3,11 +3,13 @@
 #include <benchmark/benchmark.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <vector>
 
 #include <taut/roadmaps/all_radii.h>
+#include <taut/search/arc_bounds.h>
 #include <taut/search/arc_search.h>
 #include <taut/search/verify_arcs.h>
 
@@ -60,6 +62,34 @@ void BM_PathNewRadius(benchmark::State& state) {
   const World world = world_of(state.range(0));
   const AllRadii all{FreeSpace(world)};
   const auto ends = queries(world);
+  for (std::int64_t i = 0; i < 8; ++i) {
+    const auto& [s, g] = ends[static_cast<std::size_t>(i)];
+    const ArcSearchResult ours = arc_search(all, fresh(i), s, g), theirs = arc_search(all.at_radius(fresh(i)), s, g);
+    if (ours.status != theirs.status || std::abs(ours.path.value() - theirs.path.value()) > 1e-9)
+      state.SkipWithError("the answers differ");
+  }
+  std::int64_t i = 0;
+  for (auto _ : state) {
+    const auto& [s, g] = ends[static_cast<std::size_t>(i) % ends.size()];
+    benchmark::DoNotOptimize(arc_search(all, fresh(i++), s, g));
+  }
+}
+
+void BM_Bound(benchmark::State& state) {
+  const World world = world_of(state.range(0));
+  ArcBounds bounds(AllRadii(FreeSpace(world)).at_radius(kRadius), kRadius + 0.02);
+  const auto ends = queries(world);
+  std::size_t i = 0;
+  for (auto _ : state) {
+    const auto& [s, g] = ends[i++ % ends.size()];
+    benchmark::DoNotOptimize(bounds.length_at_least(kRadius + 0.01, s, g));
+  }
+}
+
+void BM_GraphAndPath(benchmark::State& state) {
+  const World world = world_of(state.range(0));
+  const AllRadii all{FreeSpace(world)};
+  const auto ends = queries(world);
   std::int64_t i = 0;
   for (auto _ : state) {
     const auto& [s, g] = ends[static_cast<std::size_t>(i) % ends.size()];
@@ -105,6 +135,8 @@ BENCHMARK(BM_Built)->DenseRange(0, 1)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_OneRadius)->DenseRange(0, 1)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_AtRadius)->DenseRange(0, 1)->Unit(benchmark::kMillisecond);
 BENCHMARK(BM_PathNewRadius)->DenseRange(0, 1)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_GraphAndPath)->DenseRange(0, 1)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_Bound)->DenseRange(0, 1)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_Path)->DenseRange(0, 1)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_PathFromNothing)->DenseRange(0, 1)->Unit(benchmark::kMicrosecond);
 

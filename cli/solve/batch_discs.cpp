@@ -34,6 +34,17 @@ class RadiusQueries {
  public:
   RadiusQueries(const FreeSpace& space, const TellProgress& tell) : radii_(space, tell) {}
 
+  /// The first query of a radius is answered without a graph: it may stay the only one.
+  bool is_first(double r) {
+    const auto is_kept = [&](const ArcQueries& kept) { return kept.graph().radius() == r; };
+    if (std::any_of(kept_.begin(), kept_.end(), is_kept) || std::find(asked_.begin(), asked_.end(), r) != asked_.end())
+      return false;
+    if (asked_.size() == kAsked) asked_.erase(asked_.begin());
+    asked_.push_back(r);
+    return true;
+  }
+  const AllRadii& all() const { return radii_; }
+
   ArcQueries& of(double r) {
     auto at =
         std::find_if(kept_.begin(), kept_.end(), [&](const ArcQueries& kept) { return kept.graph().radius() == r; });
@@ -49,9 +60,10 @@ class RadiusQueries {
   std::size_t made() const { return made_; }
 
  private:
-  static constexpr std::size_t kKept = 16;
+  static constexpr std::size_t kKept = 16, kAsked = 64;
 
   AllRadii radii_;
+  std::vector<double> asked_;     // the radius asked about first in front
   std::vector<ArcQueries> kept_;  // the one used last behind
   std::size_t made_ = 0;
 };
@@ -142,12 +154,17 @@ class DiscBatch {
   }
 
   QueryAnswer arcs(RadiusQueries& graphs, const QueryLine& query) {
-    const std::size_t made = graphs.made();
     Stopwatch watch;
-    ArcQueries& queries = graphs.of(query.radius);
-    if (graphs.made() > made) answers_.prepared_in(watch.seconds());
-    watch = Stopwatch();
-    const ArcSearchResult result = queries.find(query.from, query.to);
+    ArcSearchResult result;
+    if (graphs.is_first(query.radius)) {
+      result = arc_search(graphs.all(), query.radius, query.from, query.to);
+    } else {
+      const std::size_t made = graphs.made();
+      ArcQueries& queries = graphs.of(query.radius);
+      if (graphs.made() > made) answers_.prepared_in(watch.seconds());
+      watch = Stopwatch();
+      result = queries.find(query.from, query.to);
+    }
     if (result.status == DiscStatus::start_blocked) return blocked("start");
     if (result.status == DiscStatus::goal_blocked) return blocked("goal");
     QueryAnswer answer;

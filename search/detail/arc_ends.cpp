@@ -9,7 +9,7 @@ namespace {
 class Joining {
  public:
   Joining(const ArcGraph& graph, Point s, Point g)
-      : graph_(graph), s_(end_site(walls(), s)), g_(end_site(walls(), g)) {}
+      : graph_(graph), s_(end_site(graph.ground.walls, s)), g_(end_site(graph.ground.walls, g)) {}
 
   ArcEnds join() {
     ends_.from_start = legs_of(s_, false);
@@ -101,5 +101,13 @@ TangentSite end_site(const TangentWalls& walls, Point p) {
 }
 
 ArcEnds join_ends(const ArcGraph& graph, Point s, Point g) { return Joining(graph, s, g).join(); }
+
+ArcEnds join_ends(const TangentParts& graph, Point s, Point g) {
+  const auto points_of = [&](std::uint32_t i) {
+    const std::uint32_t first = graph.first_point[i];
+    return ArcGraph::Points{first, std::span(graph.points).subspan(first, graph.first_point[i + 1] - first)};
+  };
+  return join_ends({*graph.ground, graph.r, points_of}, s, g);
+}
 
 }  // namespace taut::detail

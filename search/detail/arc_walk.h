@@ -22,13 +22,7 @@ class ArcWalk {
   std::uint32_t site_of(std::uint32_t p) const { return graph_.site_of[p]; }
   const TangentSite& site(std::uint32_t i) const { return graph_.sites()[i]; }
 
-  ArcEnds join(Point s, Point g) const {
-    const auto points_of = [this](std::uint32_t i) {
-      const std::uint32_t first = graph_.first_point[i];
-      return ArcGraph::Points{first, std::span(graph_.points).subspan(first, graph_.first_point[i + 1] - first)};
-    };
-    return join_ends({*graph_.ground, graph_.r, points_of}, s, g);
-  }
+  ArcEnds join(Point s, Point g) const { return join_ends(graph_, s, g); }
 
   /// The same point, passed the other way.
   std::uint32_t turned(std::uint32_t n) const { return graph_.sites()[graph_.site_of[n / 2]].round ? n ^ 1 : n; }
