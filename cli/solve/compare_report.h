@@ -14,8 +14,8 @@ namespace taut::cli {
 /// that did not run are left out.
 std::string comparison_table(const Comparison& comparison);
 
-/// Of several worlds or runs, from report_summary() by `name`: one line a planner: the part of runs that were solved, least,
-/// quartiles and most of the ratio to the optimum, median and most CPU seconds of building and of the query.
+/// Of several worlds or runs, from report_summary() by `name`: one line a planner: the part of runs that were solved,
+/// least, quartiles and most of the ratio to the optimum, median and most CPU seconds of building and of the query.
 std::string worlds_table(const Json& summary);
 
 }  // namespace taut::cli

@@ -22,8 +22,8 @@ struct RoadblockMapRecipe {
 inline constexpr int kLeastMazeSide = 24;
 
 /// Rooms, one a slot of a raster of slots, joined by straight lanes: a spanning tree and most loops. Wall points on
-/// both sides of a lane are 3 or 4 apart, of some 5 to 7, so that the car can hardly turn there (none
-/// narrower than `narrowest`: where walls are squares the car fills a lane of two cells, and needs three); rooms are wide enough
+/// both sides of a lane are 3 or 4 apart, of some 5 to 7, so that the car can hardly turn there (no lane is narrower
+/// than `narrowest`: where walls are squares the car fills one of two cells and needs three); rooms are wide enough
 /// to turn, some have pillars. Roadblocks stand in lanes, mostly as one cell, anywhere from mouth to mouth: many show
 /// only from inside, and behind some there is but a dead end. Where they are more than the lanes, two
 /// thirds of the lanes take them, several in series, those after the first open with 0.7 to 0.9; the last third only
