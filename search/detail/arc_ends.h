@@ -58,9 +58,6 @@ struct ArcGraph {
   std::function<Points(std::uint32_t site)> points_of;
 };
 
-/// An end as a site that legs lead to: no circle, in the sector that FreeSpace::locate names.
-TangentSite end_site(const TangentWalls& walls, Point p);
-
 /// Precondition: s and g are places of the disc, and not the same.
 ArcEnds join_ends(const ArcGraph& graph, Point s, Point g);
 ArcEnds join_ends(const TangentParts& graph, Point s, Point g);
