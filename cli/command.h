@@ -50,6 +50,7 @@ std::vector<Command> mouse_commands(CommandLine& app);
 std::vector<Command> chase_commands(CommandLine& app);
 Command chase_compare_command(CommandLine& chase);
 Command chase_generate_command(CommandLine& chase);
+Command chase_plane_command(CommandLine& chase);
 /// Likewise `taut bug`.
 std::vector<Command> bug_commands(CommandLine& app);
 Command drive_command(CommandLine& app);

@@ -139,7 +139,8 @@ int run(const ChaseOptions& options, Run& run) {
 std::vector<Command> chase_commands(CommandLine& app) {
   Command chase =
       command<ChaseOptions>(app, "chase", "Catch a moving target on a cost map at least cost", add_options, run);
-  return {chase_compare_command(*chase.line), chase_generate_command(*chase.line), chase};
+  return {chase_compare_command(*chase.line), chase_generate_command(*chase.line), chase_plane_command(*chase.line),
+          chase};
 }
 
 }  // namespace taut::cli

@@ -18,6 +18,7 @@
 #include <taut/io/pictures/drive_svg.h>
 #include <taut/io/pictures/svg_sheet.h>
 #include <taut/io/worlds/roadblock_map.h>
+#include <taut/robots/roadblocks/tree_planner.h>
 #include <taut/robots/roadblocks/value_planner.h>
 #include <taut/search/stopwatch.h>
 
@@ -37,6 +38,11 @@ std::vector<roadblocks::Sample> chosen_samples(const DriveOptions& options, cons
   }
   if (!map.samples.empty()) return {map.samples.front()};
   return {{0, roadblocks_of(std::string(map.course.roadblocks.size(), '1'), map.course)}};
+}
+
+/// Trees draw anew for each sample.
+std::uint64_t seed_of(const roadblocks::Sample& sample, const DriveOptions& options) {
+  return options.common.seed + static_cast<std::uint64_t>(sample.number);
 }
 
 /// Takes the time of another driver's decisions.
@@ -87,6 +93,20 @@ ValueLayer last_values(const roadblocks::Course& course, const roadblocks::Drive
   return value_layer(*planner.grid(), *planner.values());
 }
 
+/// What a planner of trees grew in this drive; nothing of others.
+std::vector<roadblocks::TreeBranch> trees_of(const RoadblockDrive& result, const roadblocks::Course& course,
+                                             const DriveOptions& options) {
+  constexpr std::pair<std::string_view, roadblocks::TreeKind> kKinds[] = {
+      {"rrt", roadblocks::TreeKind::rrt},
+      {"rrt-field", roadblocks::TreeKind::rrt_field},
+      {"rrt-star", roadblocks::TreeKind::rrt_star},
+      {"rrt-connect", roadblocks::TreeKind::rrt_connect}};
+  for (const auto& [name, kind] : kKinds)
+    if (options.peer && options.peer->name == name)
+      return roadblocks::trees_of(course, options.walls, kind, seed_of(result.sample, options), result.drive);
+  return {};
+}
+
 std::string picture_of(const RoadblockDrive& result, const roadblocks::Course& course, const DriveOptions& options,
                        const std::string& source, bool animate) {
   const bool has_values = options.show_values || planner_name(options) == "value-iteration";
@@ -96,7 +116,8 @@ std::string picture_of(const RoadblockDrive& result, const roadblocks::Course& c
                         count_text(static_cast<std::size_t>(result.drive.replans), "replan"), planner_name(options)},
                        options.walls,
                        animate,
-                       has_values ? &values : nullptr};
+                       has_values ? &values : nullptr,
+                       trees_of(result, course, options)};
   return drive_svg(course, result.drive, picture);
 }
 
@@ -116,8 +137,7 @@ struct Garage {
 /// Trees draw anew for each sample; a sample drives the same alone and among all.
 std::unique_ptr<roadblocks::Driver> driver_for(const roadblocks::Sample& sample, const roadblocks::Course& course,
                                                Garage& garage, const DriveOptions& options) {
-  if (options.peer)
-    return options.peer->make(course, options.walls, options.common.seed + static_cast<std::uint64_t>(sample.number));
+  if (options.peer) return options.peer->make(course, options.walls, seed_of(sample, options));
   if (garage.policy) return roadblocks::make_driver(*garage.policy, garage.planner);
   return roadblocks::make_driver(options.planner, garage.planner, sample.open);
 }

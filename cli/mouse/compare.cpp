@@ -28,6 +28,7 @@ struct CompareOptions {
   ReportOptions report;
   std::vector<Explorer> explorers = micromouse::all_explorers();
   int max_steps = micromouse::kMaxSteps;
+  int seeds = 1;
 };
 
 std::vector<Explorer> explorers_in(const std::string& list) {
@@ -46,6 +47,11 @@ void add_options(CommandLine& app, CompareOptions& options) {
          "--explorers", [&options](const std::string& list) { options.explorers = explorers_in(list); },
          "Which, separated by commas (default: all)")
       .type_name("LIST")
+      .group("Robot");
+  app.add_option("--seeds", options.seeds,
+                 "So many seeds, from --seed on, for those that draw (random, prove, score): how much seeds matter")
+      .type_name("N")
+      .range(1, 1000)
       .group("Robot");
   add_max_steps_option(app, options.max_steps);
   add_jobs_option(app, options.common.limits);
@@ -81,6 +87,15 @@ std::string row(const Contest& contest, std::size_t i) {
                      contest.seconds[i] / mazes, s.worst ? title_of(contest.mazes[*s.worst]) : "");
 }
 
+std::string spread_line(const Contest& contest, std::size_t i) {
+  const auto spread = contest.spread(i);
+  if (!spread) return "";
+  std::string means;
+  for (const double mean : spread->means) means += fmt::format("{}{:.3f}", means.empty() ? "" : ", ", mean);
+  return fmt::format("{}: {} by seed; standard deviation of the mean {:.3f}, of one maze {:.3f}\n",
+                     name(contest.explorers[i]), means, spread->of_means, spread->of_a_maze);
+}
+
 /// An explorer that has not been everywhere says so.
 std::string table(const Contest& contest) {
   std::string out = fmt::format("{:<12}{:>9}{:>9}{:>10}{:>10}{:>8}{:>9}  {}\n", "explorer", "mean", "/ floor", "worst",
@@ -91,6 +106,7 @@ std::string table(const Contest& contest) {
   for (std::size_t i = 0; i < contest.scores.size(); ++i)
     if (const std::size_t ran = contest.scores[i].size(); ran < contest.mazes.size())
       out += fmt::format("{}: the first {} only\n", name(contest.explorers[i]), count_text(ran, "maze"));
+  for (std::size_t i = 0; i < contest.scores.size(); ++i) out += spread_line(contest, i);
   return out;
 }
 
@@ -111,6 +127,7 @@ class Trials {
       trials_[i].score = score_of(explorer(i), mazes_[i % mazes_.size()], options_.max_steps, options_.common.seed);
       trials_[i].seconds = watch.seconds().cpu;
     });
+    for (int seed = 1; seed < options_.seeds; ++seed) again(seed);
   }
 
  private:
@@ -118,6 +135,21 @@ class Trials {
     micromouse::Score score;
     double seconds = 0;
   };
+
+  /// Those that draw, by a further seed.
+  void again(int further) {
+    contest_.more.resize(options_.explorers.size());
+    for (std::size_t e = 0; e < options_.explorers.size(); ++e) {
+      if (!is_random(options_.explorers[e])) continue;
+      std::vector<micromouse::Score> row(mazes_.size());
+      each_in_parallel(mazes_.size(), {options_.common.limits.jobs, {}, {}}, [&](std::size_t k) {
+        row[k] = score_of(options_.explorers[e], mazes_[k], options_.max_steps,
+                          options_.common.seed + static_cast<std::uint64_t>(further));
+      });
+      contest_.more[e].push_back(std::move(row));
+      run_.so_far(mouse_contest_json(contest_, options_.common.seed), table(contest_));
+    }
+  }
 
   Explorer explorer(std::size_t i) const { return options_.explorers[i / mazes_.size()]; }
 

@@ -87,6 +87,7 @@ void MouseReport::promise(Run& run) const {
 int MouseReport::end(Run& run, const GridMazeInput& read, MouseTrial trial, std::string missing, std::string listing,
                      const std::map<Cell, micromouse::CellMark>& marks) const {
   trial.certificate = micromouse::certificate(trial.record);
+  trial.insurance = run.stage("insurance", [&] { return micromouse::insurance_of(trial.record, trial.seed); });
   run.stage("check", [&] { check(trial, read.maze); });
   run.so_far(mouse_trial_json(trial), listing.empty() ? mouse_table(trial, read.name) : "");
   if (!quick) measure(trial, read, run);

@@ -1,6 +1,8 @@
 // taut mouse speed: the fastest way through a known maze, beside the shortest.
 #include <fmt/format.h>
 
+#include <stdexcept>
+
 #include <taut/cli/command_line.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/mouse/mouse.h>
@@ -8,6 +10,7 @@
 #include <taut/io/pictures/mouse_svg.h>
 #include <taut/io/results/mouse_json.h>
 #include <taut/io/worlds/speed_model_file.h>
+#include <taut/robots/micromouse/speed_bound.h>
 #include <taut/robots/micromouse/speed_facts.h>
 
 namespace taut::cli {
@@ -50,11 +53,13 @@ std::string row(const char* name, const SpeedRun& run, const SpeedModel& model) 
                      run.cells.size() - 1, turns_of(run), top_speed_of(run, model));
 }
 
-std::string table(const GridMazeInput& read, const SpeedModel& model, const SpeedRun& fastest,
-                  const SpeedRun& shortest) {
+std::string table(const GridMazeInput& read, const SpeedModel& model, const SpeedRun& fastest, const SpeedRun& shortest,
+                  const micromouse::SpeedBound& bound) {
   std::string out = fmt::format("{}: {} x {}\n  {:<10}{:>9}{:>9}{:>7}{:>7}{:>9}\n", read.name, read.maze.width(),
                                 read.maze.height(), "", "s", "m", "cells", "turns", "top m/s");
   out += row("fastest", fastest, model) + row("shortest", shortest, model);
+  out += fmt::format("  {:<10}{:>9.3f}{:>9.2f}  no drive takes less: any curve through the gaps, turning free\n",
+                     "bound", bound.seconds, bound.metres);
   const auto parts = micromouse::partings(fastest.cells, shortest.cells);
   if (parts.empty()) return out + "  the fastest is the shortest\n";
   for (const micromouse::Parting& p : parts)
@@ -83,9 +88,11 @@ int run(const SpeedOptions& options, Run& run) {
   if (!fastest) return no_route(read.name, run);
   const SpeedRun shortest =
       run.stage("search", [&] { return *micromouse::speed_run(read.maze, model, Aim::fewest_cells); });
+  const micromouse::SpeedBound bound = run.stage("bound", [&] { return *micromouse::speed_bound(read.maze, model); });
+  if (bound.seconds > fastest->seconds) throw std::logic_error("the fastest run is below its own bound");
   Answer answer{.outcome = Outcome::found,
-                .result = mouse_speed_json(*fastest, shortest),
-                .line = table(read, model, *fastest, shortest)};
+                .result = mouse_speed_json(*fastest, shortest, bound),
+                .line = table(read, model, *fastest, shortest, bound)};
   if (options.drives) answer.listing = drives_text(*fastest);
   if (!options.svg.empty())
     answer.files.push_back({options.svg, mouse_speed_svg(read.maze, *fastest, shortest, title_of(read.name))});

@@ -38,6 +38,15 @@ std::string goal_text(const std::vector<Cell>& goal) {
   return goal.size() > 4 ? out + fmt::format(" and {} more", goal.size() - 4) : out;
 }
 
+// Of those that looked on after the goal.
+std::string insurance_row(const MouseTrial& t) {
+  if (!t.insurance || t.insurance->paid == 0) return "";
+  const micromouse::Insurance& i = *t.insurance;
+  return row("insurance", fmt::format("{:+.3f}", i.balance()),
+             fmt::format("{} after the goal cost {:.3f}, run 2 got {} shorter ({:.1f} expected of knowing all)",
+                         count_text(static_cast<std::size_t>(i.paid), "step"), i.price(), i.back, i.expected));
+}
+
 std::string yardstick_rows(const micromouse::Yardsticks& y) {
   std::string out = row("floor", score_text(y.floor), "of a robot that knows the maze");
   if (y.with_proof)
@@ -66,7 +75,7 @@ std::string mouse_table(const MouseTrial& t, const std::string& source) {
   out += row("optimum", std::to_string(t.yardsticks.optimum), "fewest steps of run 2");
   out += row("proven", t.certificate ? "yes" : "no",
              fmt::format("by what run 1 saw ({} of {} walls)", map.seen(), map.seen() + map.unknown()));
-  return out + yardstick_rows(t.yardsticks);
+  return out + insurance_row(t) + yardstick_rows(t.yardsticks);
 }
 
 }  // namespace taut::cli

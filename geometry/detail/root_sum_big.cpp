@@ -5,16 +5,14 @@
 
 #include <taut/geometry/exact/as_double.h>
 #include <taut/geometry/exact/numbers.h>
+#include <taut/geometry/exact/signed_roots.h>
 #include <taut/geometry/expects.h>
 
 namespace taut::detail {
 
 namespace {
 
-struct BigTerm {
-  Rational square;
-  std::int64_t count;
-};
+using BigTerm = SignedRoot;
 using BigTerms = std::vector<BigTerm>;
 
 Rational exact(const twofold::Pair& p) { return Rational(p.high) + Rational(p.low); }
@@ -129,14 +127,7 @@ std::string with_point(const Integer& digits, int places) {
 
 }  // namespace
 
-int sign_by_big_numbers(std::span<const RootTerm> terms) {
-  const auto decide = [](const BigInterval& sum) -> std::optional<int> {
-    if (sgn(sum.lo) > 0) return 1;
-    if (sgn(sum.hi) < 0) return -1;
-    return std::nullopt;
-  };
-  return decide_sum(big_terms(terms), decide, [](const Rational& v) { return sgn(v); });
-}
+int sign_by_big_numbers(std::span<const RootTerm> terms) { return sign_of_sum(big_terms(terms)); }
 
 double nearest_by_big_numbers(std::span<const RootTerm> terms) {
   const auto decide = [](const BigInterval& sum) -> std::optional<double> {
@@ -160,3 +151,16 @@ std::string decimals_by_big_numbers(std::span<const RootTerm> terms, int places)
 }
 
 }  // namespace taut::detail
+
+namespace taut {
+
+int sign_of_sum(const std::vector<SignedRoot>& terms) {
+  const auto decide = [](const detail::BigInterval& sum) -> std::optional<int> {
+    if (sgn(sum.lo) > 0) return 1;
+    if (sgn(sum.hi) < 0) return -1;
+    return std::nullopt;
+  };
+  return detail::decide_sum(terms, decide, [](const Rational& v) { return sgn(v); });
+}
+
+}  // namespace taut

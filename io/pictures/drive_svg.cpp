@@ -15,8 +15,9 @@ namespace {
 
 using roadblocks::Pose;
 
-constexpr std::size_t kEvery = 8;      // poses an outline
-constexpr std::size_t kFrames = 1500;  // of an animation, at most
+constexpr std::size_t kEvery = 8;               // poses an outline
+constexpr std::size_t kWholeBranches = 20'000;  // of a larger tree the chords alone
+constexpr std::size_t kFrames = 1500;           // of an animation, at most
 constexpr double kStepsPerSecond = 60;
 
 // In cells.
@@ -33,6 +34,9 @@ constexpr const char* kStyle = R"(.taut.drive .ground{fill:#fff}
 .taut.drive .casing{fill:none;stroke:#fff;stroke-width:.36;stroke-linecap:round}
 .taut.drive .ahead{fill:none;stroke:#ee5a10;stroke-width:.18;stroke-linecap:round}
 .taut.drive .back{fill:none;stroke:#00838f;stroke-width:.24;stroke-linecap:round}
+.taut.drive .tree{fill:none;stroke:#8fb6dc;stroke-width:.06}
+.taut.drive .goal-tree{fill:none;stroke:#b48cff;stroke-width:.06}
+.taut.drive .sample.tree,.taut.drive .sample.goal-tree{stroke-width:2}
 .taut.drive .car{fill:#ee5a10;fill-opacity:.55;stroke:#9a3606;stroke-width:.08}
 @media (prefers-color-scheme:dark){
 .taut.drive .ground{fill:#1d2430}
@@ -83,6 +87,8 @@ class Picture {
     what_.values ? void(out_ += what_.values->surface) : seen();
     walls();
     if (what_.values) out_ += what_.values->arrows;
+    tree(false);
+    tree(true);
     roadblocks();
     outlines();
     way();
@@ -105,6 +111,8 @@ class Picture {
     if (known & drive_.open) keys.push_back({"open", "seen open", patch, {}});
     if (known & ~drive_.open) keys.push_back({"closed", "seen closed", patch, {}});
     if (all & ~known) keys.push_back({"unknown", "never seen", patch, {}});
+    if (has_tree(false)) keys.push_back({"tree", "the tree that was grown", line, {}});
+    if (has_tree(true)) keys.push_back({"goal-tree", "the one from the goal", line, {}});
     if (what_.values)
       keys.push_back({"values", what_.values->scale, scale, what_.values->colours});
     else
@@ -164,6 +172,22 @@ class Picture {
         out_ += fmt::format("<text class=\"letter\" x=\"{}\" y=\"{}\">{}</text>\n", c.x, c.y + 0.3, block.letter);
       }
     }
+  }
+
+  bool has_tree(bool from_goal) const {
+    return std::ranges::any_of(what_.tree, [&](const auto& branch) { return branch.from_goal == from_goal; });
+  }
+
+  void tree(bool from_goal) {
+    const bool as_chords = what_.tree.size() > kWholeBranches;
+    std::string d;
+    for (const roadblocks::TreeBranch& branch : what_.tree) {
+      if (branch.from_goal != from_goal) continue;
+      for (std::size_t i = 0; i < branch.way.size();
+           i += as_chords ? std::max<std::size_t>(branch.way.size() - 1, 1) : 1)
+        d += fmt::format("{}{:.2f} {:.2f}", i == 0 ? 'M' : 'L', branch.way[i].x, branch.way[i].y);
+    }
+    path(from_goal ? "goal-tree" : "tree", d);
   }
 
   void outlines() {

@@ -6,6 +6,7 @@
 
 #include <taut/io/pictures/value_layer.h>
 #include <taut/robots/roadblocks/drive.h>
+#include <taut/robots/roadblocks/tree_planner.h>
 
 namespace taut {
 
@@ -14,7 +15,8 @@ struct DrivePicture {
   std::vector<std::string> facts;
   roadblocks::WallReading reading = roadblocks::WallReading::points;
   bool animate = false;
-  const ValueLayer* values = nullptr;  ///< in the place of the tint of what was in sight
+  const ValueLayer* values = nullptr;          ///< in the place of the tint of what was in sight
+  std::vector<roadblocks::TreeBranch> tree{};  ///< thin lines below the way
 };
 
 /// One SVG 1.1 document, rows down: walls, what the car came near enough to see (tint), roadblocks by state (open,

@@ -73,6 +73,7 @@ class Picture {
     if (!what_.separation.empty()) add("separation");
     if (!what_.gates.empty()) add("gates");
     if (!what_.guides.empty()) add("guides");
+    if (!what_.guides.empty() && !what_.guide_label.empty()) keys.back().label = what_.guide_label;
     if (!what_.contours.empty()) add("contours");
     if (!what_.moves.empty()) add("moves");
     if (!what_.views.empty()) add("views");
@@ -215,7 +216,13 @@ class Picture {
   }
 
   void runner() {
-    if (!what_.path || what_.seconds <= 0) return;
+    if (what_.seconds <= 0) return;
+    for (const SvgTraveller& who : what_.travellers) {
+      std::vector<std::pair<double, Point>> places = who.places;
+      for (auto& [when, at] : places) at = scale_.pixel(at);
+      out_ += detail::dot_by_clock(places, strokes_.marker_radius(), what_.seconds, who.kind);
+    }
+    if (!what_.path || !what_.travellers.empty()) return;
     SvgPath line(scale_);
     line.chain(what_.path->points);
     if (!line.empty()) out_ += detail::runner_along(line, strokes_.marker_radius(), what_.seconds);

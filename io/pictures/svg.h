@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <taut/geometry/free_space.h>
@@ -50,6 +51,12 @@ struct SvgFill {
   double shade = 0;
 };
 
+/// A dot that moves evenly from place to place, each with when, a part of the round; the first is at 0, the last at 1.
+struct SvgTraveller {
+  std::vector<std::pair<double, Point>> places;
+  std::string kind = "runner";  ///< or `goal`: its class
+};
+
 /// What to draw besides the free space. Pointers may be null and are only read during the call.
 struct SvgPicture {
   std::string title{};               ///< first line of the legend, usually the file's name
@@ -66,15 +73,17 @@ struct SvgPicture {
   const ArcPath* arcs = nullptr;            ///< drawn as `path`, with true arcs
   std::vector<SvgView> views{};             ///< tinted, in the order of `at`; a moving picture shows the last one only
   std::vector<Segment> guides{};            ///< auxiliary lines, dashed, below the path
+  std::string guide_label{};                ///< what they are, for the key, where they are no straight line to the goal
   std::vector<SvgLabel> labels{};           ///< above all else, each where it hides least
   double seconds = 0;                       ///< > 0: a dot runs along `path` in that time, again and again (SMIL)
   bool milestones = false;                  ///< the roadmap's vertices are dots, also those joined to nothing
   std::vector<SvgDisc> discs{};             ///< the robot, below the path
   std::vector<SvgLabelKey> label_keys{};
-  std::vector<Segment> contours{};  ///< thin lines below the walls (contours.h)
-  std::vector<EndMove> moves{};     ///< of start and goal: dashed, from where they were given
-  std::vector<SvgFill> fills{};     ///< above the free space, below all else
-  std::string fill_label{};         ///< what their colours mean, for the key
+  std::vector<Segment> contours{};         ///< thin lines below the walls (contours.h)
+  std::vector<EndMove> moves{};            ///< of start and goal: dashed, from where they were given
+  std::vector<SvgFill> fills{};            ///< above the free space, below all else
+  std::string fill_label{};                ///< what their colours mean, for the key
+  std::vector<SvgTraveller> travellers{};  ///< with `seconds`: these run instead of a dot along `path`
 };
 
 /// The picture as one SVG 1.1 document, north up.

@@ -70,6 +70,12 @@ Json json_of(const Contest& contest, std::size_t explorer) {
   json["failures"] = s.failures;
   json["proven"] = s.proven;
   json["seconds"] = contest.seconds[explorer];
+  if (const auto spread = contest.spread(explorer)) {
+    json["seeds"] = spread->means.size();
+    json["seed_means"] = spread->means;
+    json["spread"] = spread->of_means;
+    json["maze_spread"] = spread->of_a_maze;
+  }
   Json runs = Json::array();
   const std::vector<Score>& row = contest.scores[explorer];
   for (std::size_t k = 0; k < row.size(); ++k) runs.push_back(json_of(row[k], contest.mazes[k], contest.yardsticks[k]));
@@ -136,6 +142,12 @@ Json mouse_trial_json(const MouseTrial& trial) {
     json["floor_with_proof"] = {
         {"score", y.with_proof->score()}, {"run1", y.with_proof->run1}, {"exact", y.with_proof->exact}};
   json["benchmarks"] = {{"every_cell", y.every_cell}, {"random_walkers", y.random_walkers}};
+  if (const auto& i = trial.insurance)
+    json["insurance"] = {{"steps", i->paid},
+                         {"known", i->known},
+                         {"expected", i->expected},
+                         {"back", i->back},
+                         {"balance", i->balance()}};
   json["route"] = json_of(racing_cells(record));
   Json steps = Json::array();
   for (const Step& s : record.steps) steps.push_back(json_of(s));
@@ -152,12 +164,16 @@ Json mouse_contest_json(const Contest& contest, std::uint64_t seed) {
           {"explorers", std::move(explorers)}};
 }
 
-Json mouse_speed_json(const micromouse::SpeedRun& fastest, const micromouse::SpeedRun& shortest) {
+Json mouse_speed_json(const micromouse::SpeedRun& fastest, const micromouse::SpeedRun& shortest,
+                      const micromouse::SpeedBound& bound) {
   Json differences = Json::array();
   for (const micromouse::Parting& p : micromouse::partings(fastest.cells, shortest.cells))
     differences.push_back(
         {{"from", json_of(p.from)}, {"to", json_of(p.to)}, {"fastest", p.fastest}, {"shortest", p.shortest}});
-  return {{"fastest", json_of(fastest)}, {"shortest", json_of(shortest)}, {"differences", std::move(differences)}};
+  return {{"fastest", json_of(fastest)},
+          {"shortest", json_of(shortest)},
+          {"differences", std::move(differences)},
+          {"bound", {{"seconds", bound.seconds}, {"metres", bound.metres}}}};
 }
 
 }  // namespace taut

@@ -45,6 +45,19 @@ struct Contest {
     double worst_score = 0;
   };
   Summary summary(std::size_t explorer) const;
+
+  /// Rows of scores by further seeds, of explorers that draw: by explorer, then seed, then maze. Empty when none was
+  /// asked for.
+  std::vector<std::vector<std::vector<Score>>> more;
+
+  /// How much seeds matter, over the mazes that all of them finished.
+  struct Spread {
+    std::vector<double> means;  ///< by seed, the first that of `scores`
+    double of_means = 0;        ///< their standard deviation
+    double of_a_maze = 0;       ///< the standard deviation of one maze's score (root of the mean variance)
+  };
+  /// Nothing of an explorer with one seed alone, or when no maze was finished by all.
+  std::optional<Spread> spread(std::size_t explorer) const;
 };
 
 }  // namespace taut::micromouse

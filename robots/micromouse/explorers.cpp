@@ -265,6 +265,10 @@ std::optional<Explorer> explorer_named(std::string_view word) {
   return std::nullopt;
 }
 
+bool is_random(Explorer explorer) {
+  return explorer == Explorer::random || explorer == Explorer::prove || explorer == Explorer::score;
+}
+
 std::unique_ptr<Robot> make_explorer(Explorer explorer, const Task& task, std::uint64_t seed) {
   switch (explorer) {
     case Explorer::random: return std::make_unique<RandomWalker>(task, seed);
@@ -274,8 +278,8 @@ std::unique_ptr<Robot> make_explorer(Explorer explorer, const Task& task, std::u
     case Explorer::flood_fill: return std::make_unique<FloodFill>(task);
     case Explorer::a_star: return std::make_unique<AStar>(task);
     case Explorer::plain_prove: return std::make_unique<PlainProver>(task);
-    case Explorer::prove: return std::make_unique<detail::Scout>(task, detail::ScoutGoal::proof);
-    case Explorer::score: return std::make_unique<detail::Scout>(task, detail::ScoutGoal::score);
+    case Explorer::prove: return std::make_unique<detail::Scout>(task, detail::ScoutGoal::proof, seed);
+    case Explorer::score: return std::make_unique<detail::Scout>(task, detail::ScoutGoal::score, seed);
   }
   return nullptr;
 }

@@ -42,8 +42,10 @@ std::string_view name(Explorer explorer);
 /// Nothing for any other word.
 std::optional<Explorer> explorer_named(std::string_view word);
 
-/// A robot for this task. The seed matters for `random` alone; `prove` and `score` draw their sampled mazes from
-/// a fixed one.
+/// Does it draw? The others do the same for any seed.
+bool is_random(Explorer explorer);
+
+/// A robot for this task. `random` draws its way, `prove` and `score` the mazes that they compare.
 std::unique_ptr<Robot> make_explorer(Explorer explorer, const Task& task, std::uint64_t seed = 1);
 
 }  // namespace taut::micromouse

@@ -15,8 +15,9 @@ struct TreePlanner::Impl {
     return at->second;
   }
 
-  std::optional<std::vector<double>> search(const detail::TreeRoom& in, const Pose& from) {
-    detail::Samples budget{draws, most_samples(kind), samples};
+  std::optional<std::vector<double>> search(const detail::TreeRoom& in, const Pose& from,
+                                            std::vector<TreeBranch>* tree) {
+    detail::Samples budget{draws, most_samples(kind), samples, tree};
     switch (kind) {
       case TreeKind::rrt: return detail::rrt(in, from, budget, false);
       case TreeKind::rrt_field: return detail::rrt(in, from, budget, true);
@@ -39,10 +40,10 @@ TreePlanner::TreePlanner(const Course& course, WallReading reading, TreeKind kin
 
 TreePlanner::~TreePlanner() = default;
 
-Attempt TreePlanner::plan(const Pose& from, RoadblockSet closed) {
+Attempt TreePlanner::plan(const Pose& from, RoadblockSet closed, std::vector<TreeBranch>* tree) {
   const detail::TreeRoom& room = impl_->room(closed);
   if (!room.distance().reaches({from.x, from.y})) return {std::nullopt, true};
-  const std::optional<std::vector<double>> controls = impl_->search(room, from);
+  const std::optional<std::vector<double>> controls = impl_->search(room, from, tree);
   if (!controls) return {};
   const detail::Stretch way = room.driven(from, *controls);
   if (!way.arrived) return {};
@@ -50,6 +51,22 @@ Attempt TreePlanner::plan(const Pose& from, RoadblockSet closed) {
 }
 
 std::size_t TreePlanner::samples() const { return impl_->samples; }
+
+std::vector<TreeBranch> trees_of(const Course& course, WallReading reading, TreeKind kind, std::uint64_t seed,
+                                 const Drive& drive) {
+  std::vector<TreeBranch> all;
+  TreePlanner planner(course, reading, kind, seed);
+  planner.plan(drive.poses.front(), 0, &all);
+  // The same questions again: whenever a roadblock showed closed and the drive was not over.
+  RoadblockSet closed = 0;
+  for (const auto& [steps, seen] : drive.sights) {
+    const RoadblockSet before = closed;
+    closed |= seen & ~drive.open;
+    const bool over = static_cast<std::size_t>(steps) == drive.controls.size() && drive.outcome == Outcome::reached;
+    if (closed != before && !over) planner.plan(drive.poses[static_cast<std::size_t>(steps)], closed, &all);
+  }
+  return all;
+}
 
 std::size_t most_samples(TreeKind kind) {
   switch (kind) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include <taut/robots/roadblocks/replanning_driver.h>
 
@@ -18,6 +19,12 @@ namespace taut::roadblocks {
 ///  rrt_connect  RRT-Connect (Kuffner, LaValle, 2000): one tree from the car, one to the goal, which grows by driving
 ///               backwards in *time*
 enum class TreeKind : std::uint8_t { rrt, rrt_field, rrt_star, rrt_connect };
+
+/// A leg of a grown tree: where the car's centre is, step by step, between a node and its parent.
+struct TreeBranch {
+  std::vector<Point> way;
+  bool from_goal = false;  ///< of the tree that rrt_connect grows from the goal
+};
 
 /// Plans with the closed roadblocks known.
 ///
@@ -40,7 +47,8 @@ class TreePlanner {
   TreePlanner(const TreePlanner&) = delete;
   TreePlanner& operator=(const TreePlanner&) = delete;
 
-  Attempt plan(const Pose& from, RoadblockSet closed);
+  /// `tree`, when given, gets the branches that were grown for it, also where they led nowhere.
+  Attempt plan(const Pose& from, RoadblockSet closed, std::vector<TreeBranch>* tree = nullptr);
 
   std::size_t samples() const;  ///< drawn, in all plans so far
 
@@ -48,6 +56,10 @@ class TreePlanner {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// What the planner of this seed grew in a drive along its plans (peers.h), all plans together.
+std::vector<TreeBranch> trees_of(const Course& course, WallReading reading, TreeKind kind, std::uint64_t seed,
+                                 const Drive& drive);
 
 /// Samples a plan at most.
 std::size_t most_samples(TreeKind kind);

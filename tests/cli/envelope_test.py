@@ -158,6 +158,10 @@ def cases(data):
     yield "chase wrong", chase, "refused"
     yield "chase compare map", chase, "found"
     yield "chase generate --size 20 -o out", chase, "done"
+    plane = {"room": ROOM, "sealed": SEALED, "wrong": WRONG, "walk": "0 1 3\n9 1 1\n", "beyond": "0 3 3\n9 3 2\n"}
+    yield "chase plane room --target walk", plane, "found"
+    yield "chase plane sealed --target beyond", plane, "none"
+    yield "chase plane room --target wrong", plane, "refused"
     drive = {"lane": os.path.join(data, "car", "lane.txt"), "room": ROOM, "sealed": SEALED, "wrong": WRONG}
     car = "--car length=0.4,width=0.2,radius=0.3"
     yield "drive lane", drive, "found"

@@ -81,8 +81,8 @@ TEST_F(Help, IsGivenInEveryWay) {
 }
 
 TEST_F(Help, ShowsALineThatCanBeTyped) {
-  for (const char* name : {"chase", "chase compare", "chase generate", "bug", "bug compare", "grid solve",
-                           "grid compare", "grid heuristics", "grid scen", "grid generate"}) {
+  for (const char* name : {"chase", "chase compare", "chase generate", "chase plane", "bug", "bug compare",
+                           "grid solve", "grid compare", "grid heuristics", "grid scen", "grid generate"}) {
     SCOPED_TRACE(name);
     EXPECT_THAT(run_taut(std::string("help ") + name).out, HasSubstr(std::string("\n  taut ") + name + " "));
   }

@@ -70,6 +70,25 @@ std::string runner_along(const SvgPath& line, double radius, double seconds) {
       svg_number(radius), svg_number(seconds), line.text());
 }
 
+std::string dot_by_clock(const std::vector<std::pair<double, Point>>& places, double radius, double seconds,
+                         const std::string& kind) {
+  std::string xs, ys, times;
+  for (const auto& [when, at] : places) {
+    const char* const between = times.empty() ? "" : ";";
+    xs.append(between).append(svg_number(at.x));
+    ys.append(between).append(svg_number(at.y));
+    times += fmt::format("{}{:.6g}", between, when);
+  }
+  const auto animate = [&](const char* what, const std::string& values) {
+    return fmt::format(
+        "<animate attributeName=\"{}\" dur=\"{}s\" repeatCount=\"indefinite\" values=\"{}\" keyTimes=\"{}\"/>", what,
+        svg_number(seconds), values, times);
+  };
+  return fmt::format("<g class=\"{} moving\"><circle cx=\"{}\" cy=\"{}\" r=\"{}\">{}{}</circle></g>\n", kind,
+                     svg_number(places.front().second.x), svg_number(places.front().second.y), svg_number(radius),
+                     animate("cx", xs), animate("cy", ys));
+}
+
 std::string film_controls(Point corner, double ends) {
   std::string out(kStyle);
   out += fmt::format(

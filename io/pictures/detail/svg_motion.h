@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <taut/io/pictures/detail/svg_path.h>
 
@@ -13,6 +15,10 @@ std::string shown_between(double from, double until, double seconds);
 
 /// A dot that runs along the line in that time, again and again; the radius in pixels.
 std::string runner_along(const SvgPath& line, double radius, double seconds);
+
+/// A dot of that class at places (in pixels), each with when, a part of the `seconds` that a round takes; from 0 to 1.
+std::string dot_by_clock(const std::vector<std::pair<double, Point>>& places, double radius, double seconds,
+                         const std::string& kind);
 
 /// What makes a picture a film, to be put before the frame's foot: a button, its right upper corner there, that pauses
 /// and goes on (a click, or Enter or the space bar once it has the focus; a film that plays once starts again after

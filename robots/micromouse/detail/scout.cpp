@@ -69,8 +69,8 @@ int samples_for(const Task& task, const ScoutTuning& tuning) {
 
 }  // namespace
 
-Scout::Scout(const Task& task, ScoutGoal goal, const ScoutTuning& tuning)
-    : MappingRobot(task), goal_(goal), tuning_(tuning), belief_(task, samples_for(task, tuning), 20240229) {}
+Scout::Scout(const Task& task, ScoutGoal goal, std::uint64_t seed, const ScoutTuning& tuning)
+    : MappingRobot(task), goal_(goal), tuning_(tuning), belief_(task, samples_for(task, tuning), 20240228 + seed) {}
 
 Scout::Plans Scout::sample_plans(std::optional<int> hi) {
   Plans plans;

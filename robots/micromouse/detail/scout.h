@@ -21,7 +21,7 @@ struct ScoutTuning {
 
 class Scout final : public MappingRobot {
  public:
-  Scout(const Task& task, ScoutGoal goal, const ScoutTuning& tuning = {});
+  Scout(const Task& task, ScoutGoal goal, std::uint64_t seed = 1, const ScoutTuning& tuning = {});
 
  private:
   Action explore() override;

@@ -31,6 +31,11 @@ class Rrt {
     return std::nullopt;
   }
 
+  void keep(std::vector<TreeBranch>* tree) const {
+    for (const Node& node : nodes_)
+      if (tree && node.parent != kRoot) tree->push_back(branch_of(nodes_[node.parent].pose, node.controls));
+  }
+
  private:
   struct Node {
     Pose pose;
@@ -63,7 +68,10 @@ class Rrt {
 }  // namespace
 
 std::optional<std::vector<double>> rrt(const TreeRoom& room, const Pose& from, Samples samples, bool by_field) {
-  return Rrt(room, from, samples, by_field).run();
+  Rrt search(room, from, samples, by_field);
+  auto controls = search.run();
+  search.keep(samples.tree);
+  return controls;
 }
 
 }  // namespace taut::roadblocks::detail

@@ -35,6 +35,13 @@ class Tree {
   std::uint32_t nearest(const Pose& pose) const { return index_.nearest(pose); }
   const Pose& pose(std::uint32_t which) const { return nodes_[which].pose; }
 
+  /// All legs as they are driven.
+  void keep(std::vector<TreeBranch>* tree, bool from_goal) const {
+    for (const Node& node : nodes_)
+      if (tree && node.parent != kRoot)
+        tree->push_back(branch_of(from_goal ? node.pose : nodes_[node.parent].pose, node.controls, from_goal));
+  }
+
   /// The controls of each leg from a node up to its root.
   std::vector<std::span<const double>> to_root(std::uint32_t which) const {
     std::vector<std::span<const double>> legs;
@@ -70,6 +77,11 @@ class RrtConnect {
       if (auto all = i % 2 == 0 ? from_car(sample) : from_goal(sample)) return all;
     }
     return std::nullopt;
+  }
+
+  void keep(std::vector<TreeBranch>* tree) const {
+    cars_.keep(tree, false);
+    goals_.keep(tree, true);
   }
 
  private:
@@ -142,7 +154,10 @@ class RrtConnect {
 }  // namespace
 
 std::optional<std::vector<double>> rrt_connect(const TreeRoom& room, const Pose& from, Samples samples) {
-  return RrtConnect(room, from, samples).run();
+  RrtConnect search(room, from, samples);
+  auto controls = search.run();
+  search.keep(samples.tree);
+  return controls;
 }
 
 }  // namespace taut::roadblocks::detail

@@ -37,6 +37,11 @@ class RrtStar {
     return controls_to(nodes_, *std::ranges::min_element(goals_, {}, [&](std::uint32_t n) { return nodes_[n].cost; }));
   }
 
+  void keep(std::vector<TreeBranch>* tree) const {
+    for (const Node& node : nodes_)
+      if (tree && node.parent != kRoot) tree->push_back(branch_of(nodes_[node.parent].pose, node.controls));
+  }
+
  private:
   struct Node {
     Pose pose;
@@ -172,7 +177,10 @@ class RrtStar {
 }  // namespace
 
 std::optional<std::vector<double>> rrt_star(const TreeRoom& room, const Pose& from, Samples samples) {
-  return RrtStar(room, from, samples).run();
+  RrtStar search(room, from, samples);
+  auto controls = search.run();
+  search.keep(samples.tree);
+  return controls;
 }
 
 }  // namespace taut::roadblocks::detail

@@ -5,6 +5,15 @@
 
 namespace taut::roadblocks::detail {
 
+TreeBranch branch_of(Pose from, std::span<const double> controls, bool from_goal) {
+  TreeBranch branch{{{from.x, from.y}}, from_goal};
+  for (const double control : controls) {
+    from = stepped(from, control);
+    branch.way.push_back({from.x, from.y});
+  }
+  return branch;
+}
+
 namespace {
 
 constexpr double kFieldStep = 1.0 / kRaster;

@@ -9,6 +9,7 @@
 #include <taut/geometry/draws.h>
 #include <taut/robots/roadblocks/detail/disc_distance.h>
 #include <taut/robots/roadblocks/lattice_planner.h>
+#include <taut/robots/roadblocks/tree_planner.h>
 
 namespace taut::roadblocks::detail {
 
@@ -55,8 +56,12 @@ class TreeRoom {
 struct Samples {
   Draws& draws;
   std::size_t most;
-  std::size_t& drawn;  ///< counts on
+  std::size_t& drawn;                       ///< counts on
+  std::vector<TreeBranch>* tree = nullptr;  ///< gets what was grown
 };
+
+/// The leg that these controls drive.
+TreeBranch branch_of(Pose from, std::span<const double> controls, bool from_goal = false);
 
 // Controls to the goal, the last one reaching it; nothing when the samples are used up.
 std::optional<std::vector<double>> rrt(const TreeRoom& room, const Pose& from, Samples samples, bool by_field);

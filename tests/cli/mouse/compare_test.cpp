@@ -47,6 +47,19 @@ TEST_F(MouseCompare, AgreesWithSingleRuns) {
   }
 }
 
+TEST_F(MouseCompare, ShowsHowMuchSeedsMatter) {
+  const std::string mazes = " " + data_file("mouse_12.cells") + " " + data_file("mouse_16.num");
+  const Outcome run = run_taut("mouse compare --explorers flood,score --seeds 3" + mazes);
+  EXPECT_THAT(run.out, ContainsRegex("\nscore: [0-9.]+, [0-9.]+, [0-9.]+ by seed; standard deviation of the mean "));
+  EXPECT_THAT(run.out, Not(HasSubstr("flood: ")));
+  const json all = json::parse(run_taut("mouse compare --explorers score --seeds 3 --json -" + mazes).out)["result"];
+  const json means = all["explorers"][0]["seed_means"];
+  ASSERT_EQ(means.size(), 3U);
+  EXPECT_EQ(means[0], all["explorers"][0]["mean"]);
+  const json third = json::parse(run_taut("mouse compare --explorers score --seed 3 --json -" + mazes).out)["result"];
+  EXPECT_EQ(means[2], third["explorers"][0]["mean"]);
+}
+
 TEST_F(MouseCompare, KeepsTheScoresThatItHasWhenItIsStopped) {
   std::string mazes;
   for (int i = 0; i < 2000; ++i) mazes += " " + data_file("mouse_16.maz");

@@ -24,6 +24,9 @@ TEST_F(MouseSpeed, ShowsTheFastestBesideTheShortest) {
   const json all = json::parse(run_taut("mouse speed --json - " + data_file("mouse_16.maz")).out)["result"];
   EXPECT_LE(all["fastest"]["seconds"], all["shortest"]["seconds"]);
   EXPECT_LE(all["shortest"]["cells"], all["fastest"]["cells"]);
+  EXPECT_LT(all["bound"]["seconds"], all["fastest"]["seconds"]);
+  EXPECT_LT(all["bound"]["metres"], all["shortest"]["metres"]);
+  EXPECT_THAT(run.out, ContainsRegex("\n  bound +[0-9.]+ +[0-9.]+ "));
   double seconds = 0;
   for (const json& drive : all["fastest"]["drives"]) seconds += drive["seconds"].get<double>();
   EXPECT_NEAR(all["fastest"]["seconds"], seconds, 1e-12);
