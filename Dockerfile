@@ -1,4 +1,4 @@
-# docker build -t taut . && docker run --rm -v "$PWD:/here" taut solve maze.txt --svg maze.svg
+# docker build -t taut . && docker run --rm -u "$(id -u):$(id -g)" -v "$PWD:/here" taut solve maze.txt --svg maze.svg
 FROM debian:bookworm AS build
 COPY . /taut
 WORKDIR /taut
@@ -11,6 +11,6 @@ RUN cmake --preset package && cmake --build --preset package && \
 FROM debian:bookworm-slim
 COPY --from=build /debs/*.deb /debs/
 RUN apt-get update && DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends \
-      $(ls /debs/*.deb | grep -v -e -dev -e -doc) && rm -rf /debs /var/lib/apt/lists/*
+      $(ls /debs/*.deb | grep -v -e -dev -e -doc) librsvg2-2 fonts-dejavu-core && rm -rf /debs /var/lib/apt/lists/*
 WORKDIR /here
 ENTRYPOINT ["taut"]

@@ -11,6 +11,7 @@ LEFT_OUT = {
     r"pip |python3 -m pip ": "installs; tests/python/install_test.py does it",
     r"git clone ": "needs a network",
     r"cmake |cpack |ninja ": "builds; the lanes of `./dev check` do it",
+    r"\./dev python": "builds the package; tests/python",
     r"\./dev (test|check [a-z]+|bench|fuzz|oracle|attack|docs|web)\b(?!/)": "builds and runs all of it",
     r"taut matrix .*--join rows\.\*": "joins what the cluster made; tests/cli/shards_test.cpp does it",
     r"PYTHONPATH=\S+ python3$": "waits for what is typed",
