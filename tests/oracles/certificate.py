@@ -167,9 +167,8 @@ class Goal:
 
 
 def refutation(world, goal, nodes, bits):
-    """An open leg from a listed place that is shorter than the numbers of its ends differ.
-
-    Nodes: place, corner, low and high number, whether they are listed, whether they are ends of paths."""
+    """An open leg from a listed place that is shorter than the numbers of its ends differ. Nodes: place, corner, low
+    and high number, whether they are listed, whether they are ends of paths."""
     for u, corner, low, high, is_listed, _ in nodes:
         def away(e, u=u):
             return sum(max(min(a, b) - c, c - max(a, b), 0) for a, b, c in zip(e[0], e[1], u))
