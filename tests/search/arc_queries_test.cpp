@@ -93,6 +93,21 @@ TEST(ArcQueries, PrepareThemselvesAfterAWhile) {
   EXPECT_LT(queries.find({0.5, 0.5}, {11.5, 11.5}).expanded, before);
 }
 
+// Legs lead to the gap on both sides of it; the arc between them is as long as half a circle and meets the other wall.
+TEST(ArcQueries, FollowNoArcThroughAGapThatIsTooNarrow) {
+  const World world = test::SmallWorld{
+      .walls = {{{0, 3}, {5, 3}}, {{5.75, 3}, {10, 3}}, {{1, 2}, {3, 2}}, {{1, 4}, {3, 4}}},
+      .solids = {}}.bounded(Boundary::walled);
+  const AllRadii all{FreeSpace(world)};
+  const Point s{2, 1}, g{2, 5};
+  for (const double r : {0.375, 0.38}) {
+    ArcQueries fresh(all.at_radius(r)), prepared(all.at_radius(r));
+    prepared.prepare();
+    for (const ArcSearchResult& found : {fresh.find(s, g), prepared.find(s, g), arc_search(all, r, s, g)})
+      EXPECT_EQ(found.status, r == 0.375 ? DiscStatus::found : DiscStatus::none) << r;
+  }
+}
+
 TEST(ArcQueries, NameTheWallThatAnEndIsTooNearTo) {
   const World world = test::SmallWorld{.walls = {{{3, 3}, {7, 3}}}, .solids = {}}.bounded(Boundary::walled);
   ArcQueries queries(AllRadii(FreeSpace(world)).at_radius(0.6));
