@@ -10,11 +10,11 @@ namespace taut {
 
 /// Let M(w) be the least of (legs + w times the angle turned around corners) over the ways in the graph of a radius.
 ///
-///  1. For any r from that radius on, no path of a disc of radius r is shorter than M(r): the length of the shortest path
-///     of one homotopy class is a convex function of the radius, its slope the angle turned, and a class that a disc
-///     fits through a smaller one does (docs/all-radii.md).
-///  2. M is concave. So between two weights it is at least what lies between their values: two prepared graphs bound all
-///     radii between.
+///  1. For any r from that radius on, no path of a disc of radius r is shorter than M(r): the length of the shortest
+///     path of one homotopy class is a convex function of the radius, its slope the angle turned, and a class that a
+///     disc fits through a smaller one does (docs/all-radii.md).
+///  2. M is concave. So between two weights it is at least what lies between their values: two prepared graphs bound
+///     all radii between.
 /// Not for several threads at once.
 class ArcBounds {
  public:

@@ -13,8 +13,8 @@ struct PlainLeg {
   Point from, along;
   double length = 0;
 
-  /// +1: no point of the wall is as near as `far`; -1: one is nearer than `near`; 0: neither is known. As far as doubles
-  /// go: who calls leaves room for what they are off. Precondition: 0 < far, near <= far; near may be below 0.
+  /// +1: no point of the wall is as near as `far`; -1: one is nearer than `near`; 0: neither is known. As doubles go:
+  /// who calls leaves room for what they are off. Precondition: 0 < far, near <= far; near may be below 0.
   int clears(Point w, Point v, double near, double far) const {
     const Place p = place(w), q = place(v);
     if ((p.y > far && q.y > far) || (p.y < -far && q.y < -far)) return 1;

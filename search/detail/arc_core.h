@@ -10,8 +10,9 @@
 
 namespace taut::detail {
 
-/// For a landmark l, a node n and the goal g: d(l, g) <= d(l, n) + d(n, g). And a way from n to an exit e, turned, leads
-/// from the turned e to the turned n: d(l, turned n) <= d(l, turned e) + d(n, e). (ALT: Goldberg and Harrelson, 2005.)
+/// For a landmark l, a node n and the goal g: d(l, g) <= d(l, n) + d(n, g). And a way from n to an exit e, turned,
+/// leads from the turned e to the turned n: d(l, turned n) <= d(l, turned e) + d(n, e).
+/// (ALT: Goldberg and Harrelson, 2005.)
 class ArcCore {
  public:
   static constexpr std::size_t kLandmarks = 8;

@@ -23,7 +23,7 @@ bool is_one_length(const Interval& a, const Interval& b) {
   return a.lo <= b.hi * (1 + 1e-12) + 1e-12 && b.lo <= a.hi * (1 + 1e-12) + 1e-12;
 }
 
-/// The answers for a radius, prepared, not, and without a graph, are those of a graph made for it alone, and can be followed.
+/// The answers for a radius, prepared, not, and without a graph, are those of a graph made for it alone; paths verified.
 void agrees_at(const AllRadii& all, const Gates& gates, double r, const std::vector<std::array<Point, 2>>& ends) {
   const TangentGraph alone(all.space(), r);
   ArcQueries fresh(all.at_radius(r)), prepared(all.at_radius(r));
@@ -91,6 +91,21 @@ TEST(ArcQueries, PrepareThemselvesAfterAWhile) {
   const std::size_t before = queries.find({0.5, 0.5}, {11.5, 11.5}).expanded;
   for (int i = 0; i < 40; ++i) queries.find({0.5, 0.5}, {11.5, 11.5});
   EXPECT_LT(queries.find({0.5, 0.5}, {11.5, 11.5}).expanded, before);
+}
+
+// Legs lead to the gap on both sides of it; the arc between them is as long as half a circle and meets the other wall.
+TEST(ArcQueries, FollowNoArcThroughAGapThatIsTooNarrow) {
+  const World world = test::SmallWorld{
+      .walls = {{{0, 3}, {5, 3}}, {{5.75, 3}, {10, 3}}, {{1, 2}, {3, 2}}, {{1, 4}, {3, 4}}},
+      .solids = {}}.bounded(Boundary::walled);
+  const AllRadii all{FreeSpace(world)};
+  const Point s{2, 1}, g{2, 5};
+  for (const double r : {0.375, 0.38}) {
+    ArcQueries fresh(all.at_radius(r)), prepared(all.at_radius(r));
+    prepared.prepare();
+    for (const ArcSearchResult& found : {fresh.find(s, g), prepared.find(s, g), arc_search(all, r, s, g)})
+      EXPECT_EQ(found.status, r == 0.375 ? DiscStatus::found : DiscStatus::none) << r;
+  }
 }
 
 TEST(ArcQueries, NameTheWallThatAnEndIsTooNearTo) {
