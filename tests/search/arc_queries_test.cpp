@@ -23,7 +23,7 @@ bool is_one_length(const Interval& a, const Interval& b) {
   return a.lo <= b.hi * (1 + 1e-12) + 1e-12 && b.lo <= a.hi * (1 + 1e-12) + 1e-12;
 }
 
-/// The answers for a radius, prepared, not, and without a graph, are those of a graph made for it alone; paths verified.
+/// The answers for a radius, prepared, not, and without a graph, are those of a graph made for it alone; all verified.
 void agrees_at(const AllRadii& all, const Gates& gates, double r, const std::vector<std::array<Point, 2>>& ends) {
   const TangentGraph alone(all.space(), r);
   ArcQueries fresh(all.at_radius(r)), prepared(all.at_radius(r));
