@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <taut/search/detail/arc_ends.h>
+#include <taut/search/detail/arc_walk.h>
 #include <taut/search/detail/disc_word.h>
 
 namespace taut::detail {
