@@ -51,6 +51,20 @@ Point middle_of(const Box& box) {
   return {box.min.x + (box.max.x - box.min.x) / 2, box.min.y + (box.max.y - box.min.y) / 2};
 }
 
+/// Does one of the sectors lead into the box, on whose rim the star is? The one with the middle, if no piece leads into
+/// the box from there; else those on both sides of such a piece, too.
+bool leads_into(const Box& box, const Star& star, const Sectors& sectors) {
+  const Point p = star.centre();
+  const auto points_into = [&](Point q) {
+    return (p.x != box.min.x || q.x > p.x) && (p.x != box.max.x || q.x < p.x) && (p.y != box.min.y || q.y > p.y) &&
+           (p.y != box.max.y || q.y < p.y);
+  };
+  if (star.leave(sectors, middle_of(box)) != kNoSide) return true;
+  return std::any_of(star.rays().begin(), star.rays().end(), [&](const Star::Ray& ray) {
+    return points_into(ray.towards) && star.leave(sectors, ray.towards) != kNoSide;
+  });
+}
+
 /// One check in progress.
 class Verification {
  public:
@@ -192,7 +206,7 @@ bool Verification::enters_room(const Sectors& sectors, const Pieces::Met& met) {
   if (goal_.point == end) return true;
   const Star star = star_at(end, met.pieces, met.touching);
   for (const Box& box : goal_.room)
-    if (box.contains(end) && (lies_inside(box, end) || star.leave(sectors, middle_of(box)) != kNoSide)) return true;
+    if (box.contains(end) && (lies_inside(box, end) || leads_into(box, star, sectors))) return true;
   return refuse(last_leg(),
                 "the path ends at " + text(end) + ", on the rim of the goal room, but cannot enter it from there");
 }

@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 
 #include <taut/geometry/cell_plan.h>
+#include <taut/geometry/contact.h>
 #include <taut/geometry/exact/exact_point.h>
 #include <taut/geometry/written.h>
 #include <taut/search/query_ends.h>
@@ -51,6 +53,81 @@ std::vector<Constraint> pieces_near(const FreeSpace& space, const Segment& side)
   return pieces;
 }
 
+/// Where the inside of a box is, seen from a place on its rim: to the right (x > 0) or left, above or below; 0: both.
+struct Inwards {
+  int x, y;
+
+  Inwards(const Box& box, Point p)
+      : x((p.x == box.min.x) - (p.x == box.max.x)), y((p.y == box.min.y) - (p.y == box.max.y)) {}
+
+  bool holds(Point p, Point towards) const {
+    return (x == 0 || x * towards.x > x * p.x) && (y == 0 || y * towards.y > y * p.y);
+  }
+};
+
+Point straight(Point p, double dx, double dy, double far) { return {p.x + dx * far, p.y + dy * far}; }
+
+/// What lies ahead of p counter-clockwise: the rim of the box, pieces that lead into it, the rim again.
+std::vector<Point> directions_in(const Box& box, Point p, const Star& star, double far) {
+  const Inwards in(box, p);
+  std::vector<Point> inner;
+  for (const Star::Ray& ray : star.rays())
+    if (in.holds(p, ray.towards)) inner.push_back(ray.towards);
+  std::sort(inner.begin(), inner.end(), [&](Point a, Point b) { return written::orientation(p, a, b) > 0; });
+  Point first = straight(p, in.x == 0 ? in.y : 0, in.x == 0 ? 0 : -in.x, far);
+  Point last = straight(p, in.x == 0 ? -in.y : 0, in.x == 0 ? 0 : in.x, far);
+  if (in.x != 0 && in.y != 0) {
+    first = straight(p, in.x, 0, far), last = straight(p, 0, in.y, far);
+    if (in.x != in.y) std::swap(first, last);
+  }
+  inner.insert(inner.begin(), first);
+  inner.push_back(last);
+  return inner;
+}
+
+/// A point from p strictly between two directions, the second less than half a turn counter-clockwise of the first;
+/// nothing where they are so close together that no double is found there.
+std::optional<Point> between(Point p, Point a, Point b, double far) {
+  const double ax = a.x - p.x, ay = a.y - p.y, bx = b.x - p.x, by = b.y - p.y;
+  const double m = std::hypot(ax, ay), n = std::hypot(bx, by);
+  const Point q = straight(p, ax / m + bx / n, ay / m + by / n, far);
+  if (written::orientation(p, a, q) <= 0 || written::orientation(p, q, b) <= 0) return std::nullopt;
+  return q;
+}
+
+/// Into the box from a place on its side, one way for each part that the pieces there (`touching`) leave: points that
+/// lie straight ahead.
+std::vector<Point> ways_in(const RoomSide& side, Point p, const std::vector<Constraint>& pieces,
+                           const std::vector<std::uint32_t>& touching) {
+  const double far = std::min(side.box.max.x - side.box.min.x, side.box.max.y - side.box.min.y) / 4;
+  const Star star = star_at(p, pieces, touching);
+  const std::vector<Point> directions = directions_in(side.box, p, star, far);
+  if (directions.size() == 2) return {side.inside};
+  std::vector<Point> ways;
+  for (std::size_t i = 0; i + 1 < directions.size(); ++i)
+    if (const auto way = between(p, directions[i], directions[i + 1], far);
+        way && !star.solid(star.sector_left_of(*way)))
+      ways.push_back(*way);
+  return ways;
+}
+
+std::vector<std::uint32_t> all_of(const std::vector<Constraint>& pieces) {
+  std::vector<std::uint32_t> numbers(pieces.size());
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
+}
+
+bool is_in(const FreeSpace& space, const Box& box, Point p) {
+  if (!box.contains(p) || lies_inside(box, p)) return box.contains(p);
+  for (const RoomSide& side : room_sides({box})) {
+    if (!written::on_segment(p, side.side.a, side.side.b)) continue;
+    const std::vector<Constraint> pieces = pieces_near(space, side.side);
+    for (const Point way : ways_in(side, p, pieces, all_of(pieces)))
+      if (space.opens_towards(p, way)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 Point middle(const Box& box) {
@@ -63,9 +140,7 @@ std::optional<GraphSearchResult> answer_at_start(const FreeSpace& space, Point f
     require_free(space, *to.point, "goal");
     return std::nullopt;
   }
-  const auto is_there = [&](const Box& b) {
-    return b.contains(from) && (lies_inside(b, from) || space.opens_towards(from, middle(b)));
-  };
+  const auto is_there = [&](const Box& box) { return is_in(space, box, from); };
   if (std::none_of(to.room.begin(), to.room.end(), is_there)) return std::nullopt;
   GraphSearchResult result;
   result.status = SearchStatus::found;
@@ -80,29 +155,29 @@ std::optional<Point> RoomSide::foot(Point p) const {
 }
 
 std::vector<RoomSide> room_sides(const std::vector<Box>& room) {
-  std::map<std::pair<Point, Point>, std::vector<Point>> sides;
+  std::map<std::pair<Point, Point>, std::vector<const Box*>> sides;
   for (const Box& b : room) {
     const Point corners[] = {b.min, {b.max.x, b.min.y}, b.max, {b.min.x, b.max.y}};
-    for (int i = 0; i < 4; ++i) sides[std::minmax(corners[i], corners[(i + 1) % 4])].push_back(middle(b));
+    for (int i = 0; i < 4; ++i) sides[std::minmax(corners[i], corners[(i + 1) % 4])].push_back(&b);
   }
   std::vector<RoomSide> result;
-  for (const auto& [side, insides] : sides)
-    if (insides.size() == 1) result.push_back({{side.first, side.second}, insides[0]});
+  for (const auto& [side, boxes] : sides)
+    if (boxes.size() == 1) result.push_back({{side.first, side.second}, middle(*boxes[0]), *boxes[0]});
   return result;
 }
 
 std::vector<RoomEntry> room_entries(const FreeSpace& space, const std::vector<Box>& room) {
   std::vector<RoomEntry> entries;
   for (const RoomSide& side : room_sides(room)) {
-    std::vector<Point> points{side.side.a, side.side.b};
-    for (const Constraint& c : pieces_near(space, side.side)) {
-      const std::vector<Point> met = meeting_points(side.side, c);
-      points.insert(points.end(), met.begin(), met.end());
-    }
-    std::sort(points.begin(), points.end());
-    points.erase(std::unique(points.begin(), points.end()), points.end());
-    for (const Point p : points)
-      if (space.holds(p)) entries.push_back({p, side.inside});
+    const std::vector<Constraint> pieces = pieces_near(space, side.side);
+    // Pieces meet at ends alone, so what touches a point that is none of the side's own ends is what it was found by.
+    std::map<Point, std::vector<std::uint32_t>> found{{side.side.a, all_of(pieces)}, {side.side.b, all_of(pieces)}};
+    for (std::uint32_t i = 0; i < pieces.size(); ++i)
+      for (const Point p : meeting_points(side.side, pieces[i]))
+        if (p != side.side.a && p != side.side.b) found[p].push_back(i);
+    for (const auto& [p, touching] : found)
+      if (space.holds(p))
+        for (const Point way : ways_in(side, p, pieces, touching)) entries.push_back({p, way});
   }
   return entries;
 }
