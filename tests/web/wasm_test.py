@@ -112,8 +112,8 @@ def questions():
     for radius in (0.01, 0.05, 0.1, 0.2, 0.31):
         yield {"do": "path", "radius": radius}
     yield {"do": "widest"}
-    # Triangles, and a mesh made of them, are left out: of circles through four corners another standard library's sorts
-    # find other ones first.
+    # Triangles, and a mesh made of them, are left out. They differ: of circles through four corners the sorts of
+    # another standard library may find other ones first; that this is all was not proven.
     for layer in ("visibility", "gates", "region"):
         yield {"do": "layer", "name": layer}
     yield {"do": "formats"}
