@@ -23,8 +23,9 @@ Interval difference(double a, double b) {
   const double lost = (a - (d - part)) - (b + part);
   if (d != 0 && !(written::is_plain(a) && written::is_plain(b))) {
     const Interval x = written::enclosure(a), y = written::enclosure(b);
-    const double low = std::min(std::abs(x.lo - y.hi), std::abs(x.hi - y.lo)),
-                 high = std::max(std::abs(x.lo - y.hi), std::abs(x.hi - y.lo));
+    const double least = x.lo - y.hi, most = x.hi - y.lo;
+    const double low = least < 0 && most > 0 ? 0 : std::min(std::abs(least), std::abs(most)),
+                 high = std::max(std::abs(least), std::abs(most));
     return {low * (1 - 2 * kEps), high * (1 + 2 * kEps)};
   }
   return lost == 0 ? Interval{std::abs(d), std::abs(d)}

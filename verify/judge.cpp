@@ -11,6 +11,9 @@ namespace taut::proof {
 
 namespace {
 
+/// `(0.5, 1)`, in the world's own unit.
+std::string text(const World& w, Place p) { return fmt::format("({:.12g}, {:.12g})", w.unit * p.x, w.unit * p.y); }
+
 constexpr Int kMost = Int{1} << 61;  // of potentials; what is unreached has INT64_MAX
 
 Wide root(Wide square) {  // rounded down
@@ -89,7 +92,7 @@ std::string refutation(const World& world, const Box& room, const Tree<Corner>& 
       return !stop;
     };
     if (const Corner* const to = from.is_listed ? nodes.find(u, is_settled, is_open) : nullptr)
-      return "nothing stops the leg " + world.text(u) + "-" + world.text(to->at) + ", shorter than potentials say";
+      return "nothing stops the leg " + text(world, u) + "-" + text(world, to->at) + ", shorter than potentials say";
   }
   return {};
 }
@@ -113,9 +116,9 @@ std::string fault(const std::vector<Place>& path, const World& world, const Box&
     // Ends have no directions.
     const Corner u{path[i], Place{i > 0, 0}}, v{path[std::min(i + 1, last)], Place{!ends, 0}};
     const int next = ends ? barred(world, room, u.at, v.at) : (3 + side(u.at, v.at, path[i + 2])) % 3;
-    const std::string words = " from " + world.text(u.at) + " to " + world.text(v.at);
+    const std::string words = " from " + text(world, u.at) + " to " + text(world, v.at);
     if (!ends && !(next != 0 && world.corners.contains(v.at)) && world.joins(v.at, v.at))
-      return "the path bends at " + world.text(v.at) + ", on a wall";
+      return "the path bends at " + text(world, v.at) + ", on a wall";
     if (last > 0 && (u.at == v.at || world.leg(u, v, turn, next))) return "the path does not get" + words;
     const auto meets = [&](const Edge& e, const Edge& f) { return is_near(e.a, f, keeps) || is_near(e.b, f, keeps); };
     for (const Edge& e : world.edges.items)
@@ -123,7 +126,7 @@ std::string fault(const std::vector<Place>& path, const World& world, const Box&
         return "the path comes too near to a wall" + words;
     turn = next;
   }
-  return room.holds(path[last]) ? "" : "the path ends at " + world.text(path[last]) + ", not in the goal";
+  return room.holds(path[last]) ? "" : "the path ends at " + text(world, path[last]) + ", not in the goal";
 }
 
 // Why no closed chain of pieces and gates, links between pieces with squares up to `wide`, is between both ends.
@@ -132,9 +135,9 @@ std::string passage(const std::vector<Place>& chain, const World& world, Place s
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const Place p = chain[i], q = chain[(i + 1) % chain.size()];
     const bool gate = dot(q - p, q - p) <= wide && world.joins(p, p) && world.joins(q, q);
-    if (!gate && !world.joins(p, q)) return "the chain is open from " + world.text(p) + " to " + world.text(q);
+    if (!gate && !world.joins(p, q)) return "the chain is open from " + text(world, p) + " to " + text(world, q);
     for (const Place end : {start, goal}) {
-      if (Edge{p, q}.holds(end)) return "the chain passes through " + world.text(end);
+      if (Edge{p, q}.holds(end)) return "the chain passes through " + text(world, end);
       between ^= (p.y > end.y) != (q.y > end.y) && (side(p, q, end) > 0) == (q.y > p.y);
       between |= chain.size() == 1 && 4 * dot(p - end, p - end) <= wide;  // no room for the disc at its end
     }

@@ -5,8 +5,6 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include <taut/verify/tree.h>
 
 namespace taut::proof {
@@ -40,8 +38,6 @@ struct World {
   /// Of what `taut convert --as integers` writes, coordinates times `scale`. Throws BadInput.
   World(const std::string& text, Int scale);
 
-  /// `(0.5, 1)`, in the world's own unit.
-  std::string text(Place p) const { return fmt::format("({:.12g}, {:.12g})", unit * p.x, unit * p.y); }
   bool joins(Place p, Place q) const;        ///< one edge holds both
   std::vector<Edge> leaving(Place p) const;  ///< what stands at p, as edges from p; sides with their solid on the left
 

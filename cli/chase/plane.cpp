@@ -64,7 +64,7 @@ void add_options(CommandLine& app, PlaneOptions& options) {
     if (options.query.to) throw UsageError("--to: the goal is the target, say --target");
     settle_animation(app, options.animation, options.svg, options.common.json);
   });
-  app.example("taut chase plane data/islands.wkt --target data/islands_target.txt --from 5,8 --svg meeting.svg");
+  app.example("taut chase plane data/islands.wkt --target data/islands_way.csv --from 5,8 --svg meeting.svg");
 }
 
 std::vector<Point> places_of(const std::vector<ReadTimedPoint>& way) {
@@ -87,7 +87,7 @@ Interception question_of(const PlaneOptions& options, const std::vector<ReadTime
 }
 
 /// The rounded place of the meeting apart, the path has to pass the check that shares nothing with the search.
-void check(const FreeSpace& space, const Interception& question, const Meeting& meeting) {
+void check(const FreeSpace& space, const Interception& question, const MeetingPlace& meeting) {
   Path path{meeting.path, {}};
   if (path.points.size() > 1) path.points.pop_back();
   path.length = Length(path.points);
@@ -98,7 +98,7 @@ void check(const FreeSpace& space, const Interception& question, const Meeting& 
     throw std::logic_error("the path is longer than the robot can go until then");
 }
 
-std::string headline(const std::optional<Meeting>& meeting) {
+std::string headline(const std::optional<MeetingPlace>& meeting) {
   if (!meeting) return "never caught, proven";
   const std::string when =
       fmt::format("caught after {:.9g} at {:.9g},{:.9g}", meeting->time.hi, meeting->at.x, meeting->at.y);
@@ -106,7 +106,7 @@ std::string headline(const std::optional<Meeting>& meeting) {
                             : when + ", at this speed nobody does earlier (proven)";
 }
 
-std::vector<std::string> facts_of(const Interception& question, const std::optional<Meeting>& meeting) {
+std::vector<std::string> facts_of(const Interception& question, const std::optional<MeetingPlace>& meeting) {
   std::vector<std::string> facts;
   if (!meeting) return {"never caught, proven", "speed " + number_text(question.speed)};
   facts.push_back(fmt::format("caught after {:.6f}", meeting->time.hi));
@@ -116,7 +116,8 @@ std::vector<std::string> facts_of(const Interception& question, const std::optio
   return facts;
 }
 
-std::string reason_of(const FreeSpace& space, const Interception& question, const std::optional<Meeting>& meeting) {
+std::string reason_of(const FreeSpace& space, const Interception& question,
+                      const std::optional<MeetingPlace>& meeting) {
   if (meeting) return "";
   if (!space.separation(question.start, question.way.front().at).empty()) return "walls separate robot and target";
   return fmt::format("the target's way ends at {} before the robot can be where it is",
@@ -137,7 +138,7 @@ int run(const PlaneOptions& options, Run& run) {
   const Interception question = question_of(options, way, space, start);
   run.so_far(interception_json(question, std::nullopt));
   const VisibilityGraph graph = run.stage("graph", [&] { return VisibilityGraph(space); });
-  const std::optional<Meeting> meeting = run.stage("search", [&] { return earliest_meeting(graph, question); });
+  const std::optional<MeetingPlace> meeting = run.stage("search", [&] { return earliest_meeting(graph, question); });
   if (meeting) run.stage("verify", [&] { check(space, question, *meeting); });
   std::vector<OutputFile> files;
   for (const bool moves : {false, true})

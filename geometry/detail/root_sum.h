@@ -10,6 +10,10 @@
 #include <taut/geometry/exact/twofold.h>
 #include <taut/geometry/point.h>
 
+namespace taut {
+struct SignedRoot;
+}
+
 namespace taut::detail {
 
 /// count * sqrt(square). Where the square is exact as a double, dx and dy are dropped: 3-4-5 and 5-0-5 are one term.
@@ -67,6 +71,7 @@ std::optional<double> nearest_by_pairs(std::span<const RootTerm> terms);
 std::optional<int> sign_by_small_classes(std::span<const RootTerm> terms);
 
 /// Integers of any length, always decided.
+int sign_of_roots(const std::vector<SignedRoot>& terms);
 int sign_by_big_numbers(std::span<const RootTerm> terms);
 double nearest_by_big_numbers(std::span<const RootTerm> terms);
 std::string decimals_by_big_numbers(std::span<const RootTerm> terms, int places);

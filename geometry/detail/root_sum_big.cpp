@@ -127,7 +127,16 @@ std::string with_point(const Integer& digits, int places) {
 
 }  // namespace
 
-int sign_by_big_numbers(std::span<const RootTerm> terms) { return sign_of_sum(big_terms(terms)); }
+int sign_of_roots(const std::vector<SignedRoot>& terms) {
+  const auto decide = [](const BigInterval& sum) -> std::optional<int> {
+    if (sgn(sum.lo) > 0) return 1;
+    if (sgn(sum.hi) < 0) return -1;
+    return std::nullopt;
+  };
+  return decide_sum(terms, decide, [](const Rational& v) { return sgn(v); });
+}
+
+int sign_by_big_numbers(std::span<const RootTerm> terms) { return sign_of_roots(big_terms(terms)); }
 
 double nearest_by_big_numbers(std::span<const RootTerm> terms) {
   const auto decide = [](const BigInterval& sum) -> std::optional<double> {
@@ -151,16 +160,3 @@ std::string decimals_by_big_numbers(std::span<const RootTerm> terms, int places)
 }
 
 }  // namespace taut::detail
-
-namespace taut {
-
-int sign_of_sum(const std::vector<SignedRoot>& terms) {
-  const auto decide = [](const detail::BigInterval& sum) -> std::optional<int> {
-    if (sgn(sum.lo) > 0) return 1;
-    if (sgn(sum.hi) < 0) return -1;
-    return std::nullopt;
-  };
-  return detail::decide_sum(terms, decide, [](const Rational& v) { return sgn(v); });
-}
-
-}  // namespace taut

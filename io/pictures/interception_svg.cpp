@@ -14,7 +14,8 @@ namespace {
 constexpr double kFilmSeconds = 12, kRuns = 0.95;
 
 /// The robot's path as a way with times: straight on, then it waits.
-std::vector<TimedPoint> robot_way(const Interception& question, const std::optional<Meeting>& meeting, double end) {
+std::vector<TimedPoint> robot_way(const Interception& question, const std::optional<MeetingPlace>& meeting,
+                                  double end) {
   if (!meeting) return {{0, question.start}, {end, question.start}};
   std::vector<TimedPoint> way;
   const double goes = std::max(meeting->time.hi - meeting->waits, 1e-300);
@@ -64,7 +65,7 @@ SvgTraveller traveller(const std::vector<TimedPoint>& way, double end, const cha
 }  // namespace
 
 std::string interception_svg(const FreeSpace& space, const Interception& question,
-                             const std::optional<Meeting>& meeting, const InterceptionPicture& what) {
+                             const std::optional<MeetingPlace>& meeting, const InterceptionPicture& what) {
   const double end = std::max(meeting ? meeting->time.hi : question.way.back().time, 1e-9);
   const std::vector<TimedPoint> robot = robot_way(question, meeting, end);
   SvgPicture picture;

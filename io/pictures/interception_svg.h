@@ -22,6 +22,6 @@ struct InterceptionPicture {
 /// The free space with the target's way (dashed), the robot's path to the meeting, and marks with the same round times
 /// on both. Same input, same bytes.
 std::string interception_svg(const FreeSpace& space, const Interception& question,
-                             const std::optional<Meeting>& meeting, const InterceptionPicture& what);
+                             const std::optional<MeetingPlace>& meeting, const InterceptionPicture& what);
 
 }  // namespace taut::pursuit

@@ -2,7 +2,7 @@
 
 namespace taut::pursuit {
 
-Json interception_json(const Interception& question, const std::optional<Meeting>& meeting) {
+Json interception_json(const Interception& question, const std::optional<MeetingPlace>& meeting) {
   Json json{{"caught", meeting.has_value()}, {"speed", question.speed}};
   json["start"] = question.start;
   json["target"] = Json::array();

@@ -10,6 +10,6 @@ namespace taut::pursuit {
 
 /// {"caught", "speed", "start", "target": [[t, x, y], ...], "stays", and of a meeting "time", "time_interval": [lo,
 /// hi], "at", "leg", "length", "waits", "path"}.
-Json interception_json(const Interception& question, const std::optional<Meeting>& meeting);
+Json interception_json(const Interception& question, const std::optional<MeetingPlace>& meeting);
 
 }  // namespace taut::pursuit

@@ -54,7 +54,7 @@ class Search {
         legs_(legs_of(question)),
         tree_(graph, question.start) {}
 
-  std::optional<Meeting> find() {
+  std::optional<MeetingPlace> find() {
     look(WaySight(graph_.space(), question_.start), {ExactPoint(question_.start), {}, 0}, kNone);
     const double speed = as_double(speed_, Toward::up);
     for (const Roadmap::Vertex v : tree_.reached()) {
@@ -95,7 +95,7 @@ class Search {
   void take(const LastBend& bend, Roadmap::Vertex v, std::size_t i, Interval time, const MeetingTime& meeting) {
     const ExactPoint place =
         legs_[i].place(std::min(Rational(time.hi), legs_[i].endless ? Rational(time.hi) : legs_[i].ends));
-    Meeting found;
+    MeetingPlace found;
     found.time = time;
     found.at = nearest_point(place);
     found.leg = std::min(i, question_.way.size() - 1);
@@ -111,12 +111,12 @@ class Search {
   Rational speed_;
   std::vector<TargetLeg> legs_;
   detail::BendTree tree_;
-  std::optional<Meeting> best_;
+  std::optional<MeetingPlace> best_;
 };
 
 }  // namespace
 
-std::optional<Meeting> earliest_meeting(const VisibilityGraph& graph, const Interception& question) {
+std::optional<MeetingPlace> earliest_meeting(const VisibilityGraph& graph, const Interception& question) {
   TAUT_EXPECTS(!question.way.empty() && question.speed > 0);
   return Search(graph, question).find();
 }

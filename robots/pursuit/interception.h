@@ -25,7 +25,7 @@ struct Interception {
 };
 
 /// Where they meet, as early as can be.
-struct Meeting {
+struct MeetingPlace {
   /// Two neighbouring doubles, or one: by `hi` robot and target can be at the same place, before `lo` and at it they
   /// cannot; they can at `hi` exactly where lo == hi.
   Interval time;
@@ -48,7 +48,7 @@ struct Meeting {
 ///  3. Bends are taken from the graph, which has to be of the robot's space, by their exact distance.
 /// Precondition: the start is free, and `blocked_leg` has nothing to say. After Dijkstra on the graph O(b c k) for b
 /// bends that are nearer than the meeting, c cones that each sees, k legs.
-std::optional<Meeting> earliest_meeting(const VisibilityGraph& graph, const Interception& question);
+std::optional<MeetingPlace> earliest_meeting(const VisibilityGraph& graph, const Interception& question);
 
 /// The first leg of a way that does not lie in the space, by the place that it starts from; of a way of one place 0,
 /// when that is not free.

@@ -34,7 +34,7 @@ DISC_QUERIES = "1 1 3 3 0.2\n1 1 3 3 0.3\n"
 PLACES = "x,y\n1,1\n3,3\n"
 PROOF = (
     '{"format": "taut certificate 1", "kind": "none", "world": "3c575266e5f47952", "scale": 1, "fraction_bits": 0, '
-    '"horizon": 0, "path": [[1, 1], [3, 3]], "potentials": [[1, 1, 0]]}\n'
+    '"horizon": 0, "path": [[1, 1], [3, 3]], "goal": [[3, 3], [3, 3]], "potentials": [[1, 1, 0]]}\n'
 )
 FLEET = "a 0 1 1\na 2 1 3\nb 0 1 3\nb 2 1 1\n"
 PATH_THROUGH_WALL = "1 1\n3 3\n"

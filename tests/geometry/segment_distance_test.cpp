@@ -88,6 +88,15 @@ RC_GTEST_PROP(SegmentDistance, DoesNotDependOnDirectionOrOrder, ()) {
   RC_ASSERT(compare_segment_distances(s, t, t, back) == 0);
 }
 
+// Found by predicates_fuzz: what two doubles enclose may overlap.
+TEST(SegmentDistance, IsEnclosedOfNumbersALastBitApart) {
+  const double x = std::nextafter(-0.3, -1);
+  const Segment s{{-0.3, 0.6}, {1.2, -0.4}}, t{{x, 1.1}, {x, 0.1}};
+  const Interval enclosed = segment_distance_interval(s, t);
+  EXPECT_LE(enclosed.lo, segment_distance(s, t));
+  EXPECT_GE(enclosed.hi, segment_distance(s, t));
+}
+
 // Found by predicates_fuzz: doubles that are whole, and yet not what they mean.
 TEST(SegmentDistance, IsEnclosedBeyondTheWholeNumbersThatDoublesHold) {
   const Segment s{{0, 0}, {4.499997e24, 4.499996666666667e45}},

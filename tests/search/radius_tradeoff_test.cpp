@@ -43,7 +43,13 @@ void agrees_at(const Asked& asked, const TradeoffStretch& stretch, double r) {
   const Interval length = stretch.path(r).length;
   RC_ASSERT(std::abs(length.middle() - alone.path.value()) < 1e-10 + (length.hi - length.lo));
   const auto v = verify_arcs(stretch.path(r), asked.index.gates(), stretch.start, stretch.goal);
-  if (!v.valid) { std::string w; for (auto& b : stretch.bends) w += fmt::format("({},{},{}) ", b.corner.x, b.corner.y, b.turn); std::string u; for (auto& b : alone.path.bends) u += fmt::format("({},{},{}) ", b.corner.x, b.corner.y, b.turn); RC_LOG(v.reason + " ours " + w + " theirs " + u + "\n");}
+  if (!v.valid) {
+    std::string w;
+    for (auto& b : stretch.bends) w += fmt::format("({},{},{}) ", b.corner.x, b.corner.y, b.turn);
+    std::string u;
+    for (auto& b : alone.path.bends) u += fmt::format("({},{},{}) ", b.corner.x, b.corner.y, b.turn);
+    RC_LOG(v.reason + " ours " + w + " theirs " + u + "\n");
+  }
   RC_ASSERT(asked.is_followed(stretch, r));
   RC_ASSERT(std::abs(stretch.formula()(r) - stretch.length(r)) < 1e-9 + (length.hi - length.lo));
 }
@@ -75,7 +81,8 @@ void holds_for(const World& world, Point s, Point g) {
   if (found.stretches.empty()) return;
   RC_ASSERT(found.stretches.front().from == least);
   RC_ASSERT(found.stretches.back().end == End::last);
-  if (!found.start_left && !found.goal_left) RC_ASSERT(found.stretches.back().to == std::min(widest->radius, World::kLargest));
+  if (!found.start_left && !found.goal_left)
+    RC_ASSERT(found.stretches.back().to == std::min(widest->radius, World::kLargest));
   RC_ASSERT(found.stretches.back().to >= std::min(widest->radius, World::kLargest));
   for (std::size_t i = 0; i < found.stretches.size(); ++i) {
     const TradeoffStretch& stretch = found.stretches[i];

@@ -20,8 +20,7 @@ TEST(Segments, ReadsWallsCommentsAndAllSeparators) {
 }
 
 TEST(Segments, ReadsTheTablesThatNameTheirColumns) {
-  for (const char* header :
-       {"x1,y1,x2,y2", "# walls\nX1 Y1 X2 Y2", "x1, y1, x2, y2, thickness"}) {
+  for (const char* header : {"x1,y1,x2,y2", "# walls\nX1 Y1 X2 Y2", "x1, y1, x2, y2, thickness"}) {
     const World world = read_world(std::string(header) + "\n0,0,4,0\n4,0,4,3,0.5\n");
     ASSERT_EQ(world.walls().size(), 2U) << header;
     EXPECT_EQ(world.walls()[1].thickness, 0.5);

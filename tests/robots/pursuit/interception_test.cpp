@@ -19,8 +19,8 @@ namespace {
 using test::box_ring;
 using test::SmallWorld;
 
-std::optional<Meeting> meeting(const SmallWorld& world, Point start, double speed, std::vector<TimedPoint> way,
-                               bool stays = false) {
+std::optional<MeetingPlace> meeting(const SmallWorld& world, Point start, double speed, std::vector<TimedPoint> way,
+                                    bool stays = false) {
   return earliest_meeting(VisibilityGraph(world.space()), {start, speed, std::move(way), stays});
 }
 
