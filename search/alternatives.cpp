@@ -132,7 +132,7 @@ class Enumeration {
     const Label here = labels_[label];
     const Point p = point(here.before), q = point(label);
     const auto [to_right, to_left] = turns(label);
-    const auto goes_on = [&](Point next) {
+    const auto goes_on = [&, to_right = to_right, to_left = to_left](Point next) {  // clang 14 takes no bindings
       const int side = written::orientation(p, q, next);
       return (to_right && side <= 0) || (to_left && side >= 0);
     };

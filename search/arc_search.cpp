@@ -37,18 +37,18 @@ std::optional<ArcSearchResult> answered(const TangentWalls& walls, double r, Poi
 }  // namespace
 
 struct ArcQueries::Impl {
-  explicit Impl(TangentGraph of) : tangents(std::move(of)), walk(tangents.parts()), search(walk) {}
+  explicit Impl(TangentGraph of) : tangents(std::move(of)), walk_(tangents.parts()), search_(walk_) {}
 
   ArcSearchResult find(Point s, Point g) {
     const TangentParts& graph = tangents.parts();
     if (auto known = answered(graph.walls(), graph.r, s, g)) return *known;
-    if (!prepared && ++queries > kUnprepared) prepare();
-    const ArcEnds ends = walk.join(s, g);
-    return prepared ? prepared_search(s, g, ends) : search.find(s, g, ends);
+    if (!prepared_ && ++queries_ > kUnprepared) prepare();
+    const ArcEnds ends = walk_.join(s, g);
+    return prepared_ ? prepared_search(s, g, ends) : search_.find(s, g, ends);
   }
 
   void prepare() {
-    if (!prepared) prepared = std::make_unique<Prepared>(detail::turnable(walk));
+    if (!prepared_) prepared_ = std::make_unique<Prepared>(detail::turnable(walk_));
   }
 
  private:
@@ -67,16 +67,16 @@ struct ArcQueries::Impl {
       for (const ArcExit& door : all) result.push_back({door.node, door.length.middle()});
       return result;
     };
-    const detail::ArcHierarchyQuery::Way way = prepared->query.find(doors(ends.entries), doors(ends.exits));
+    const detail::ArcHierarchyQuery::Way way = prepared_->query.find(doors(ends.entries), doors(ends.exits));
     const auto apart = std::min_element(
         ends.apart.begin(), ends.apart.end(),
         [](const ArcEnds::Apart& a, const ArcEnds::Apart& b) { return a.length.middle() < b.length.middle(); });
     ArcSearchResult result;
     result.expanded = way.settled;
     if (apart != ends.apart.end() && apart->length.middle() <= way.length)
-      result.path = path_apart(walk, ends, s, g, *apart);
+      result.path = path_apart(walk_, ends, s, g, *apart);
     else if (!way.nodes.empty())
-      result.path = path_along(walk, ends, s, g, ends.entries[way.entry], way.nodes, ends.exits[way.exit]);
+      result.path = path_along(walk_, ends, s, g, ends.entries[way.entry], way.nodes, ends.exits[way.exit]);
     else
       return result;
     result.status = DiscStatus::found;
@@ -87,10 +87,10 @@ struct ArcQueries::Impl {
   TangentGraph tangents;
 
  private:
-  detail::ArcWalk walk;
-  detail::ArcAStar<detail::ArcWalk> search;
-  std::unique_ptr<Prepared> prepared;
-  std::size_t queries = 0;
+  detail::ArcWalk walk_;
+  detail::ArcAStar<detail::ArcWalk> search_;
+  std::unique_ptr<Prepared> prepared_;
+  std::size_t queries_ = 0;
 };
 
 ArcQueries::ArcQueries(TangentGraph graph) : impl_(std::make_unique<Impl>(std::move(graph))) {}

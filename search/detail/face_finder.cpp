@@ -24,6 +24,7 @@ std::vector<std::uint32_t> openings_of(const WallIndex& walls) {
 
 std::vector<Box> boxes_of(const WallIndex& walls, const std::vector<std::uint32_t>& constraints) {
   std::vector<Box> boxes;
+  boxes.reserve(constraints.size());
   for (const std::uint32_t c : constraints) boxes.push_back(box_around(walls.segment(c).a, walls.segment(c).b));
   return boxes;
 }
