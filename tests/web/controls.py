@@ -57,12 +57,12 @@ def walls_are_drawn_moved_and_removed_by_keys(page):
 def the_widest_is_one_button_away(page):
     page.wait("!document.getElementById('set-widest').disabled")
     page.run("document.getElementById('set-widest').click()")
+    page.wait("tautApp.model.radius === 0.25 && tautApp.answer.status === 'found'")
     page.settle()
-    assert page.run("tautApp.model.radius") == 0.25 and page.run("tautApp.answer.status") == "found"
     page.run("document.getElementById('radius').focus()")
     keys(page, "ArrowRight")
+    page.wait("tautApp.model.radius > 0.25 && tautApp.answer.status === 'none'")
     page.settle()
-    assert page.run("tautApp.model.radius") > 0.25 and page.run("tautApp.answer.status") == "none"
     keys(page, "z", modifiers=2)
     page.wait("tautApp.model.radius === 0.25")
     keys(page, "z", modifiers=2)

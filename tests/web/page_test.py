@@ -6,6 +6,7 @@ usage: page_test.py TAUT DATA CHROMIUM [--pictures FOLDER] [--axe axe.min.js]
 
 import argparse
 import http.client
+import atexit
 import json
 import os
 import random
@@ -39,6 +40,7 @@ ROOMS = "boundary 0 0 4 2\nstart 1 0.5\ngoal 3 0.5\n0 0 4 0\n4 0 4 2\n4 2 0 2\n0
 class Server:
     def __init__(self, file, *more):
         self.process = subprocess.Popen([TAUT, "view", "--serve", file, *more], stdout=subprocess.PIPE, text=True)
+        atexit.register(self.process.kill)  # where a test fails nobody ends it, and who runs the tests waits for its output
         self.address = self.process.stdout.readline().strip()
 
     def end(self):
