@@ -12,7 +12,7 @@ namespace {
 
 std::optional<QueryLine> parsed(std::string_view line, const detail::SourceLine& place, int number, bool has_radius) {
   if (number == 1) line = detail::stripped(line);
-  line = detail::trimmed(line.substr(0, line.find('#')));
+  line = detail::without_comment(line);
   if (line.empty()) return std::nullopt;
   detail::Fields fields(line, place);
   std::array<double, 5> v{};

@@ -15,17 +15,6 @@ namespace {
 
 using detail::SourceLine;
 
-std::string_view said(const detail::Lines& lines) {
-  return detail::trimmed(lines.line().substr(0, lines.line().find('#')));
-}
-
-std::vector<std::string_view> fields_of(std::string_view line, const SourceLine& place) {
-  std::vector<std::string_view> result;
-  detail::Fields fields(line, place);
-  for (std::string_view field; fields.next(field);) result.push_back(field);
-  return result;
-}
-
 bool is_heading(const std::vector<std::string_view>& fields) {
   const auto same = [](std::string_view field, char letter) {
     return !field.empty() && std::tolower(static_cast<unsigned char>(field.front())) == letter;
@@ -47,8 +36,9 @@ class FleetReader {
     bool first = true;
     for (detail::Lines lines(bytes); lines.next();) {
       const SourceLine place{source_, lines.number()};
-      if (said(lines).empty()) continue;
-      const std::vector<std::string_view> fields = fields_of(said(lines), place);
+      const std::string_view line = detail::without_comment(lines.line());
+      if (line.empty()) continue;
+      const std::vector<std::string_view> fields = detail::fields_of(line, place);
       if (!std::exchange(first, false) || !is_heading(fields)) add(fields, place);
     }
     if (robots_.empty()) SourceLine{source_, 0}.fail("holds no plans");
@@ -95,12 +85,12 @@ class FleetReader {
 bool holds_fleet(std::string_view bytes) {
   const std::string source;
   for (detail::Lines lines(bytes); lines.next();) {
-    const std::string_view line = said(lines);
+    const std::string_view line = detail::without_comment(lines.line());
     if (line.empty()) continue;
     if (line.find_first_of("{}[]():") != std::string_view::npos || line.find(",,") != std::string_view::npos)
       return false;
     if (line.front() == ',' || line.back() == ',') return false;
-    const auto fields = fields_of(line, {source, lines.number()});
+    const auto fields = detail::fields_of(line, {source, lines.number()});
     return is_heading(fields) ||
            (fields.size() >= 4 && is_number(fields[1]) && is_number(fields[2]) && is_number(fields[3]));
   }

@@ -20,10 +20,7 @@ namespace {
 
 using detail::SourceLine;
 
-/// The text of a line before a comment.
-std::string_view said(const detail::Lines& lines) {
-  return detail::trimmed(lines.line().substr(0, lines.line().find('#')));
-}
+std::string_view said(const detail::Lines& lines) { return detail::without_comment(lines.line()); }
 
 bool begins_with(std::string_view text, std::string_view word) {
   return text.size() >= word.size() && std::equal(word.begin(), word.end(), text.begin(), [](char wanted, char c) {

@@ -75,7 +75,7 @@ std::vector<ReadPoint> read_lines(std::string_view bytes, const std::string& sou
   std::optional<Columns> columns;
   bool begun = false;
   for (detail::Lines lines(bytes); lines.next();) {
-    const std::string_view line = detail::trimmed(lines.line().substr(0, lines.line().find('#')));
+    const std::string_view line = detail::without_comment(lines.line());
     if (line.empty()) continue;
     if (!std::exchange(begun, true) && (columns = columns_of(line))) continue;
     const SourceLine place{source, lines.number()};

@@ -1,6 +1,7 @@
 #include <taut/io/worlds/read_timed_way.h>
 
 #include <cctype>
+#include <utility>
 
 #include <taut/geometry/text.h>
 #include <taut/io/worlds/detail/text_input.h>
@@ -11,13 +12,6 @@ namespace {
 
 using detail::SourceLine;
 
-std::vector<std::string_view> fields_of(std::string_view line, const SourceLine& place) {
-  std::vector<std::string_view> result;
-  detail::Fields fields(line, place);
-  for (std::string_view field; fields.next(field);) result.push_back(field);
-  return result;
-}
-
 bool is_heading(const std::vector<std::string_view>& fields) {
   return !fields.empty() && std::tolower(static_cast<unsigned char>(fields.front().front())) == 't';
 }
@@ -26,17 +20,13 @@ bool is_heading(const std::vector<std::string_view>& fields) {
 
 std::vector<ReadTimedPoint> read_timed_way(std::string_view bytes, const std::string& source) {
   std::vector<ReadTimedPoint> way;
-  bool begun = false;
+  bool is_first = true;
   for (detail::Lines lines(bytes); lines.next();) {
-    const std::string_view line = detail::trimmed(lines.line().substr(0, lines.line().find('#')));
+    const std::string_view line = detail::without_comment(lines.line());
     if (line.empty()) continue;
     const SourceLine place{source, lines.number()};
-    const std::vector<std::string_view> fields = fields_of(line, place);
-    if (!begun && is_heading(fields)) {
-      begun = true;
-      continue;
-    }
-    begun = true;
+    const std::vector<std::string_view> fields = detail::fields_of(line, place);
+    if (std::exchange(is_first, false) && is_heading(fields)) continue;
     if (fields.size() != 3) place.fail("a line is `t x y`, not " + std::to_string(fields.size()) + " numbers");
     const fleet::TimedPoint point{detail::coordinate(fields[0], place),
                                   {detail::coordinate(fields[1], place), detail::coordinate(fields[2], place)}};

@@ -55,6 +55,8 @@ std::string_view trimmed(std::string_view line) {
   return line;
 }
 
+std::string_view without_comment(std::string_view line) { return trimmed(line.substr(0, line.find('#'))); }
+
 bool Lines::next() {
   if (rest_.empty()) return false;
   const void* end = std::memchr(rest_.data(), '\n', rest_.size());
@@ -83,6 +85,13 @@ bool Fields::next(std::string_view& field) {
   while (end < rest_.size() && is_blank(rest_[end])) ++end;
   rest_.remove_prefix(end);
   return true;
+}
+
+std::vector<std::string_view> fields_of(std::string_view line, const SourceLine& place) {
+  std::vector<std::string_view> result;
+  Fields fields(line, place);
+  for (std::string_view field; fields.next(field);) result.push_back(field);
+  return result;
 }
 
 namespace {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace taut::detail {
 
@@ -30,6 +31,9 @@ std::string_view stripped(std::string_view bytes);
 /// Without blanks at its end, or at both.
 std::string_view trimmed_right(std::string_view line);
 std::string_view trimmed(std::string_view line);
+
+/// What a line says before a `#`, without blanks around it.
+std::string_view without_comment(std::string_view line);
 
 /// Walks over lines, numbered from 1, CR and blanks at their ends cut off.
 class Lines {
@@ -59,6 +63,9 @@ class Fields {
   const SourceLine& place_;
   bool after_comma_ = false;
 };
+
+/// All fields of a line.
+std::vector<std::string_view> fields_of(std::string_view line, const SourceLine& place);
 
 /// A coordinate: decimal, finite, of magnitude <= World::kLargest; -0 is read as 0.
 double coordinate(std::string_view field, const SourceLine& place);
