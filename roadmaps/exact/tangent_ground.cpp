@@ -1,10 +1,11 @@
-#include <taut/roadmaps/exact/plain_tangent.h>
+#include <taut/roadmaps/exact/tangent_parts.h>
 
 #include <algorithm>
 #include <array>
 #include <optional>
 
 #include <taut/geometry/written.h>
+#include <taut/roadmaps/exact/plain_tangent.h>
 
 namespace taut {
 
