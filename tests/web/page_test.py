@@ -44,7 +44,7 @@ class Server:
         self.address = self.process.stdout.readline().strip()
 
     def end(self):
-        self.process.send_signal(signal.SIGINT)
+        self.process.send_signal(signal.SIGTERM)
         return self.process.wait(10)
 
 

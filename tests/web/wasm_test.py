@@ -50,7 +50,7 @@ class Program:
             return answer.read().decode().rstrip("\n")
 
     def end(self):
-        self.process.send_signal(signal.SIGINT)
+        self.process.send_signal(signal.SIGTERM)
         assert self.process.wait(10) == 0
 
 
