@@ -19,6 +19,7 @@ struct Command {
   std::shared_ptr<CommandLine> line;
   std::shared_ptr<CommonOptions> common;
   std::function<int(Run&)> run;
+  Places places{};  ///< of the options that a file brought
 };
 
 Command solve_command(CommandLine& app);
@@ -66,8 +67,10 @@ Command command(CommandLine& app, const char* name, const char* description, voi
   add_result_options(*line, options->common);
   add_common_options(*line, options->common);
   add_config_option(*line);
-  return {line, std::shared_ptr<CommonOptions>(options, &options->common),
-          [options, run](Run& how) { return run(*options, how); }};
+  return {line,
+          std::shared_ptr<CommonOptions>(options, &options->common),
+          [options, run](Run& how) { return run(*options, how); },
+          {}};
 }
 
 /// A subcommand that only holds others, as `taut grid` holds `solve`: one of them has to follow.

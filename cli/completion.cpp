@@ -43,16 +43,18 @@ void each(const DescribedCommand& command, const Visit& visit) {
 
 constexpr const char* kBash = R"(# bash completion of taut
 _taut() {{
-  local cur=${{COMP_WORDS[COMP_CWORD]}} prev=${{COMP_WORDS[COMP_CWORD - 1]}} at=taut word options='' below='' files=''
+  local cur=${{COMP_WORDS[COMP_CWORD]}} prev=${{COMP_WORDS[COMP_CWORD - 1]}} at=taut word options below files help=''
   COMPREPLY=()
   for word in "${{COMP_WORDS[@]:1:COMP_CWORD-1}}"; do
     case "$at $word" in
+      'taut help') help='taut help' ;;  # what follows taut may follow that
 {paths}    esac
   done
-  case "$at $prev" in
+  case "${{help:-$at}} $prev" in
 {values}  esac
   case $at in
 {words}  esac
+  if [[ -n $help ]]; then options='--as --help' files=''; fi
   if [[ $cur == -* ]]; then
     mapfile -t COMPREPLY < <(compgen -W "$options" -- "$cur")
   else
@@ -128,7 +130,8 @@ std::string zsh_list(const DescribedCommand& command) {
 std::string zsh_branches(const DescribedCommand& command) {
   std::string text;
   for (const DescribedCommand& below : command.below)
-    text += fmt::format("        {}) {} ;;\n", last_word(below.name), zsh_function(below.name));
+    text += fmt::format("        {}) {} ;;\n", last_word(below.name),
+                        zsh_function(below.name == "taut help" ? "taut" : below.name));
   return text;
 }
 
@@ -163,6 +166,7 @@ function __taut_at
     set -l at
     for word in (commandline -opc)[2..-1]
         string match -q -- '-*' $word; and continue
+        test $word = help; and continue
         contains -- (string trim -- "$at $word") $__taut_commands; and set at (string trim -- "$at $word")
     end
     test "$at" = "$argv"
@@ -170,7 +174,8 @@ end
 )";
 
 std::string fish_option(const DescribedOption& option, const std::string& at) {
-  std::string text = fmt::format("complete -c taut -n '__taut_at {}'", at);
+  std::string text = at == "help" ? "complete -c taut -n 'contains help (commandline -opc)'"
+                                  : fmt::format("complete -c taut -n '__taut_at {}'", at);
   for (const std::string& name : option.names)
     text += is_long(name) ? " -l " + name.substr(2) : " -s " + name.substr(1);
   if (!option.value.empty()) text += option.is_file() ? " -r" : " -x";

@@ -7,10 +7,14 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <sstream>
+#include <string_view>
+#include <utility>
 
 #include <taut/cli/command_line.h>
-#include <taut/geometry/errors.h>
+#include <taut/cli/settings.h>
+#include <taut/cli/spelling.h>
 #include <taut/io/worlds/read_world.h>
 
 namespace taut::cli {
@@ -21,29 +25,34 @@ constexpr std::string_view kConfig = "--config";
 
 // Takes `--config FILE` or `--config=FILE` out of the words.
 std::optional<std::string> taken_out(std::vector<std::string>& words) {
-  for (auto word = words.begin(); word != words.end(); ++word) {
+  std::optional<std::string> name;
+  const auto take = [&](const std::string& file) {
+    if (name) throw UsageError(fmt::format("--config: '{}' and '{}': one file is enough", *name, file));
+    name = file;
+  };
+  for (auto word = words.begin(); word != words.end() && *word != "--";) {
     if (word->starts_with(std::string(kConfig) + "=")) {
-      const std::string name = word->substr(kConfig.size() + 1);
-      words.erase(word);
-      return name;
+      take(word->substr(kConfig.size() + 1));
+      word = words.erase(word);
+    } else if (*word == kConfig) {
+      if (word + 1 == words.end()) throw UsageError("--config: which file?");
+      take(word[1]);
+      word = words.erase(word, word + 2);
+    } else {
+      ++word;
     }
-    if (*word != kConfig) continue;
-    if (word + 1 == words.end()) throw UsageError("--config: which file?");
-    const std::string name = word[1];
-    words.erase(word, word + 2);
-    return name;
   }
-  return std::nullopt;
+  return name;
 }
 
-// The subcommand that the words name, and its name: `grid`, `solve`.
-const CLI::App* chosen(const CLI::App& program, const std::vector<std::string>& words, std::vector<std::string>& path) {
+// The subcommand that the words name, and its name as a section: `grid.solve`.
+const CLI::App* chosen(const CLI::App& program, const std::vector<std::string>& words, std::string& section) {
   const CLI::App* at = &program;
   for (const std::string& word : words) {
     const auto named = at->get_subcommands([&](const CLI::App* sub) { return sub->get_name() == word; });
     if (named.empty()) continue;
     at = named.front();
-    path.push_back(word);
+    section += (section.empty() ? "" : ".") + word;
   }
   return at;
 }
@@ -54,41 +63,98 @@ bool is_said(const std::vector<std::string>& words, const CLI::Option& option) {
   });
 }
 
-class Settings {
- public:
-  Settings(const CLI::App& program, std::string file, std::vector<std::string> words)
-      : file_(std::move(file)), words_(std::move(words)), at_(chosen(program, words_, path_)) {}
+// ---- does all this exist? ---------------------------------------------------------------------------------------------
 
-  std::vector<std::string> added(const std::vector<CLI::ConfigItem>& items) {
-    std::vector<std::string> all = words_;
-    for (const CLI::ConfigItem& item : items)
-      if (item.name != "++" && item.name != "--" && concerns(item)) add(item, all);
-    return all;
+using Names = std::set<std::string, std::less<>>;  // of options, without dashes
+
+// By section, the names of its options; "" has them all.
+std::map<std::string, Names> names_by_section(const DescribedCommand& program) {
+  std::map<std::string, Names> sections;
+  const auto visit = [&](const auto& self, const DescribedCommand& command, const std::string& section) -> void {
+    sections.try_emplace(section);  // `grid` holds others, and has no option itself
+    for (const DescribedOption& option : command.options)
+      for (const std::string& name : option.names) {
+        if (!name.starts_with("--") || name == "--help" || name == "--version" || name == kConfig) continue;
+        sections[section].insert(name.substr(2));
+        sections[""].insert(name.substr(2));
+      }
+    for (const DescribedCommand& below : command.below) {
+      const std::string name = below.name.substr(below.name.rfind(' ') + 1);
+      self(self, below, section.empty() ? name : section + "." + name);
+    }
+  };
+  visit(visit, program, "");
+  return sections;
+}
+
+std::string place_of(const Setting& setting, const std::string& file) {
+  return fmt::format("{}:{}", file, setting.line);
+}
+
+// `taut grid solve`
+std::string full_name(std::string section) {
+  std::replace(section.begin(), section.end(), '.', ' ');
+  return "taut " + section;
+}
+
+void require_known(const std::vector<Setting>& settings, const std::map<std::string, Names>& sections,
+                   const std::string& file) {
+  for (const Setting& setting : settings) {
+    const std::string place = place_of(setting, file);
+    const auto section = sections.find(setting.section);
+    if (section == sections.end()) {
+      std::vector<std::string_view> names;
+      for (const auto& known : sections) names.push_back(known.first);
+      throw UsageError(
+          fmt::format("{}: [{}] is no subcommand{}", place, setting.section, meant(setting.section, names)));
+    }
+    if (section->second.contains(setting.name)) continue;
+    const std::vector<std::string_view> names(section->second.begin(), section->second.end());
+    const std::string who = setting.section.empty() ? "no subcommand has an" : full_name(setting.section) + " has no";
+    throw UsageError(fmt::format("{}: {} option {}{}", place, who, setting.name, meant(setting.name, names)));
+  }
+}
+
+// ---- as words -----------------------------------------------------------------------------------------------------------
+
+class Added {
+ public:
+  Added(const CLI::App& program, std::vector<std::string> words, std::string file)
+      : file_(std::move(file)), said_(std::move(words)), at_(chosen(program, said_, section_)), all_{said_, {}} {}
+
+  // What stands in the section first, for it overrules.
+  Words of(const std::vector<Setting>& settings) && {
+    for (const Setting& setting : settings)
+      if (!section_.empty() && setting.section == section_) add(setting);
+    for (const Setting& setting : settings)
+      if (setting.section.empty() && !all_.places.contains("--" + setting.name)) add(setting);
+    return std::move(all_);
   }
 
  private:
-  bool concerns(const CLI::ConfigItem& item) const { return item.parents.empty() || item.parents == path_; }
-
-  void add(const CLI::ConfigItem& item, std::vector<std::string>& all) const {
-    const std::string name = "--" + item.name;
+  void add(const Setting& setting) {
+    const std::string name = "--" + setting.name, place = place_of(setting, file_);
     const CLI::Option* const option = at_->get_option_no_throw(name);
-    if (option == nullptr && item.parents.empty()) return;
-    if (option == nullptr) throw UsageError(fmt::format("{}: {} has no option {}", file_, at_->get_name(), name));
-    if (is_said(words_, *option)) return;
-    if (option->get_expected_max() != 0) {
-      all.push_back(name);
-      all.insert(all.end(), item.inputs.begin(), item.inputs.end());
-    } else if (const std::string value = item.inputs.empty() ? "true" : item.inputs.front(); value == "true") {
-      all.push_back(name);
-    } else if (value != "false") {
-      throw UsageError(fmt::format("{}: {} is true or false, not '{}'", file_, item.name, value));
+    if (option == nullptr || is_said(said_, *option)) return;
+    all_.places.emplace(name, place);
+    // A flag, or `--animate`, which may stand alone.
+    if (option->get_expected_min() == 0 && setting.is_word &&
+        (setting.values[0] == "true" || setting.values[0] == "false")) {
+      if (setting.values[0] == "true") all_.words.push_back(name);
+      return;
     }
+    const std::string shown = fmt::format("{}", fmt::join(setting.values, ", "));
+    if (option->get_expected_max() == 0)
+      throw UsageError(fmt::format("{}: {} is true or false, not '{}'", place, setting.name, shown));
+    if (setting.values.size() != 1 && option->get_expected_max() == 1)
+      throw UsageError(fmt::format("{}: {} has one value, not [{}]", place, setting.name, shown));
+    for (const std::string& value : setting.values) all_.words.push_back(name + "=" + value);
   }
 
-  std::string file_;
-  std::vector<std::string> words_;
-  std::vector<std::string> path_;
+  std::string file_, section_;
+  std::vector<std::string> said_;
   const CLI::App* at_;
+  Words all_;
 };
 
 }  // namespace
@@ -100,15 +166,23 @@ void add_config_option(CommandLine& app) {
       .type_name("FILE");
 }
 
-std::vector<std::string> with_config_file(const CLI::App& program, std::vector<std::string> words) {
+Words with_config_file(const CLI::App& program, std::vector<std::string> words,
+                       const std::function<DescribedCommand()>& all) {
   const std::optional<std::string> file = taken_out(words);
-  if (!file) return words;
-  std::istringstream text(read_bytes(*file));
-  try {
-    return Settings(program, *file, std::move(words)).added(CLI::ConfigTOML().from_config(text));
-  } catch (const CLI::Error& error) {
-    throw InputError(*file, 0, error.what());
+  if (!file) return {std::move(words), {}};
+  const std::vector<Setting> settings = settings_of(read_bytes(*file), *file == "-" ? "<stdin>" : *file);
+  require_known(settings, names_by_section(all()), *file);
+  return Added(program, std::move(words), *file).of(settings);
+}
+
+std::string with_place(const std::string& complaint, const Places& places) {
+  std::istringstream words(complaint);
+  for (std::string word; words >> word;) {
+    word.erase(word.find_last_not_of(":,;") + 1);
+    const auto option = places.find(word);
+    if (option != places.end()) return option->second + ": " + complaint;
   }
+  return complaint;
 }
 
 }  // namespace taut::cli

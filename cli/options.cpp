@@ -1,11 +1,13 @@
 #include <taut/cli/command_line.h>
 #include <taut/cli/options.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
 
+#include <taut/cli/spelling.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/world.h>
@@ -79,31 +81,12 @@ double seconds_of(const std::string& text) {
   return value;
 }
 
-// Levenshtein's.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t corner = std::exchange(row[0], i);
-    for (std::size_t j = 1; j <= b.size(); ++j)
-      corner = std::exchange(row[j], std::min({row[j] + 1, row[j - 1] + 1, corner + (a[i - 1] != b[j - 1])}));
-  }
-  return row.back();
-}
-
 }  // namespace
 
 UsageError not_one_of(const std::string& text, const std::vector<Choice>& choices) {
-  std::string message = "'" + text + "' is not one of ", nearest;
-  std::size_t least = text.size() / 3 + 1;
-  for (const Choice& choice : choices) {
-    message.append(&choice == &choices.front() ? "" : ", ").append(choice.first);
-    const std::size_t distance = edit_distance(text, choice.first);
-    if (distance > least || (distance == least && !nearest.empty())) continue;
-    least = distance;
-    nearest = choice.first;
-  }
-  return UsageError(nearest.empty() ? message : message + "; did you mean '" + nearest + "'?");
+  std::vector<std::string_view> names;
+  for (const Choice& choice : choices) names.push_back(choice.first);
+  return UsageError(fmt::format("'{}' is not one of {}{}", text, fmt::join(names, ", "), meant(text, names)));
 }
 
 std::size_t count_of(const std::string& text) { return whole_of<std::size_t>(text, "a whole number"); }

@@ -1,6 +1,7 @@
 #include <taut/cli/program.h>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include <taut/cli/config_file.h>
+#include <taut/cli/spelling.h>
 #include <taut/cli/version.h>
 
 namespace taut::cli {
@@ -35,20 +37,46 @@ std::string full_name(const CLI::App& app) {
   return app.get_parent() == nullptr ? app.get_name() : full_name(*app.get_parent()) + " " + app.get_name();
 }
 
-// `solve, check, roadmap`
-std::string choices(const CLI::App& app) {
-  std::string names;
+std::vector<std::string_view> names_below(const CLI::App& app) {
+  std::vector<std::string_view> names;
   for (const CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; }))
-    names += (names.empty() ? "" : ", ") + sub->get_name();
+    names.push_back(sub->get_name());
   return names;
 }
 
-// CLI11's words, except where there is no subcommand to blame.
+// Words that nobody wants: of an option, what may have been meant.
+std::string stray(const CLI::App& at, const std::vector<std::string>& words) {
+  const auto option = std::find_if(words.begin(), words.end(), [](const auto& word) { return word.starts_with("-"); });
+  if (option == words.end()) return fmt::format("'{}' is a word too many", words.front());
+  const std::string name = option->substr(0, option->find('='));
+  std::vector<std::string> names;
+  for (const CLI::Option* known : at.get_options())
+    if (!known->get_group().empty())
+      for (const std::string& one : known->get_lnames()) names.push_back("--" + one);
+  const bool is_long = name.starts_with("--");
+  return fmt::format("there is no option {}{}", name, is_long ? meant(name, {names.begin(), names.end()}) : "");
+}
+
+// `--seed: 1 required N missing`
+std::string without_value(const std::string& words) {
+  const std::size_t colon = words.find(": 1 required "), missing = words.rfind(" missing");
+  if (colon == std::string::npos || missing == std::string::npos) return words;
+  const std::size_t value = colon + std::string_view(": 1 required ").size();
+  return fmt::format("{} needs a value, {}", words.substr(0, colon), words.substr(value, missing - value));
+}
+
+// CLI11's words, except where there is a better one, or a name to blame.
 std::string reason(const CLI::App& at, const CLI::ParseError& error) {
-  if (at.get_require_subcommand_min() == 0) return error.what();
   const std::vector<std::string> rest = at.remaining();
-  return rest.empty() ? fmt::format("which of {}?", choices(at))
-                      : fmt::format("there is no subcommand or option '{}'", rest.front());
+  if (at.get_require_subcommand_min() > 0) {
+    std::vector<std::string_view> names = names_below(at);
+    if (rest.empty()) return fmt::format("which of {}?", fmt::join(names, ", "));
+    names.insert(names.end(), {"--help", "--version"});
+    return fmt::format("there is no subcommand or option '{}'{}", rest.front(), meant(rest.front(), names));
+  }
+  const bool is_option = std::any_of(rest.begin(), rest.end(), [](const auto& word) { return word.starts_with("-"); });
+  if (is_option || (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !rest.empty())) return stray(at, rest);
+  return without_value(error.what());
 }
 
 UsageError wrong(const CLI::App& at, const std::string& why) {
@@ -63,27 +91,6 @@ void refuse_stray_options(const CLI::App& at) {
     if (option->count() > 0)
       throw UsageError(option->get_name() + " stands before `" + at.get_name() + "`, which knows nothing of it");
   refuse_stray_options(*parent);
-}
-
-// What is to be printed; nothing where a subcommand is to be run.
-std::optional<std::string> read_words(CLI::App& app, std::vector<std::string> words) {
-  try {
-    words = with_config_file(app, std::move(words));
-    std::reverse(words.begin(), words.end());  // as CLI11 takes them
-    app.parse(std::move(words));
-    refuse_stray_options(chosen(app));
-    return std::nullopt;
-  } catch (const CLI::CallForVersion& version) {
-    return std::string(version.what()) + "\n";
-  } catch (const CLI::CallForAllHelp&) {
-    return app.help("", CLI::AppFormatMode::All);
-  } catch (const CLI::CallForHelp&) {
-    return app.help();
-  } catch (const CLI::ParseError& error) {
-    throw wrong(chosen(app), reason(chosen(app), error));
-  } catch (const UsageError& error) {
-    throw wrong(chosen(app), error.what());
-  }
 }
 
 using Commands = std::vector<Command>;
@@ -123,11 +130,53 @@ Commands commands_for(std::string_view first_word, CommandLine& app) {
   return commands;
 }
 
+// All of them, described, for which a program of their own is made.
+DescribedCommand all_commands() {
+  CLI::App app("", "taut");
+  CommandLine line(app);
+  const Commands commands = commands_for("", line);
+  return line.described();
+}
+
+// What is to be printed; nothing where a subcommand is to be run. Sets where options stand that a file brought.
+std::optional<std::string> read_words(CLI::App& app, std::vector<std::string> said, Places& places) {
+  try {
+    auto [words, from_file] = with_config_file(app, std::move(said), all_commands);
+    places = std::move(from_file);
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    app.parse(std::move(words));
+    refuse_stray_options(chosen(app));
+    return std::nullopt;
+  } catch (const CLI::CallForVersion& version) {
+    return std::string(version.what()) + "\n";
+  } catch (const CLI::CallForAllHelp&) {
+    return app.help("", CLI::AppFormatMode::All);
+  } catch (const CLI::CallForHelp&) {
+    return app.help();
+  } catch (const CLI::ParseError& error) {
+    throw wrong(chosen(app), with_place(reason(chosen(app), error), places));
+  } catch (const UsageError& error) {
+    throw wrong(chosen(app), with_place(error.what(), places));
+  }
+}
+
 // `taut grid solve --version`, too. Not in every --help: it is in the program's.
 void add_version_flag(CLI::App& app) {
   app.set_version_flag("--version,-V", version_text(), "Print the version and exit, what it is made of below it")
       ->group(app.get_parent() == nullptr ? "Options" : "");
   for (CLI::App* sub : app.get_subcommands([](const CLI::App*) { return true; })) add_version_flag(*sub);
+}
+
+// What stands after `help` is for help() to read.
+void describe_help(CommandLine& app) {
+  CommandLine line = app.add_subcommand("help", "Print the help of a subcommand: taut help grid solve");
+  const auto nothing = [](const std::string&) {};
+  line.add_each_function("SUBCOMMAND", nothing, "Of which; default: of the program").type_name("");
+  line.add_option_function("--as", nothing, "Print what these read instead, see below").type_name("KIND");
+  line.explain("Kinds of --as", {{"man", "a page of the manual: taut help solve --as man | man -l -"},
+                                 {"bash", "completions, to be sourced"},
+                                 {"zsh", "likewise, as _taut in a folder of fpath"},
+                                 {"fish", "likewise, as taut.fish in ~/.config/fish/completions"}});
 }
 
 // `taut help`, `taut help grid solve`; with `--as man` as manual page, with `--as bash` what that shell completes.
@@ -138,17 +187,20 @@ std::string help(const CommandLine& line, std::vector<std::string> words) {
     as = option[1];
     words.erase(option, option + 2);
   }
+  std::erase_if(words, [](const std::string& word) { return word == "--help" || word == "-h"; });
   const CLI::App* at = &line.app();
   DescribedCommand described = line.described();
   for (const std::string& word : words) {
     const auto named = at->get_subcommands([&](const CLI::App* sub) { return sub->get_name() == word; });
-    if (named.empty()) throw wrong(*at, fmt::format("there is no subcommand '{}'", word));
+    if (named.empty())
+      throw wrong(*at, fmt::format("there is no subcommand '{}'{}", word, meant(word, names_below(*at))));
     at = named.front();
     const auto is_it = [&](const DescribedCommand& below) { return below.name == described.name + " " + word; };
     described = DescribedCommand(*std::find_if(described.below.begin(), described.below.end(), is_it));
   }
   if (as == "man") return manual_page(described, TAUT_VERSION);
   if (is_shell(as) && words.empty()) return completion_script(described, as);
+  if (is_shell(as)) throw wrong(line.app(), fmt::format("--as {} is for all subcommands, not one", as));
   if (!as.empty()) throw wrong(line.app(), fmt::format("--as: '{}' is none of man, bash, zsh, fish", as));
   return at->help(at->get_parent() == nullptr ? "" : full_name(*at->get_parent()));
 }
@@ -165,8 +217,7 @@ struct Program::Impl {
 
 void Program::Impl::add_commands(std::string_view first_word) {
   commands = commands_for(first_word, line);
-  app.add_subcommand("help",
-                     "Print the help of a subcommand: taut help grid solve; --as man, bash, zsh or fish: for these");
+  describe_help(line);
   add_version_flag(app);
 }
 
@@ -182,12 +233,18 @@ Program::~Program() = default;
 Asked Program::parse(std::vector<std::string> words) {
   impl_->add_commands(words.empty() ? "" : words.front());
   if (!words.empty() && words.front() == "help") return {nullptr, help(impl_->line, {words.begin() + 1, words.end()})};
-  if (auto text = read_words(impl_->app, std::move(words))) return {nullptr, *std::move(text)};
-  for (const Command& command : impl_->commands)
-    if (command.line->is_chosen()) return {&command};
+  Places places;
+  if (auto text = read_words(impl_->app, std::move(words), places)) return {nullptr, *std::move(text)};
+  for (Command& command : impl_->commands) {
+    if (!command.line->is_chosen()) continue;
+    command.places = std::move(places);
+    return {&command};
+  }
   throw wrong(impl_->app, "which subcommand?");
 }
 
-UsageError wrong_usage(const Command& command, const std::string& why) { return wrong(command.line->app(), why); }
+UsageError wrong_usage(const Command& command, const std::string& why) {
+  return wrong(command.line->app(), with_place(why, command.places));
+}
 
 }  // namespace taut::cli

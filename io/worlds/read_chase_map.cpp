@@ -160,7 +160,7 @@ class Reader {
   }
 
   ChaseMap read() {
-    if (tokens_.at_end()) tokens_.fail("is empty");
+    if (tokens_.at_end()) throw InputError(parts_.source, 0, "file is empty");
     while (!tokens_.at_end()) section();
     if (!has('M')) tokens_.fail(std::string("section ") + missing() + " is missing");
     return ChaseMap(std::move(parts_));

@@ -58,6 +58,21 @@ TEST_F(Manual, CompletesSubcommandsOptionsAndTheNamesTheyTake) {
   EXPECT_EQ(completed("taut solve --svg " + folder.path().string() + "/wor"), file + "\n");
 }
 
+TEST_F(Manual, CompletesWhatHelpIsWantedOf) {
+  EXPECT_EQ(completed("taut help gr"), "grid\n");
+  EXPECT_EQ(completed("taut help grid sol"), "solve\n");
+  EXPECT_EQ(completed("taut help solve --as m"), "man\n");
+  EXPECT_EQ(completed("taut help --a"), "--as\n");
+}
+
+TEST_F(Manual, SaysWhatHelpItselfTakes) {
+  const std::string page = run_taut("help help").out;
+  for (const char* words : {"SUBCOMMAND", "--as KIND", "completions"}) EXPECT_THAT(page, HasSubstr(words));
+  EXPECT_EQ(run_taut("help --help").out, run_taut("--help").out);
+  EXPECT_EQ(run_taut("help grid -h").out, run_taut("help grid").out);
+  EXPECT_THAT(run_taut("help solve --as bash").err, HasSubstr("--as bash is for all subcommands, not one"));
+}
+
 TEST_F(Manual, IsReadByTheShellsThatAreThere) {
   for (const std::string shell : {"bash", "zsh", "fish"}) {
     if (run_script("command -v " + shell).code != 0) continue;

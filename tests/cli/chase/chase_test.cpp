@@ -210,7 +210,7 @@ struct Wrong {
 
 TEST_F(ChaseProgram, NamesLineAndCulpritOfAWrongMap) {
   for (const Wrong& w :
-       {Wrong{"", "is empty"}, Wrong{"hello", "'hello' is no section; they are N, C, R, T and M"},
+       {Wrong{"", "<stdin>: file is empty"}, Wrong{"hello", "'hello' is no section; they are N, C, R, T and M"},
         Wrong{"N\n1,3\nC\n5\nR\n1,4\nT\n1,3\nM\n1,1,1", ":6: "}, Wrong{"N 1,3 C 5 R 1,1 T 1,3 M 1,1", "ends too soon"},
         Wrong{"N 1,3 C 5 R 1,1 T 1,3 M 1,1,1,1", "is left over"}, Wrong{"N 1,3 C 5 R 1,1 T 1,3 M 1,-1,1", "negative"},
         Wrong{"N 1,3 C 5 R 1,1 M 1,1,1", "T"}, Wrong{"N 1,3 C 5 R 1,1 T 1,3 M 9,1,1", "start"},
