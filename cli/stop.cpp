@@ -1,7 +1,9 @@
 #include <taut/cli/stop.h>
 
 #include <fmt/format.h>
+#ifndef TAUT_BOOST_NUMBERS
 #include <gmp.h>
+#endif
 #include <malloc.h>
 #include <pthread.h>
 #include <sys/resource.h>
@@ -130,6 +132,7 @@ void* watch(void*) {
   }
 }
 
+#ifndef TAUT_BOOST_NUMBERS
 void* allocated(void* memory, std::size_t size) {
   if (!memory && size > 0) stop("out of memory");
   return memory;
@@ -137,6 +140,10 @@ void* allocated(void* memory, std::size_t size) {
 void* gmp_allocate(std::size_t size) { return allocated(std::malloc(size), size); }
 void* gmp_reallocate(void* old, std::size_t, std::size_t size) { return allocated(std::realloc(old, size), size); }
 void gmp_free(void* memory, std::size_t) { std::free(memory); }
+void prepare_numbers() { mp_set_memory_functions(gmp_allocate, gmp_reallocate, gmp_free); }
+#else
+void prepare_numbers() {}
+#endif
 
 void start_thread() {
   Shared& s = shared();
@@ -159,7 +166,7 @@ void start_thread() {
 
 void limit_memory(std::size_t bytes) {
   shared().reserve = std::make_unique<char[]>(1 << 20);
-  mp_set_memory_functions(gmp_allocate, gmp_reallocate, gmp_free);
+  prepare_numbers();
   rlimit limit{};
   getrlimit(RLIMIT_AS, &limit);  // one that is there already may only be lowered
   limit.rlim_cur = limit.rlim_max = std::min<rlim_t>(bytes, limit.rlim_max);

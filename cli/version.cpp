@@ -1,9 +1,12 @@
 #include <taut/cli/version.h>
 
 #include <fmt/format.h>
-#include <gmp.h>
 #include <CLI/Version.hpp>
 #include <nlohmann/json.hpp>
+
+#ifndef TAUT_BOOST_NUMBERS
+#include <gmp.h>
+#endif
 
 namespace taut::cli {
 
@@ -23,6 +26,12 @@ constexpr const char* kChecks =
     "preconditions trusted";
 #endif
 
+#ifdef TAUT_BOOST_NUMBERS
+constexpr const char* kGmp = "unused";
+#else
+const char* const kGmp = gmp_version;
+#endif
+
 }  // namespace
 
 std::string version_text() {
@@ -32,7 +41,7 @@ std::string version_text() {
                      "libraries: CGAL " TAUT_CGAL_VERSION ", Boost " TAUT_BOOST_VERSION
                      ", GMP {}, fmt {}.{}.{}, CLI11 {}, nlohmann-json {}.{}.{}\n"
                      "options: {}",
-                     kCompiler, __cplusplus / 100 % 100, gmp_version, FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
+                     kCompiler, __cplusplus / 100 % 100, kGmp, FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
                      FMT_VERSION % 100, CLI11_VERSION, NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
                      NLOHMANN_JSON_VERSION_PATCH, kChecks);
 }

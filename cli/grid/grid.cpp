@@ -19,13 +19,6 @@ namespace taut::cli {
 
 namespace {
 
-std::string algorithm_names() {
-  std::string names;
-  for (std::size_t i = 0; i < kGridAlgorithms; ++i)
-    names.append(i == 0 ? "" : ", ").append(name(static_cast<GridAlgorithm>(i)));
-  return names;
-}
-
 bool is_movingai(std::string_view text) {
   return text.substr(0, text.find('\n')).find("type") != std::string_view::npos;
 }
@@ -83,7 +76,9 @@ GridHeuristic grid_heuristic_of(const std::string& text) {
 
 GridAlgorithm grid_algorithm_of(const std::string& text) {
   if (const auto algorithm = grid_algorithm_named(text)) return *algorithm;
-  throw UsageError("'" + text + "' is no algorithm; they are " + algorithm_names());
+  std::vector<Choice> all;
+  for (std::size_t i = 0; i < kGridAlgorithms; ++i) all.emplace_back(name(static_cast<GridAlgorithm>(i)), "");
+  throw not_one_of(text, all);
 }
 
 double grid_weight_of(const std::string& text) {

@@ -1,8 +1,10 @@
 // CGAL's segment Delaunay graph with what a Voronoi roadmap needs in it. Private; for one file, CGAL costs seconds.
 #pragma once
 
+#ifdef TAUT_BOOST_NUMBERS
+#include <CGAL/MP_Float.h>
+#else
 #include <CGAL/Exact_rational.h>
-#ifndef TAUT_BOOST_NUMBERS
 #include <CGAL/Mpzf.h>
 #endif
 #include <CGAL/Segment_Delaunay_graph_2.h>
@@ -24,7 +26,9 @@ namespace taut::detail {
 using Kernel = CGAL::Simple_cartesian<double>;
 /// What the filter cannot decide, numbers of any length do that know no division and no root: signs of a + b sqrt(c)
 /// and the like, by squaring.
-#ifdef CGAL_HAS_MPZF
+#if defined TAUT_BOOST_NUMBERS
+using Exact = CGAL::Simple_cartesian<CGAL::MP_Float>;
+#elif defined CGAL_HAS_MPZF
 using Exact = CGAL::Simple_cartesian<CGAL::Mpzf>;
 #else
 using Exact = CGAL::Simple_cartesian<CGAL::Exact_rational>;

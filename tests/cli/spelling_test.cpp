@@ -9,6 +9,7 @@
 namespace taut::test {
 namespace {
 
+using testing::EndsWith;
 using testing::Eq;
 
 class Spelling : public ProgramTest {
@@ -36,6 +37,10 @@ TEST_F(Spelling, OfAnOptionIsGuessedAlsoWhereMoreIsMissing) {
   EXPECT_THAT(complaint("solve m.txt --samlpes 3"), Eq("there is no option --samlpes; did you mean '--samples'?"));
   EXPECT_THAT(complaint("solve --robots=disc:1"), Eq("there is no option --robots; did you mean '--robot'?"));
   EXPECT_THAT(complaint("solve m.txt -z"), Eq("there is no option -z"));
+}
+
+TEST_F(Spelling, OfWhatAnOptionTakesIsGuessed) {
+  EXPECT_THAT(complaint("grid solve m.csv --algorithm dikstra"), EndsWith("jps; did you mean 'dijkstra'?"));
 }
 
 TEST_F(Spelling, LeavesNoWordWithoutUse) {
