@@ -120,15 +120,16 @@ void require_known(const std::vector<Setting>& settings, const std::map<std::str
 class Added {
  public:
   Added(const CLI::App& program, std::vector<std::string> words, std::string file)
-      : file_(std::move(file)), said_(std::move(words)), at_(chosen(program, said_, section_)), all_{said_, {}} {}
+      : file_(std::move(file)), said_(std::move(words)), at_(chosen(program, said_, section_)) {}
 
   // What stands in the section first, for it overrules.
   Words of(const std::vector<Setting>& settings) && {
     for (const Setting& setting : settings)
       if (!section_.empty() && setting.section == section_) add(setting);
     for (const Setting& setting : settings)
-      if (setting.section.empty() && !all_.places.contains("--" + setting.name)) add(setting);
-    return std::move(all_);
+      if (setting.section.empty() && !places_.contains("--" + setting.name)) add(setting);
+    said_.insert(std::find(said_.begin(), said_.end(), "--"), added_.begin(), added_.end());
+    return {std::move(said_), std::move(places_)};
   }
 
  private:
@@ -136,11 +137,11 @@ class Added {
     const std::string name = "--" + setting.name, place = place_of(setting, file_);
     const CLI::Option* const option = at_->get_option_no_throw(name);
     if (option == nullptr || is_said(said_, *option)) return;
-    all_.places.emplace(name, place);
+    places_.emplace(name, place);
     // A flag, or `--animate`, which may stand alone.
     if (option->get_expected_min() == 0 && setting.is_word &&
         (setting.values[0] == "true" || setting.values[0] == "false")) {
-      if (setting.values[0] == "true") all_.words.push_back(name);
+      if (setting.values[0] == "true") added_.push_back(name);
       return;
     }
     const std::string shown = fmt::format("{}", fmt::join(setting.values, ", "));
@@ -148,13 +149,13 @@ class Added {
       throw UsageError(fmt::format("{}: {} is true or false, not '{}'", place, setting.name, shown));
     if (setting.values.size() != 1 && option->get_expected_max() == 1)
       throw UsageError(fmt::format("{}: {} has one value, not [{}]", place, setting.name, shown));
-    for (const std::string& value : setting.values) all_.words.push_back(name + "=" + value);
+    for (const std::string& value : setting.values) added_.push_back(name + "=" + value);
   }
 
   std::string file_, section_;
-  std::vector<std::string> said_;
+  std::vector<std::string> said_, added_;
   const CLI::App* at_;
-  Words all_;
+  Places places_;
 };
 
 }  // namespace

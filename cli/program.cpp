@@ -57,12 +57,14 @@ std::string stray(const CLI::App& at, const std::vector<std::string>& words) {
   return fmt::format("there is no option {}{}", name, is_long ? meant(name, {names.begin(), names.end()}) : "");
 }
 
-// `--seed: 1 required N missing`
-std::string without_value(const std::string& words) {
-  const std::size_t colon = words.find(": 1 required "), missing = words.rfind(" missing");
-  if (colon == std::string::npos || missing == std::string::npos) return words;
-  const std::size_t value = colon + std::string_view(": 1 required ").size();
-  return fmt::format("{} needs a value, {}", words.substr(0, colon), words.substr(value, missing - value));
+// `--seed: 1 required N missing`, `--json: At Most 1 required but received 2`: a number of values that cannot be.
+std::string with_count(const std::string& words) {
+  static constexpr std::string_view kMissing = ": 1 required ", kMany = ": At Most 1 required but received ";
+  if (const std::size_t colon = words.find(kMany); colon != std::string::npos)
+    return fmt::format("{} is given {} times", words.substr(0, colon), words.substr(colon + kMany.size()));
+  const std::size_t colon = words.find(kMissing), end = words.rfind(" missing"), value = colon + kMissing.size();
+  if (colon == std::string::npos || end == std::string::npos) return words;
+  return fmt::format("{} needs a value, {}", words.substr(0, colon), words.substr(value, end - value));
 }
 
 // CLI11's words, except where there is a better one, or a name to blame.
@@ -76,7 +78,7 @@ std::string reason(const CLI::App& at, const CLI::ParseError& error) {
   }
   const bool is_option = std::any_of(rest.begin(), rest.end(), [](const auto& word) { return word.starts_with("-"); });
   if (is_option || (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !rest.empty())) return stray(at, rest);
-  return without_value(error.what());
+  return with_count(error.what());
 }
 
 UsageError wrong(const CLI::App& at, const std::string& why) {

@@ -52,6 +52,7 @@ struct Run::Shared {
   std::timed_mutex mutex;
   Envelope envelope;
   std::vector<std::string> names;  // of inputs, with and without their folders
+  std::vector<std::string> read, promised;
   std::string line;
   Json further = Json::object();  // members of the result
   std::function<std::pair<Json, std::string>()> tell;
@@ -67,6 +68,18 @@ struct Run::Shared {
     if (outcome != Outcome::refused)
       for (const auto& [key, value] : *further.members()) envelope.result[key] = value;
     return envelope_text(envelope);
+  }
+
+  // Only `convert` may replace what it reads.
+  void refuse_replacement() {
+    if (envelope.command == "convert") return;
+    for (const std::string& input : read)
+      for (const std::string& output : promised) {
+        std::error_code error;  // a terminal may be both
+        if (!is_same_file(input, output) || !std::filesystem::is_regular_file(output, error)) continue;
+        if (is_same_file(output, json)) json.clear();
+        throw InputError(output, 0, "cannot write: it is read");
+      }
   }
 
   // When stopped or refused.
@@ -131,6 +144,8 @@ void Run::promise(const std::string& file) {
   if (file == "-") is_stdout_taken_ = true;
   const std::lock_guard lock(shared_->mutex);
   shared_->prints = is_talkative();
+  shared_->promised.push_back(file);
+  shared_->refuse_replacement();
 }
 
 void Run::source(const std::string& file) { sources({file}); }
@@ -143,7 +158,9 @@ void Run::sources(const std::vector<std::string>& files) {
     all += (all.empty() ? "" : " ") + shown(file);
     shared_->names.push_back(file);
     shared_->names.push_back(title_of(file));
+    shared_->read.push_back(file);
   }
+  shared_->refuse_replacement();
 }
 
 Seconds Run::seconds(const char* stage) const {

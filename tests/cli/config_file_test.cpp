@@ -48,6 +48,8 @@ TEST_F(ConfigFile, IsOverruledByTheCommandLine) {
   const std::string expected = answer(run_taut("solve - --to 3,1", kRoom));
   EXPECT_EQ(answer(with("to = \"3,3\"\n", "solve - --to 3,1")), expected);
   EXPECT_EQ(answer(with("to = \"3,3\"\n", "solve - --to=3,1")), expected);
+  const std::string settings = folder.file("to.toml", "to = 3,1\n");
+  EXPECT_EQ(answer(run_taut("solve --config " + settings + " -- -", kRoom)), expected);
 }
 
 TEST_F(ConfigFile, SaysNothingToSubcommandsThatHaveNoSuchOption) {

@@ -62,6 +62,18 @@ TEST_F(Output, IsRefusedWhenTwoWouldHaveOneName) {
   EXPECT_EQ(run_taut("solve - --svg /dev/null --json /dev/null", kRoom).code, 0);
 }
 
+TEST_F(Output, IsRefusedInThePlaceOfWhatIsRead) {
+  const std::string world = folder.file("room.txt", kRoom), again = (folder / "." / "room.txt").string();
+  for (const std::string option : {"--svg ", "--json ", "--certificate ", "--geojson "}) {
+    const Outcome run = run_taut("solve " + world + " " + option + again);
+    EXPECT_EQ(run.code, 3) << option;
+    EXPECT_THAT(run.err, HasSubstr("cannot write: it is read"));
+    EXPECT_EQ(contents(world), kRoom);
+  }
+  EXPECT_EQ(run_taut("convert " + world + " " + again + " --as wkt").code, 0);
+  EXPECT_THAT(contents(world), HasSubstr("LINESTRING"));
+}
+
 TEST_F(Output, LeavesTheOldFileAloneWhenStopped) {
   const std::string old = folder.file("a.svg", "old"), endless = (folder / "endless").string();
   ASSERT_EQ(mkfifo(endless.c_str(), 0600), 0);

@@ -49,6 +49,7 @@ TEST_F(Spelling, LeavesNoWordWithoutUse) {
 
 TEST_F(Spelling, NamesTheOptionThatNeedsAValue) {
   EXPECT_THAT(complaint("solve m.txt --seed"), Eq("--seed needs a value, N"));
+  EXPECT_THAT(complaint("solve m.txt --json a --json b"), Eq("--json is given 2 times"));
   EXPECT_THAT(complaint("solve"), Eq("FILE is required"));
 }
 
