@@ -80,7 +80,7 @@ std::map<std::string, Names> names_by_section(const DescribedCommand& program) {
       }
     for (const DescribedCommand& below : command.below) {
       const std::string name = below.name.substr(below.name.rfind(' ') + 1);
-      self(self, below, section.empty() ? name : section + "." + name);
+      self(self, below, section.empty() ? name : fmt::format("{}.{}", section, name));
     }
   };
   visit(visit, program, "");
@@ -104,6 +104,7 @@ void require_known(const std::vector<Setting>& settings, const std::map<std::str
     const auto section = sections.find(setting.section);
     if (section == sections.end()) {
       std::vector<std::string_view> names;
+      names.reserve(sections.size());
       for (const auto& known : sections) names.push_back(known.first);
       throw UsageError(
           fmt::format("{}: [{}] is no subcommand{}", place, setting.section, meant(setting.section, names)));
@@ -149,7 +150,7 @@ class Added {
       throw UsageError(fmt::format("{}: {} is true or false, not '{}'", place, setting.name, shown));
     if (setting.values.size() != 1 && option->get_expected_max() == 1)
       throw UsageError(fmt::format("{}: {} has one value, not [{}]", place, setting.name, shown));
-    for (const std::string& value : setting.values) added_.push_back(name + "=" + value);
+    for (const std::string& value : setting.values) added_.push_back(fmt::format("{}={}", name, value));
   }
 
   std::string file_, section_;

@@ -85,6 +85,7 @@ double seconds_of(const std::string& text) {
 
 UsageError not_one_of(const std::string& text, const std::vector<Choice>& choices) {
   std::vector<std::string_view> names;
+  names.reserve(choices.size());
   for (const Choice& choice : choices) names.push_back(choice.first);
   return UsageError(fmt::format("'{}' is not one of {}{}", text, fmt::join(names, ", "), meant(text, names)));
 }

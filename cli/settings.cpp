@@ -62,7 +62,7 @@ class Lines {
 
   std::string section() {
     const std::size_t end = row_.find(']', at_);
-    const std::string name = trimmed(row_.substr(at_ + 1, end == std::string::npos ? end : end - at_ - 1));
+    std::string name = trimmed(row_.substr(at_ + 1, end == std::string::npos ? end : end - at_ - 1));
     if (end == std::string::npos || !is_name(name)) refuse("'" + trimmed(row_) + "' is no section like [grid.solve]");
     at_ = end + 1;
     require_end("the section [" + name + "]");
