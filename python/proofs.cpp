@@ -3,15 +3,19 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include <taut/geometry/plain_world.h>
 #include <taut/geometry/walled_world.h>
+#include <taut/io/results/arc_proof.h>
 #include <taut/io/results/path_certificate_text.h>
 #include <taut/io/worlds/write_world.h>
 #include <taut/python/answers.h>
 #include <taut/robots/fleet/fleet.h>
+#include <taut/search/arc_search.h>
 #include <taut/search/clearance_search.h>
+#include <taut/search/disc_worlds.h>
 #include <taut/search/path_audit.h>
 #include <taut/search/path_certificate.h>
 #include <taut/search/shortest_path.h>
@@ -44,23 +48,47 @@ std::string widest(const FreeSpace& space, Point from, const Goal& to) {
   return certificate_text(*certificate, write_plain_integers(plain_world(walled)), {from, *to.point});
 }
 
-std::string certificate(const FreeSpace& space, const std::optional<Point>& start, const Goal& goal,
-                        bool wants_widest) {
+std::string arcs(const FreeSpace& space, Point from, const Goal& to, double radius) {
+  if (!to.point) throw InputError("", 0, "a certificate of a disc is for a goal that is a point, not for a room");
+  const std::array ends{from, *to.point};
+  const ArcSearchResult found = arc_search(TangentGraph(space, radius), from, *to.point);
+  if (found.status != DiscStatus::found) throw Unproven("no certificate: no path of the disc was found");
+  const auto certificate = ArcProver(disc_ground(space.world(), from, *to.point), radius).certificate(found.path);
+  if (!certificate) throw Unproven("no certificate: the disc's radius is too fine for the world's numbers");
+  return certificate_text(*certificate, arc_texts(space.world(), radius, ends));
+}
+
+std::string certificate(const FreeSpace& space, const std::optional<Point>& start, const Goal& goal, bool wants_widest,
+                        const std::optional<double>& radius) {
+  if (radius && !(*radius >= World::kSmallest && *radius <= World::kLargest))
+    throw py::value_error("a disc's radius is above 0");
+  if (radius && wants_widest) throw py::value_error("of a radius or of the widest, not both");
   if (space.footprint().kind() == Footprint::Kind::disc ||
-      (wants_widest && !is_plain(space.world(), space.footprint())))
+      ((wants_widest || radius) && !is_plain(space.world(), space.footprint())))
     throw py::value_error("the space is a robot's of which nothing can be proven; make it without a footprint");
   const Point from = start_of(space.world(), start);
   const Goal to = goal_of_query(space.world(), goal);
   const py::gil_scoped_release unlocked;
   require_ends(space, from, to);
-  return about(space.world().source(),
-               [&] { return wants_widest ? widest(space, from, to) : shortest(space, from, to); });
+  return about(space.world().source(), [&] {
+    return radius ? arcs(space, from, to, *radius) : wants_widest ? widest(space, from, to) : shortest(space, from, to);
+  });
+}
+
+proof::Judgement judged_arcs(const World& world, const ArcClaim& claim) {
+  const ArcJudgement said = judge_arcs(
+      claim, arc_texts(world, claim.radius, claim.ends), [](const std::string& text, const std::string& part) {
+        const proof::Judgement one = proof::judge(text, part);
+        return ArcJudgement{one.proven, one.words, static_cast<double>(one.length), static_cast<double>(one.bound), 0};
+      });
+  return {said.proven, "arcs", said.words, said.length, said.bound};
 }
 
 proof::Judgement judged(const FreeSpace& space, const std::string& text) {
   const auto ends = disc_ends(text);
   const FreeSpace asked = ends ? FreeSpace(walled_world(space.world(), {(*ends)[0], (*ends)[1]})) : space;
   try {
+    if (const auto claim = arc_claim(text)) return judged_arcs(space.world(), *claim);
     return proof::judge(write_plain_integers(plain_world(asked)), text);
   } catch (const proof::BadInput& error) {
     throw InputError("", 0, error.what());
@@ -71,7 +99,7 @@ void bind_certificates(py::module_& m) {
   using proof::Judgement;
   py::class_<Judgement>(m, "Judgement", "What the judge of certificates says.")
       .def_readonly("proven", &Judgement::proven)
-      .def_readonly("kind", &Judgement::kind, "'shortest', 'none', 'widest'.")
+      .def_readonly("kind", &Judgement::kind, "'shortest', 'none', 'widest', 'arcs'.")
       .def_readonly("words", &Judgement::words, "What is proven, or what refutes it.")
       .def_property_readonly(
           "length", [](const Judgement& j) { return static_cast<double>(j.length); },
@@ -84,9 +112,10 @@ void bind_certificates(py::module_& m) {
         return fmt::format("<taut.Judgement {}: {}>", j.proven ? "proven" : "not proven", j.words);
       });
   m.def("certificate", &certificate, py::arg("space"), py::arg("start") = py::none(), py::arg("goal") = py::none(),
-        py::kw_only(), py::arg("widest") = false,
+        py::kw_only(), py::arg("widest") = false, py::arg("radius") = py::none(),
         "A proof, as text, that no path is shorter, or that there is none; with widest that no larger disc gets "
-        "through. Of a point or a square. Raises InputError when an end is not free, Unproven.");
+        "through; with a radius what no path of that disc is shorter than. Of a point or a square. Raises InputError "
+        "when an end is not free, Unproven.");
   m.def(
       "judge", &judged, Unlocked(), py::arg("space"), py::arg("certificate"),
       "Does the certificate, as text, prove what it says of the space? A Judgement, by signs of integers alone. Raises "

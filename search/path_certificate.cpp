@@ -122,17 +122,15 @@ void keep_one_a_place(std::vector<std::array<Int, 3>>& rows) {
   rows.erase(std::unique(rows.begin(), rows.end(), same), rows.end());
 }
 
-constexpr int kFiner = 20;
-
 using Exactly = std::vector<std::optional<Place>>;
 
 /// By how many halvings of the unit the path's points are near enough to multiples of it: 0 where they are multiples.
-int halvings(const Exactly& exact, const CertificatePlaces& places, const Box& box) {
+int fitting_halvings(const Exactly& exact, const CertificatePlaces& places, const Box& box, int most) {
   if (std::all_of(exact.begin(), exact.end(), [](const auto& place) { return place.has_value(); })) return 0;
   double largest = 1;
   for (const double v : {box.min.x, box.min.y, box.max.x, box.max.y}) largest = std::max(largest, std::abs(v));
   int finer = 0;
-  while (finer < kFiner && std::ldexp(largest * places.per_one(), finer + 1) < LatticeIntegers::kLargest) ++finer;
+  while (finer < most && std::ldexp(largest * places.per_one(), finer + 1) < LatticeIntegers::kLargest) ++finer;
   return finer;
 }
 
@@ -180,7 +178,8 @@ void shift(Place& place, int finer) {
 
 bool is_certifiable(const Goal& goal) { return detail::goal_box(goal).has_value(); }
 
-std::optional<PathCertificate> shortest_certificate(const VisibilityGraph& graph, const Path& path, const Goal& to) {
+std::optional<PathCertificate> shortest_certificate(const VisibilityGraph& graph, const Path& path, const Goal& to,
+                                                    int halvings) {
   TAUT_EXPECTS(!path.points.empty() && graph.kind() == VisibilityKind::reduced);
   const World& world = graph.space().world();
   const CertificatePlaces places(world, path.points.front(), detail::goal_box(to).value());
@@ -189,7 +188,7 @@ std::optional<PathCertificate> shortest_certificate(const VisibilityGraph& graph
   if (!net.is_exact() || net.start() + 1 == net.size()) return std::nullopt;
   const int bits = fraction_bits(world.box(), places, path.length.value());
   const Exactly exact = exact_places(path.points, places, !to.point);
-  const int finer = std::min(bits, halvings(exact, places, world.box()));
+  const int finer = std::min(bits, fitting_halvings(exact, places, world.box(), halvings));
   const Distances distances(net, places.goal(), bits);
   PathCertificate certificate{.scale = places.scale() << finer, .is_found = true, .goal = places.goal()};
   for (Place& corner : certificate.goal) shift(corner, finer);

@@ -45,8 +45,9 @@ bool is_certifiable(const Goal& goal);
 /// judge refuses. By A* in a reduced graph of the world of a point; the places it takes from its queue are listed.
 /// Nothing where rounded crossings leave corners that are no places of the lattice, or where sloped walls cross a
 /// room's border at fractions that 51 bits do not hold. Precondition: is_certifiable(to). Throws InputError as
-/// LatticeIntegers does. O(search).
-std::optional<PathCertificate> shortest_certificate(const VisibilityGraph& graph, const Path& path, const Goal& to);
+/// LatticeIntegers does. O(search). The unit is halved `halvings` times at most.
+std::optional<PathCertificate> shortest_certificate(const VisibilityGraph& graph, const Path& path, const Goal& to,
+                                                    int halvings = 20);
 
 /// That there is no path. Preconditions: there is none; is_certifiable(to). O(search).
 std::optional<PathCertificate> none_certificate(const VisibilityGraph& graph, Point from, const Goal& to);

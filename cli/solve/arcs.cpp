@@ -10,6 +10,7 @@
 #include <taut/cli/input.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/progress.h>
+#include <taut/cli/solve/certify.h>
 #include <taut/cli/solve/point_ends.h>
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/rounding.h>
@@ -39,6 +40,7 @@ class ArcSolver {
   int solve() {
     run_.promise(options_.svg);
     promise(run_, options_.files);
+    run_.promise(options_.certificate);
     const Input input = read_input(options_.world, options_.query, run_, {options_.query.robot.radius()});
     read_ends(input);
     const FreeSpace space = run_.stage("space", [&] { return triangulated(FreeSpace(input.world)); });
@@ -49,6 +51,7 @@ class ArcSolver {
     require_places(answer_, space);
     const Gates gates = run_.stage("gates", [&] { return Gates(space); });
     found() ? finish(gates) : prove_none(gates);
+    if (!options_.certificate.empty() && outcome_ != Outcome::unproven) certify(input.world);
     return end(input, space, graph);
   }
 
@@ -84,6 +87,16 @@ class ArcSolver {
     reason_ = blocked_text(gates, passage, answer_.barrier, answer_.start, answer_.goal, answer_.radius);
   }
 
+  // An answer without the proof that was asked for is unproven.
+  void certify(const World& world) {
+    certified_ = found()
+                     ? certified(answer_.result.path, world, !options_.no_verify, run_)
+                     : certified_narrow(world, answer_.start, answer_.goal, answer_.radius, !options_.no_verify, run_);
+    if (!certified_.text.empty()) return;
+    outcome_ = Outcome::unproven;
+    reason_ = certified_.words;
+  }
+
   std::string line() const {
     if (outcome_ == Outcome::none) return "no path: " + reason_;
     if (outcome_ == Outcome::unproven) return reason_;
@@ -110,6 +123,7 @@ class ArcSolver {
     answer.result = arc_json(answer_);
     answer.line = input.name + ": " + line() + "\n";
     if (options_.path && found()) answer.listing = path_listing(written_path());
+    if (!certified_.text.empty()) answer.files.push_back({options_.certificate, certified_.text});
     if (found()) add_path_files(answer.files, options_.files, {written_path()});
     answer.stats = {{"roadmap", fmt::format("{} corners, {} tangent points, {} tangents, {} arcs", graph.corner_count(),
                                             graph.point_count(), graph.leg_count(), graph.arc_count())},
@@ -124,6 +138,7 @@ class ArcSolver {
   ArcAnswer answer_;
   Outcome outcome_ = Outcome::found;
   std::string reason_;
+  Certified certified_;
 };
 
 }  // namespace

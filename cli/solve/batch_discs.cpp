@@ -13,6 +13,7 @@
 #include <taut/cli/messages.h>
 #include <taut/cli/progress.h>
 #include <taut/cli/solve/batch_answers.h>
+#include <taut/cli/solve/batch_proofs.h>
 #include <taut/cli/solve/query_source.h>
 #include <taut/cli/world/geographic.h>
 #include <taut/geometry/errors.h>
@@ -73,6 +74,7 @@ class DiscBatch {
   DiscBatch(const BatchOptions& options, Run& run)
       : options_(options), run_(run), answers_({run.is_talkative(), options.json_lines, false, run.wants_json()}) {
     run.when_stopped(answers_.last_words());
+    run.promise(options.certificate);
   }
 
   int work() {
@@ -81,12 +83,14 @@ class DiscBatch {
     const Input input = read_input(options_.world, run_);
     shown_ = Shown(input.notes);
     const FreeSpace space = run_.stage("space", [&] { return triangulated(FreeSpace(input.world)); });
+    if (!options_.certificate.empty()) proofs_.emplace(input.world);
     options_.widest ? answer_widest(space, source) : answer_arcs(space, source);
     note(answers_.totals());
     Answer answer;
     answer.outcome = answers_.outcome();
     answer.reason = answers_.reason();
     if (run_.wants_json()) answer.result = answers_.json();
+    if (proofs_) add_proofs(answer);
     return run_.end(std::move(answer));
   }
 
@@ -112,7 +116,10 @@ class DiscBatch {
       if (!query) continue;
       query->from = plane(query->from);
       query->to = plane(query->to);
-      answers_.add(*query, ask(*query), source.name());
+      path_.reset();
+      const QueryAnswer answer = ask(*query);
+      answers_.add(*query, answer, source.name());
+      if (proofs_) prove(*query, answer);
       answers_.flush(source.may_wait());
     }
     answers_.flush(true);
@@ -172,13 +179,30 @@ class DiscBatch {
     if (result.status == DiscStatus::none) return answer;
     answer.status = Status::found;
     answer.length = result.path.value();
+    path_ = std::move(result.path);
     return answer;
+  }
+
+  void prove(const QueryLine& query, const QueryAnswer& answer) {
+    if (path_)
+      proofs_->add_arcs(query.line, *path_);
+    else if (answer.status == Status::none)
+      proofs_->add_none(query.line, query.from, query.to, query.radius);
+  }
+
+  void add_proofs(Answer& answer) const {
+    answer.files.push_back({options_.certificate, proofs_->text()});
+    if (proofs_->missing() == 0 || exit_code(answer.outcome) != 0) return;
+    answer.outcome = Outcome::unproven;
+    answer.reason = count_text(proofs_->missing(), "answer") + " without a certificate";
   }
 
   const BatchOptions& options_;
   Run& run_;
   BatchAnswers answers_;
   Shown shown_{ReadNotes{}};
+  std::optional<DiscProofs> proofs_;
+  std::optional<ArcPath> path_;  // of the query answered last
 };
 
 }  // namespace
@@ -191,9 +215,8 @@ void require_disc_options(const BatchOptions& options) {
   if (options.query.snap_ends) throw UsageError(fmt::format("--snap-ends does not go with {}", mode));
   if (options.index.wanted() || !options.index.save.empty())
     throw UsageError(fmt::format("--index does not go with {}: it has one of its own", mode));
-  if (options.shards.is_shared() || !options.certificate.empty())
-    throw UsageError(
-        fmt::format("{} does not go with {}", options.certificate.empty() ? "--shard" : "--certificate", mode));
+  if (options.shards.is_shared()) throw UsageError(fmt::format("--shard does not go with {}", mode));
+  if (options.widest && !options.certificate.empty()) throw UsageError("--certificate does not go with --widest");
   if (options.path) throw UsageError(fmt::format("--path does not go with {}", mode));
 }
 

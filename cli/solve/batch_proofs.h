@@ -5,7 +5,9 @@
 #include <string>
 
 #include <taut/geometry/free_space.h>
+#include <taut/io/results/arc_proof.h>
 #include <taut/roadmaps/visibility_graph.h>
+#include <taut/search/arc_certificate.h>
 #include <taut/search/path.h>
 
 namespace taut::cli {
@@ -26,6 +28,29 @@ class BatchProofs {
   FreeSpace plain_;
   VisibilityGraph graph_;
   std::string world_, proofs_;
+  std::size_t missing_ = 0;
+};
+
+/// Certificates of discs of any radius among one world's walls, one a query.
+class DiscProofs {
+ public:
+  explicit DiscProofs(const World& world) : world_(world) {}
+
+  void add_arcs(int line, const ArcPath& path);
+  /// That no disc of that radius gets through, the world's limits being walls.
+  void add_none(int line, Point from, Point to, double radius);
+
+  std::size_t missing() const { return missing_; }
+  std::string text() const;
+
+ private:
+  void add(int line, const std::string& text);
+
+  const World& world_;
+  std::optional<ArcProver> prover_;  // of the radius asked about last
+  std::optional<ArcTexts> texts_;
+  double radius_ = 0;
+  std::string proofs_;
   std::size_t missing_ = 0;
 };
 

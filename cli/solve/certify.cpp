@@ -1,5 +1,6 @@
 #include <taut/cli/solve/certify.h>
 
+#include <array>
 #include <optional>
 #include <utility>
 
@@ -9,6 +10,8 @@
 #include <taut/io/results/path_certificate_text.h>
 #include <taut/io/worlds/write_world.h>
 #include <taut/roadmaps/visibility_graph.h>
+#include <taut/search/arc_certificate.h>
+#include <taut/search/disc_worlds.h>
 #include <taut/search/path_certificate.h>
 #include <taut/verify/judge.h>
 
@@ -25,8 +28,8 @@ void add_certificate_option(CommandLine& app, std::string& file) {
 void require_certifiable(const SolveOptions& options) {
   if (options.certificate.empty()) return;
   const bool widest = options.clearance && options.clearance->kind == ClearanceQuery::Kind::widest;
-  if ((options.clearance && !widest) || options.arcs || options.anytime.wanted || options.world.read.project)
-    throw UsageError("--certificate does not go with --clearance, --tradeoff, --arcs, --anytime and --project");
+  if ((options.clearance && !widest) || options.anytime.wanted || options.world.read.project)
+    throw UsageError("--certificate does not go with --clearance, --tradeoff, --anytime and --project");
 }
 
 namespace {
@@ -83,6 +86,32 @@ Certified certified_narrow(const World& world, Point start, Point goal, double r
   const auto certificate =
       run.stage("certificate", [&] { return narrow_certificate(gates, passage, start, goal, radius); });
   return of_disc(certificate, gates, start, goal, is_judged, run);
+}
+
+ArcJudgement judged_arcs(const ArcClaim& claim, const ArcTexts& texts, const std::string& source) try {
+  return judge_arcs(claim, texts, [](const std::string& world, const std::string& certificate) {
+    const proof::Judgement said = proof::judge(world, certificate);
+    return ArcJudgement{said.proven, said.words, static_cast<double>(said.length), static_cast<double>(said.bound), 0};
+  });
+} catch (const proof::BadInput& error) {
+  throw InputError(source, 0, error.what());
+}
+
+Certified certified(const ArcPath& path, const World& world, bool is_judged, Run& run) {
+  const std::array ends{path.start, path.goal};
+  const auto certificate = run.stage(
+      "certificate", [&] { return ArcProver(disc_ground(world, ends[0], ends[1]), path.radius).certificate(path); });
+  if (!certificate)
+    return {"", "no certificate: the disc sticks out of the world's limits, or its radius is too fine for the numbers",
+            0};
+  const ArcTexts texts = arc_texts(world, path.radius, ends);
+  Certified answer{certificate_text(*certificate, texts), "", 0};
+  if (!is_judged) return answer;
+  const ArcJudgement said = run.stage("judge", [&] { return judged_arcs(arc_claim(answer.text).value(), texts); });
+  if (!said.proven) return {"", "the certificate proves nothing: " + said.words, 0};
+  answer.words = said.words;
+  answer.bound = said.bound;
+  return answer;
 }
 
 }  // namespace taut::cli

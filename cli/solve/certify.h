@@ -6,6 +6,7 @@
 #include <taut/cli/run.h>
 #include <taut/cli/solve/solve_options.h>
 #include <taut/geometry/free_space.h>
+#include <taut/io/results/arc_proof.h>
 #include <taut/io/results/result_json.h>
 #include <taut/search/clearance_planner.h>
 
@@ -28,6 +29,13 @@ Certified certified(const ClearanceAnswer& answer, const Gates& gates, bool is_j
 
 /// That no disc of that radius gets from start to goal, the world's limits being walls.
 Certified certified_narrow(const World& world, Point start, Point goal, double radius, bool is_judged, Run& run);
+
+/// Of the arcs found in `world`: what no path of the disc is shorter than, and a path of legs beside them that keeps
+/// its radius.
+Certified certified(const ArcPath& path, const World& world, bool is_judged, Run& run);
+
+/// Does it prove what it says? By verify/judge.h; throws InputError, which names `source`, where it cannot be read.
+ArcJudgement judged_arcs(const ArcClaim& claim, const ArcTexts& texts, const std::string& source = {});
 
 /// Of what was found in a space of a point, or that nothing was. Throws InputError where the world's numbers or its
 /// goal do not allow one.

@@ -24,6 +24,7 @@
 #include <taut/cli/world/snap_ends.h>
 #include <taut/geometry/errors.h>
 #include <taut/geometry/rounding.h>
+#include <taut/io/pictures/chords.h>
 #include <taut/io/pictures/contours.h>
 #include <taut/io/pictures/svg.h>
 #include <taut/io/results/barrier_words.h>
@@ -251,6 +252,7 @@ class Solver {
     SvgPicture picture = solve_picture(answer_);
     if (options_.contours > 0)
       picture.contours = run_.stage("contours", [&] { return contours(space, *result_.start, options_.contours); });
+    if (!certified_.text.empty() && result_.optimal && result_.goal.point) add_chords(picture, space, result_.path);
     return svg(space, picture);
   }
 

@@ -458,7 +458,7 @@ class Judgement:
     def proven(self) -> bool: ...
     @property
     def kind(self) -> str:
-        """'shortest', 'none', 'widest'."""
+        """'shortest', 'none', 'widest', 'arcs'."""
     @property
     def words(self) -> str:
         """What is proven, or what refutes it."""
@@ -866,10 +866,16 @@ def bug(
     as range ('tangent'). Raises InputError when an end is not free."""
 
 def certificate(
-    space: FreeSpace, start: PointLike | None = ..., goal: GoalLike | None = ..., *, widest: bool = ...
+    space: FreeSpace,
+    start: PointLike | None = ...,
+    goal: GoalLike | None = ...,
+    *,
+    widest: bool = ...,
+    radius: float | None = ...,
 ) -> str:
-    """A proof, as text, that no path is shorter, or that there is none; with widest that no larger disc gets through.
-    Of a point or a square. Raises InputError when an end is not free, Unproven."""
+    """A proof, as text, that no path is shorter, or that there is none; with widest that no larger disc gets through;
+    with a radius what no path of that disc is shorter than. Of a point or a square. Raises InputError when an end is
+    not free, Unproven."""
 
 def chase(
     map: ChaseMap,

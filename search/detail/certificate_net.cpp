@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include <taut/search/detail/world_pieces.h>
+
 namespace taut::detail {
 
 namespace {
@@ -16,19 +18,6 @@ using Place = CertificatePlaces::Place;
 Wide greatest_divisor(Wide a, Wide b) {
   while (b != 0) a = std::exchange(b, a % b);
   return a < 0 ? -a : a;
-}
-
-template <class Visit>
-void each_edge(const World& world, Visit visit) {
-  for (const Wall& wall : world.walls()) visit(wall.a, wall.b);
-  const auto ring = [&](const Ring& r) {
-    for (std::size_t i = 0; i < r.size(); ++i) visit(r[i], r[(i + 1) % r.size()]);
-  };
-  for (const std::vector<Area>* areas : {&world.areas(), &world.solids()})
-    for (const Area& area : *areas) {
-      ring(area.polygon.outer);
-      for (const Ring& hole : area.polygon.holes) ring(hole);
-    }
 }
 
 /// By what places have to be multiplied so that the edge meets the box' lines x = min.x, x = max.x in whole places.
@@ -55,7 +44,7 @@ Int factor_for(const World& world, const LatticeIntegers& integers, const std::a
     largest = std::max({largest, std::abs(place[0]), std::abs(place[1])});
   }
   Wide all = 1;
-  each_edge(world, [&](Point p, Point q) {
+  each_piece(world, [&](Point p, Point q) {
     const auto a = integers.place(p), b = integers.place(q);
     if (!a || !b || all == 0) return;
     for (const int axis : {0, 1}) {

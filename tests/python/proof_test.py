@@ -28,6 +28,18 @@ def test_so_has_the_widest_disc(room):
     assert said.length == pytest.approx(said.bound, rel=1e-6)
 
 
+def test_so_have_a_discs_arcs(room):
+    space = taut.FreeSpace(room)
+    proof = taut.certificate(space, radius=0.25)
+    said = taut.judge(space, proof)
+    assert said and said.kind == "arcs"
+    length = taut.disc_path(space, 0.25).length
+    assert said.bound <= length <= said.length < said.bound * 1.001
+    smaller = json.loads(proof)
+    smaller["radius"] = 0.125
+    assert not taut.judge(space, json.dumps(smaller))
+
+
 def test_what_was_tampered_with_is_not_proven(room):
     space = taut.FreeSpace(room)
     proof = json.loads(taut.certificate(space))

@@ -79,7 +79,7 @@ TEST_F(CertificateProgram, RefusesToProveWhatItCannot) {
   };
   EXPECT_THAT(refusal("--robot disc:0.1", kRoom), testing::StartsWith("4 "));
   EXPECT_THAT(refusal("--clearance 0.1", kRoom), testing::StartsWith("2 "));
-  EXPECT_THAT(refusal("--robot disc:0.1 --arcs", kRoom), testing::StartsWith("2 "));
+  EXPECT_THAT(refusal("--robot disc:1e-9 --arcs", kRoom), testing::StartsWith("4 "));
   EXPECT_THAT(refusal("--widest", kSealed), testing::StartsWith("4 "));
   EXPECT_THAT(refusal("", "boundary 0 0 4 4\nstart 1 1\ngoal 3 3\n0 1.0000000000000002 1 0.1\n"),
               HasSubstr("no multiples of one unit"));
@@ -95,6 +95,49 @@ TEST_F(CertificateProgram, ProvesWhatDiscsCanDo) {
   const Outcome narrow = run_taut("verify - " + proof + " --json -", kSlit);
   EXPECT_EQ(narrow.code, 0) << narrow.err;
   EXPECT_EQ(json::parse(narrow.out)["result"]["bound"], 0.25);
+}
+
+TEST_F(CertificateProgram, ProvesHowLongADiscsArcsAre) {
+  const std::string proof = in_folder("proof"), arcs = "--robot disc:0.25 --arcs --certificate " + proof;
+  EXPECT_EQ(run_taut("solve - " + arcs, kRoom).code, 0);
+  EXPECT_THAT(verify(proof, kRoom).out, HasSubstr("no path of a disc of radius 0.25 is shorter than 5.488"));
+  EXPECT_THAT(verify(proof, kRoom).out, HasSubstr("one that keeps 0.25 is 5.488"));
+  EXPECT_EQ(verify(proof, kOpen).code, 1);
+  EXPECT_THAT(verify(proof, kOpen).out, HasSubstr("of another world"));
+  const Outcome unread = verify(folder.file("other", "{\"kind\": \"arcs\", \"radius\": -1}"), kRoom);
+  EXPECT_EQ(unread.code, 3);
+  EXPECT_THAT(unread.err, HasSubstr("other: a certificate of arcs has a radius"));
+  EXPECT_EQ(run_taut("solve - " + arcs, kSlit).code, 1);
+  EXPECT_THAT(verify(proof, kSlit).out, HasSubstr("no disc of radius 0.25 gets through"));
+}
+
+TEST_F(CertificateProgram, ProvesTheArcsOfABatchOfRadii) {
+  const std::string proof = in_folder("proof"),
+                    queries = folder.file("radii", "1 1 3 3 0.1\n1 1 3 3 0.2\n1 1 3 3 0.3\n");
+  EXPECT_EQ(run_taut("batch - " + queries + " --arcs --certificate " + proof, kSlit).code, 1);
+  EXPECT_THAT(verify(proof, kSlit).out, HasSubstr("3 of 3 proven"));
+  json proofs = json::parse(contents(proof));
+  EXPECT_EQ(proofs[1]["radius"], 0.2);
+  EXPECT_EQ(proofs[2]["kind"], "none");
+  proofs[1]["radius"] = 0.1;
+  const Outcome wrong = verify(folder.file("other", proofs.dump()), kSlit);
+  EXPECT_EQ(wrong.code, 1);
+  EXPECT_THAT(wrong.out, HasSubstr("2 of 3 proven; certificate 2: "));
+}
+
+TEST_F(CertificateProgram, ProvesArcsAmongThickWallsAndOfData) {
+  const std::string proof = in_folder("proof"), arcs = " --robot disc:0.2 --arcs --certificate " + proof;
+  EXPECT_EQ(run_taut("solve - --wall-thickness 0.1" + arcs, kRoom).code, 0);
+  EXPECT_EQ(run_taut("verify - --wall-thickness 0.1 " + proof, kRoom).code, 0);
+  for (const char* name : {"maze_5x7.txt", "islands.wkt", "floor_plan.geojson"}) {
+    SCOPED_TRACE(name);
+    EXPECT_EQ(run_taut("solve " + data_file(name) + arcs).code, 0);
+    const Outcome run = run_taut("verify " + data_file(name) + " " + proof + " --json -");
+    EXPECT_EQ(run.code, 0) << run.err;
+    const json result = json::parse(run.out)["result"];
+    EXPECT_NEAR(result["length"], result["bound"], 1e-4 * result["length"].get<double>());
+    EXPECT_EQ(result["kind"], "arcs");
+  }
 }
 
 // Start and goal stand on openings.
