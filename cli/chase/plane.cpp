@@ -48,11 +48,7 @@ void add_options(CommandLine& app, PlaneOptions& options) {
       .group("Query")
       .required();
   app.add_option_function(
-         "--speed",
-         [&options](const std::string& text) {
-           options.speed = number_of(text, "--speed");
-           if (options.speed <= 0) throw UsageError("--speed: '" + text + "' is not above 0");
-         },
+         "--speed", [&options](const std::string& text) { options.speed = positive_of(text, "--speed"); },
          "How fast the robot is at most, in the world's units (default: 1). The target may be faster")
       .type_name("V")
       .group("Query");
