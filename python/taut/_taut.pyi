@@ -66,17 +66,21 @@ class Answers:
         """(k, 2): the points of path i; none where there is no path."""
 
 class AllRadii:
-    """Paths of discs of any radius, from one index: what is the same for all radii is found once. The graphs of the
-    last 16 radii are kept. Of a point's space."""
+    """Paths of discs of any radius, from one index: what is the same for all radii is found once. A radius
+    asked about twice gets a graph; the last 16 are kept. Of a point's space."""
 
     def __init__(self, space: FreeSpace) -> None: ...
     def path(
         self, radius: float, start: PointLike | None = ..., goal: GoalLike | None = ...
     ) -> ArcPath | None:
-        """As disc_path, the second time for a radius in microseconds."""
+        """As disc_path: the first query of a radius in about a millisecond, without a graph of that radius; from the
+        third one on in microseconds."""
     def lengths(self, queries: ArrayLike) -> NDArray[np.float64]:
         """(n,) of (n, 5) rows sx, sy, gx, gy, radius: the shortest paths' lengths; nan where there is none, or an end
         is no place for the disc."""
+    @property
+    def graphs(self) -> int:
+        """How many graphs of a radius were made: none for the first query of a radius."""
     def to_bytes(self) -> bytes:
         """To be kept; a mark of the world goes along."""
     @staticmethod
