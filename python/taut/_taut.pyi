@@ -519,6 +519,33 @@ class Length:
     def __ge__(self, _arg0: Length) -> bool: ...
     def __repr__(self) -> str: ...
 
+class Meeting:
+    """Where a robot meets a moving target, as early as can be."""
+
+    @property
+    def time(self) -> float:
+        """They can be at one place then."""
+    @property
+    def time_bounds(self) -> tuple[float, float]:
+        """Two neighbouring doubles around the exact time, or that time twice."""
+    @property
+    def at(self) -> Point: ...
+    @property
+    def leg(self) -> int:
+        """Of the target's way, from that row on."""
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """(n, 2): the robot's path, the shortest."""
+    @property
+    def length(self) -> float: ...
+    @property
+    def waits(self) -> float:
+        """How long the robot stands there before."""
+    def verify(self) -> bool:
+        """Is the path one, and short enough? By code that shares nothing with the search."""
+    def _repr_svg_(self) -> str: ...
+    def __repr__(self) -> str: ...
+
 class MouseRun:
     """A micromouse trial as it went."""
 
@@ -948,6 +975,18 @@ def drive(
     """A Drive from start to goal; headings in degrees counter-clockwise from x, any when None. At most weight times as
     long as the shortest on its lattice. None when there is none, proven. Raises InputError when the car cannot
     stand there, Unproven."""
+
+def earliest_meeting(
+    space: FreeSpace,
+    way: ArrayLike,
+    start: PointLike | None = ...,
+    *,
+    speed: float = ...,
+    stays: bool = ...,
+) -> Meeting | None:
+    """The earliest Meeting of a robot, from start at time 0 and with speed at most, and a target on its way: rows time,
+    x, y (n, 3), straight and even in between; after the last one it is gone, or stays. None when there is none, proven.
+    The target may be faster. Raises InputError when the start is not free, or a wall is in the target's way."""
 
 def judge(space: FreeSpace, certificate: str) -> Judgement:
     """Does the certificate, as text, prove what it says of the space? A Judgement, by signs of integers alone. Raises
