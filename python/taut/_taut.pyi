@@ -948,7 +948,7 @@ def compare(
 ) -> list[dict[str, Any]]:
     """A table, for pandas.DataFrame: a dict for each run of each planner; random ones run with seeds seed, seed + 1,
     ... `ratio` is to the shortest in the plane, seconds are CPU, `unfit` says why a planner did not run at all. Of
-    the random ones seed; of a PRM also sampler ('uniform', 'lattice', 'gaussian', 'bridge', 'medial-axis',
+    the random ones seed; of a PRM also sampler ('sobol', 'uniform', 'lattice', 'gaussian', 'bridge', 'medial-axis',
     'corners'), connection ('nearest:8', 'visible:8', 'forest:8', 'radius:1.5', 'prm-star'), clearance, samples,
     lazy, exactly."""
 
@@ -1035,8 +1035,8 @@ def plan(
     exactly: bool = ...,
 ) -> Path | None:
     """A Path by one of planners(); None when there is none, proven. Of the random ones seed; of a PRM also sampler
-    ('uniform', 'lattice', 'gaussian', 'bridge', 'medial-axis', 'corners'), connection ('nearest:8', 'visible:8',
-    'forest:8', 'radius:1.5', 'prm-star'), clearance, samples, lazy, exactly. Raises InputError when an end is
+    ('sobol', 'uniform', 'lattice', 'gaussian', 'bridge', 'medial-axis', 'corners'), connection ('nearest:8',
+    'visible:8', 'forest:8', 'radius:1.5', 'prm-star'), clearance, samples, lazy, exactly. Raises InputError when an end is
     not free or the world does not suit the planner, Unproven."""
 
 def planners() -> dict[str, str]:
