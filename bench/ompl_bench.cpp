@@ -90,6 +90,10 @@ void first_paths(const Settings& settings) {
        [](const Task& t, std::uint64_t s, double limit) {
          return our_prm(t, s, limit, {Rule::visible, 8}, false);
        }},
+      {"taut-prm-uniform",
+       [](const Task& t, std::uint64_t s, double limit) {
+         return our_prm(t, s, limit, {Rule::visible, 8}, false, PrmSampler::uniform);
+       }},
       {"taut-prm-funnel",
        [](const Task& t, std::uint64_t s, double limit) {
          return our_prm(t, s, limit, {Rule::visible, 8}, true);

@@ -22,7 +22,7 @@
 #include <utility>
 
 #include <taut/search/funnel.h>
-#include <taut/search/prm_planner.h>
+#include <taut/search/prm_request.h>
 #include <taut/search/shortest_path.h>
 
 namespace taut::bench {
@@ -66,10 +66,9 @@ struct Row {
 
 // ---- taut -----------------------------------------------------------------------------------------------------------
 
-inline Run our_prm(const Task& task, std::uint64_t seed, double limit, PrmConnection connection, bool pull) {
-  PrmPlan plan;
-  plan.roadmap.seed = seed;
-  plan.roadmap.connection = connection;
+inline Run our_prm(const Task& task, std::uint64_t seed, double limit, PrmConnection connection, bool pull,
+                   PrmSampler sampler = PrmSampler::sobol) {
+  PrmPlan plan = plan_of({.connection = connection}, sampler, seed, true);  // as the program has it
   plan.seconds = limit;
   const double begin = cpu_seconds();
   PrmResult result = prm_path(task.space, task.from, task.to, plan);

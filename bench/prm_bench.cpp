@@ -6,7 +6,7 @@
 #include <memory>
 
 #include <taut/geometry/maze_generator.h>
-#include <taut/search/prm_planner.h>
+#include <taut/search/prm_request.h>
 #include <taut/search/shortest_path.h>
 #include <taut/search/verify.h>
 
@@ -70,6 +70,9 @@ PrmPlan plan(PrmSampler sampler, PrmConnection::Rule rule, bool lazy = false) {
   return result;
 }
 
+/// What the program does when nothing else is asked for.
+PrmPlan default_plan() { return plan_of({}, PrmSampler::sobol, 1, true); }
+
 void exact_shortest(benchmark::State& state) {
   const FreeSpace space = maze(state);
   const World& world = space.world();
@@ -88,6 +91,7 @@ void sizes(benchmark::internal::Benchmark* bench) {
 
 using Rule = PrmConnection::Rule;
 
+BENCHMARK_CAPTURE(first_path, sobol_visible_refined, default_plan())->Apply(sizes);
 BENCHMARK_CAPTURE(first_path, uniform_nearest, plan(PrmSampler::uniform, Rule::nearest))->Apply(sizes);
 BENCHMARK_CAPTURE(first_path, uniform_visible, plan(PrmSampler::uniform, Rule::visible))->Apply(sizes);
 BENCHMARK_CAPTURE(first_path, uniform_star, plan(PrmSampler::uniform, Rule::star))->Apply(sizes);

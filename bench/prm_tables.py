@@ -35,7 +35,7 @@ HOMEWORK = {
     "prm, as it comes": ["--roadmap", "prm"],
     "the shortest path": [],
 }
-SAMPLERS = ["uniform", "lattice", "gaussian", "bridge", "medial-axis", "corners"]
+SAMPLERS = ["sobol", "uniform", "lattice", "gaussian", "bridge", "medial-axis", "corners"]
 
 
 def solve(taut, file, options, seconds):

@@ -16,10 +16,8 @@ namespace taut::cli {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& text, const char* wanted) {
-  std::string message = "'";
-  message.append(text).append("' is not ").append(wanted);
-  throw UsageError(message);
+[[noreturn]] void refuse(const std::string& text, const char* wanted, const char* option = nullptr) {
+  throw UsageError((option ? std::string(option) + ": '" : "'") + text + "' is not " + wanted);
 }
 
 std::optional<double> number_in(std::string_view text) {
@@ -94,9 +92,14 @@ std::size_t count_of(const std::string& text) { return whole_of<std::size_t>(tex
 
 double number_of(const std::string& text, const char* option) {
   const std::optional<double> value = number_in(text);
-  if (value) return *value;
-  if (!option) refuse(text, "a number");
-  throw UsageError(std::string(option) + ": '" + text + "' is not a number");
+  if (!value) refuse(text, "a number", option);
+  return *value;
+}
+
+double positive_of(const std::string& text, const char* option) {
+  const double value = number_of(text, option);
+  if (!(value > 0)) refuse(text, "above 0", option);
+  return value;
 }
 
 Point point_of(const std::string& text) {
@@ -127,7 +130,6 @@ Format format_of(const std::string& text) {
 }
 
 std::size_t memory_of(const std::string& text) {
-  static constexpr const char* kWanted = "an amount of memory, such as 500M or 2G";
   double unit = 1 << 20;
   std::string number = text;
   if (!number.empty()) {
@@ -138,7 +140,7 @@ std::size_t memory_of(const std::string& text) {
     }
   }
   const std::optional<double> value = number_in(number);
-  if (!value || !(*value > 0) || *value * unit > 1e18) refuse(text, kWanted);
+  if (!value || !(*value > 0) || *value * unit > 1e18) refuse(text, "an amount of memory, such as 500M or 2G");
   return static_cast<std::size_t>(*value * unit);
 }
 
@@ -160,9 +162,7 @@ void add_reading_options(CommandLine& app, WorldOptions& options) {
       .type_name("T")
       .group("World");
   const auto parse_resolution = [](const std::string& text) {
-    const double value = number_of(text);
-    if (!(value > 0)) refuse(text, "a resolution above 0");
-    return std::optional(value);
+    return std::optional(positive_of(text, "--resolution"));
   };
   add(app, "--resolution", options.read.resolution, parse_resolution,
       "Metres a pixel: of a PNG or PGM picture, or instead of what a ROS map says")

@@ -68,9 +68,10 @@ Point point_of(const std::string& text);  ///< `1.5,-2`
 double number_of(
     const std::string& text,
     const char* option = nullptr);  ///< finite, of magnitude <= World::kLargest; `option` is named in the error
-std::size_t count_of(const std::string& text);    ///< a whole number of 0 or more
-Footprint footprint_of(const std::string& text);  ///< `point`, `disc:R`, `square:R`
-Format format_of(const std::string& text);        ///< a name of format_named
-std::size_t memory_of(const std::string& text);   ///< `500M`, `2G`; a bare number counts megabytes
+double positive_of(const std::string& text, const char* option);  ///< as number_of, and above 0
+std::size_t count_of(const std::string& text);                    ///< a whole number of 0 or more
+Footprint footprint_of(const std::string& text);                  ///< `point`, `disc:R`, `square:R`
+Format format_of(const std::string& text);                        ///< a name of format_named
+std::size_t memory_of(const std::string& text);                   ///< `500M`, `2G`; a bare number counts megabytes
 
 }  // namespace taut::cli

@@ -23,7 +23,11 @@ void promise_reports(const ReportOptions& options, Run& run) {
 
 void add_reports(Answer& answer, const ReportOptions& options, std::string_view title, std::string_view by) {
   if (options.csv.empty() && options.html.empty()) return;
-  const Json rows = report_rows(answer.result);
+  add_reports(answer, options, title, by, report_rows(answer.result));
+}
+
+void add_reports(Answer& answer, const ReportOptions& options, std::string_view title, std::string_view by,
+                 const Json& rows) {
   if (!options.csv.empty()) answer.files.push_back({options.csv, report_csv(rows)});
   if (!options.html.empty())
     answer.files.push_back({options.html, report_html(fmt::format("taut: {}", title), rows, by)});

@@ -21,5 +21,8 @@ void promise_reports(const ReportOptions& options, Run& run);
 
 /// The files, from the rows of answer.result (report_rows), compared by the member `by`.
 void add_reports(Answer& answer, const ReportOptions& options, std::string_view title, std::string_view by);
+/// The same from rows that say what the result says at more length.
+void add_reports(Answer& answer, const ReportOptions& options, std::string_view title, std::string_view by,
+                 const Json& rows);
 
 }  // namespace taut::cli

@@ -112,6 +112,7 @@ void bind_snapping(py::module_& m);
 void bind_grids(py::module_& m);
 void bind_mice(py::module_& m);
 void bind_chases(py::module_& m);
+void bind_meetings(py::module_& m);
 void bind_bugs(py::module_& m);
 void bind_cars(py::module_& m);
 

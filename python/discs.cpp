@@ -18,6 +18,7 @@
 #include <taut/search/arc_search.h>
 #include <taut/search/passage.h>
 #include <taut/search/query_ends.h>
+#include <taut/search/radius_queries.h>
 #include <taut/search/verify_arcs.h>
 #include <taut/search/voronoi_search.h>
 
@@ -183,30 +184,25 @@ void bind_arcs(py::module_& m) {
 
 // ---- all radii ------------------------------------------------------------------------------------------------------
 
-/// The index and the graphs of the radii asked about last.
+/// One query at a time.
 class RadiusAsker {
  public:
-  explicit RadiusAsker(AllRadii all) : all_(std::move(all)), lock_(std::make_unique<std::mutex>()) {}
+  explicit RadiusAsker(AllRadii all) : queries_(std::move(all)), lock_(std::make_unique<std::mutex>()) {}
 
-  const AllRadii& all() const { return all_; }
+  const AllRadii& all() const { return queries_.all(); }
 
   ArcSearchResult find(double r, Point from, Point to) {
     const std::lock_guard guard(*lock_);
-    auto at = std::find_if(kept_.begin(), kept_.end(), [&](const ArcQueries& q) { return q.graph().radius() == r; });
-    if (at == kept_.end()) {
-      if (kept_.size() == kKept) kept_.erase(kept_.begin());
-      kept_.emplace_back(all_.at_radius(r));
-      at = kept_.end() - 1;
-    }
-    std::rotate(at, at + 1, kept_.end());
-    return kept_.back().find(from, to);
+    return queries_.find(r, from, to);
+  }
+
+  std::size_t graphs() const {
+    const std::lock_guard guard(*lock_);
+    return queries_.graphs_made();
   }
 
  private:
-  static constexpr std::size_t kKept = 16;
-
-  AllRadii all_;
-  std::vector<ArcQueries> kept_;  // the one used last behind
+  RadiusQueries queries_;
   std::unique_ptr<std::mutex> lock_;
 };
 
@@ -234,7 +230,7 @@ py::array lengths_of(RadiusAsker& asker, py::handle queries) {
 void bind_radii(py::module_& m) {
   py::class_<RadiusAsker>(m, "AllRadii",
                           "Paths of discs of any radius, from one index: what is the same for all radii is found once. "
-                          "The graphs of the last 16 radii are kept. Of a point's space.")
+                          "A radius asked about twice gets a graph; the last 16 are kept. Of a point's space.")
       .def(py::init(&asker_of), py::arg("space"))
       .def(
           "path",
@@ -243,7 +239,8 @@ void bind_radii(py::module_& m) {
                               [&](Point from, Point to) { return asker.find(r, from, to); });
           },
           py::arg("radius"), py::arg("start") = py::none(), py::arg("goal") = py::none(),
-          "As disc_path, the second time for a radius in microseconds.")
+          "As disc_path: the first query of a radius in about a millisecond, without a graph of that radius; from the "
+          "third one on in microseconds.")
       .def(
           "lengths", &lengths_of, py::arg("queries"),
           "(n,) of (n, 5) rows sx, sy, gx, gy, radius: the shortest paths' lengths; nan where there is none, or an end "
@@ -269,6 +266,8 @@ void bind_radii(py::module_& m) {
           },
           py::arg("bytes"), py::arg("space"),
           "What to_bytes gave, for a space of the same world. Raises InputError when it is of another, or damaged.")
+      .def_property_readonly("graphs", &RadiusAsker::graphs, Unlocked(),
+                             "How many graphs of a radius were made: none for the first query of a radius.")
       .def(
           "__len__", [](const RadiusAsker& asker) { return asker.all().leg_count(); },
           "Straight legs that are or may be free for some radius.");

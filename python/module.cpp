@@ -23,6 +23,7 @@ PYBIND11_MODULE(_taut, m) {
   taut::python::bind_grids(m);
   taut::python::bind_mice(m);
   taut::python::bind_chases(m);
+  taut::python::bind_meetings(m);
   taut::python::bind_bugs(m);
   taut::python::bind_cars(m);
   taut::python::bind_proofs(m);

@@ -12,6 +12,7 @@
 #include <taut/io/results/path_certificate_text.h>
 #include <taut/io/worlds/write_world.h>
 #include <taut/python/answers.h>
+#include <taut/python/timed.h>
 #include <taut/robots/fleet/fleet.h>
 #include <taut/search/arc_search.h>
 #include <taut/search/clearance_search.h>
@@ -188,19 +189,7 @@ void bind_audits(py::module_& m) {
 // ---- fleets ---------------------------------------------------------------------------------------------------------
 
 fleet::Robot robot_of(const py::handle& rows, double radius, std::size_t number) {
-  const Doubles array = rows_of(rows, 3, "robots");
-  fleet::Robot robot{std::to_string(number), radius, {}};
-  const auto values = array.unchecked<2>();
-  for (py::ssize_t i = 0; i < values.shape(0); ++i)
-    robot.points.push_back({values(i, 0), {values(i, 1), values(i, 2)}});
-  for (std::size_t i = 0; i < robot.points.size(); ++i) {
-    if (!std::isfinite(robot.points[i].time) || !is_in_reach(robot.points[i].at))
-      throw InputError("", 0, fmt::format("robot {}: not all rows are a time and a point", number));
-    if (i > 0 && !(robot.points[i - 1].time < robot.points[i].time))
-      throw InputError("", 0, fmt::format("robot {}: times do not ascend", number));
-  }
-  if (robot.points.empty()) throw InputError("", 0, fmt::format("robot {}: has no rows", number));
-  return robot;
+  return {std::to_string(number), radius, timed_points_of(rows, fmt::format("robot {}", number))};
 }
 
 std::vector<fleet::Collision> collisions(const py::sequence& given, const py::object& radius, bool stay) {

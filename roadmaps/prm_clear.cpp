@@ -32,22 +32,22 @@ PrmClear::PrmClear(const FreeSpace& space, double clearance)
 }
 
 /// Holds every point nearer to the box than `by`, however its sides are rounded.
-bool PrmClear::point(Point p) const { return is_untouched(p) && keeps_distance({p, p}); }
+std::optional<Location> PrmClear::place(Point p) const {
+  const Location at = space_.locate(p);
+  return is_untouched(at) && keeps_distance({p, p}) ? std::optional(at) : std::nullopt;
+}
 
 bool PrmClear::leg(Point p, Point q) const { return space_.sees(p, q) && keeps_distance({p, q}); }
 
-bool PrmClear::leg(Point p, const Location& at, Point q) const {
-  if (p != q) {
-    RayWalk walk(space_.triangulation(), p, q, true);
-    auto end = walk.start(at);
-    while (end == RayWalk::End::vertex) end = walk.next();
-    if (end != RayWalk::End::reached) return false;
-  }
-  return keeps_distance({p, q});
+bool PrmClear::sees(Point p, const Location& at, Point q) const {
+  if (p == q) return true;
+  RayWalk walk(space_.triangulation(), p, q, true);
+  auto end = walk.start(at);
+  while (end == RayWalk::End::vertex) end = walk.next();
+  return end == RayWalk::End::reached;
 }
 
-bool PrmClear::is_untouched(Point p) const {
-  const Location at = space_.locate(p);
+bool PrmClear::is_untouched(const Location& at) const {
   if (at.kind == Location::Kind::triangle) return true;
   if (at.kind != Location::Kind::vertex) return false;
   const Triangulation& tri = space_.triangulation();

@@ -40,11 +40,24 @@ PrmGrowth::PrmGrowth(const FreeSpace& space, const PrmOptions& options, bool laz
 }
 
 void PrmGrowth::add(std::size_t draws) {
+  draw(draws, [](Point) { return true; });
+}
+
+void PrmGrowth::add_in(const BoxIndex& boxes, std::size_t draws) {
+  draw(draws, [&](Point p) {
+    bool is_in = false;
+    boxes.meeting({p, p}, [&](std::uint32_t) { is_in = true; });
+    return is_in;
+  });
+}
+
+template <class Wanted>
+void PrmGrowth::draw(std::size_t draws, Wanted&& wanted) {
   const auto first = static_cast<Vertex>(points_.size());
   for (std::size_t i = 0; i < draws; ++i)
-    if (const auto p = samples_.draw()) {
-      points_.push_back(*p);
-      places_.push_back(clear_.space().locate(*p));
+    if (const auto sample = samples_.draw(wanted)) {
+      points_.push_back(sample->point);
+      places_.push_back(sample->place);
     }
   drawn_ += draws;
   nearest_.add(std::span(points_).subspan(first));
@@ -120,8 +133,10 @@ bool PrmGrowth::test(PrmEdge& edge) {
   return edge.state == PrmEdge::State::free;
 }
 
-std::vector<Vertex> PrmGrowth::visible_from(Point p, std::size_t count) const {
-  return nearest_visible(clear_, nearest_, points_, p, count);
+void PrmGrowth::take_back(const Size& size) {
+  points_.resize(size.vertices);
+  places_.resize(size.vertices);
+  edges_.resize(size.edges);
 }
 
 PrmCounts PrmGrowth::counts() const {

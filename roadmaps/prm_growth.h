@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include <taut/geometry/box_index.h>
 #include <taut/roadmaps/prm.h>
 #include <taut/roadmaps/prm_clear.h>
 #include <taut/roadmaps/prm_nearest.h>
@@ -45,14 +46,22 @@ class PrmGrowth {
   const PrmClear& clear() const { return clear_; }
   std::size_t default_count() const { return samples_.default_count(); }
   void add(std::size_t draws);
+  /// Draws as many, of which only those in one of the boxes may become vertices.
+  void add_in(const BoxIndex& boxes, std::size_t draws);
+
+  struct Size {
+    std::size_t vertices, edges;
+  };
+  Size size() const { return {points_.size(), edges_.size()}; }
+  /// Forgets all that was added since it had that size, though it was drawn. Nothing can be added after that, and
+  /// parts() are as before.
+  void take_back(const Size& size);
 
   const std::vector<Point>& points() const { return points_; }
   const std::vector<PrmEdge>& edges() const { return edges_; }
   /// Tests an edge unless it has been; is it free?
   bool test(PrmEdge& edge);
   bool test(std::size_t edge) { return test(edges_[edge]); }
-  /// The `count` nearest vertices that p can be joined to, as nearest_visible().
-  std::vector<Roadmap::Vertex> visible_from(Point p, std::size_t count) const;
 
   /// Parts by the edges known to be free, or in lazy growth by all candidates that were ever there.
   PrmParts& parts() { return parts_; }
@@ -62,6 +71,8 @@ class PrmGrowth {
 
  private:
   std::vector<Roadmap::Vertex> candidates(Roadmap::Vertex v) const;
+  template <class Wanted>
+  void draw(std::size_t draws, Wanted&& wanted);
   void connect(Roadmap::Vertex first);
   void connect_visible(Roadmap::Vertex first);
   void connect_forest(Roadmap::Vertex first);

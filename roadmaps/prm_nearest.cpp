@@ -1,6 +1,7 @@
 #include <taut/roadmaps/prm_nearest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -21,14 +22,30 @@ int bucket(double offset, double side, int count) {
   return place >= count - 1 ? count - 1 : place > 0 ? static_cast<int>(place) : 0;
 }
 
-std::vector<std::uint32_t> numbers(std::vector<std::pair<double, std::uint32_t>>& ranks, std::size_t count) {
-  count = std::min(count, ranks.size());
-  const auto last = ranks.begin() + static_cast<std::ptrdiff_t>(count);
-  if (last != ranks.end()) std::nth_element(ranks.begin(), last, ranks.end());
-  std::sort(ranks.begin(), last);
+using Ranks = std::vector<std::pair<double, std::uint32_t>>;
+
+/// The first `count` of the ranks in order. Squared distances of points in the plane are spread evenly, so buckets of
+/// equal width hold few each.
+std::vector<std::uint32_t> numbers(const Ranks& ranks, std::size_t count) {
+  constexpr std::size_t kBuckets = 64;
+  std::array<std::uint32_t, kBuckets + 1> first{};
+  double most = 0;
+  for (const auto& rank : ranks) most = std::max(most, rank.first);
+  const double per = most > 1e-290 ? kBuckets / most : 0;
+  const auto bucket_of = [per](double distance) {
+    return std::min(static_cast<std::size_t>(distance * per), kBuckets - 1);
+  };
+  for (const auto& rank : ranks) ++first[bucket_of(rank.first)];
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  Ranks sorted(ranks.size());
+  for (const auto& rank : ranks) sorted[--first[bucket_of(rank.first)]] = rank;
   std::vector<std::uint32_t> result;
+  count = std::min(count, ranks.size());
   result.reserve(count);
-  for (auto rank = ranks.begin(); rank != last; ++rank) result.push_back(rank->second);
+  for (std::size_t b = 0; b < kBuckets && result.size() < count; ++b) {
+    if (first[b + 1] - first[b] > 1) std::sort(sorted.begin() + first[b], sorted.begin() + first[b + 1]);
+    for (std::uint32_t k = first[b]; k < first[b + 1] && result.size() < count; ++k) result.push_back(sorted[k].second);
+  }
   return result;
 }
 

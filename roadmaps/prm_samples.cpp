@@ -85,12 +85,16 @@ PrmSamples::PrmSamples(const PrmClear& clear, const PrmOptions& options)
       spread_(options.spread ? *options.spread : spread_of(clear.space())) {
   const FreeSpace& space = clear.space();
   if (sampler_ == PrmSampler::corners) corners_ = bends(space.triangulation());
+  if (sampler_ == PrmSampler::sobol) {
+    flips_x_ = draws_.below(0xFFFFFFFFu);
+    flips_y_ = draws_.below(0xFFFFFFFFu);
+  }
   if (sampler_ == PrmSampler::lattice) walk_.emplace(box_, options.lattice.value_or(lattice_of(space.world())));
 }
 
-std::optional<Point> PrmSamples::draw() {
-  const std::optional<Point> p = candidate();
-  return p && clear_.point(*p) ? p : std::nullopt;
+std::optional<PrmSample> PrmSamples::placed(Point p) const {
+  const auto at = clear_.place(p);
+  return at ? std::optional(PrmSample{p, *at}) : std::nullopt;
 }
 
 std::optional<Point> PrmSamples::candidate() {
@@ -101,6 +105,7 @@ std::optional<Point> PrmSamples::candidate() {
     case PrmSampler::bridge: return bridge();
     case PrmSampler::medial: return medial();
     case PrmSampler::corners: return corner();
+    case PrmSampler::sobol: return sobol();
   }
   return uniform();
 }
@@ -108,7 +113,23 @@ std::optional<Point> PrmSamples::candidate() {
 Point PrmSamples::uniform() {
   const double x = draws_.unit();
   const double y = draws_.unit();
+  return in_box(x, y);
+}
+
+Point PrmSamples::in_box(double x, double y) const {
   return {box_.min.x + x * (box_.max.x - box_.min.x), box_.min.y + y * (box_.max.y - box_.min.y)};
+}
+
+/// By the direction numbers of the first dimension, a bit each, and of the second, the rows of Pascal's triangle, odd
+/// or even (Kollig and Keller 2002).
+Point PrmSamples::sobol() {
+  std::uint32_t x = flips_x_, y = flips_y_, column = 1u << 31, row = 1u << 31;
+  for (std::uint32_t n = number_++; n > 0; n >>= 1, column >>= 1, row ^= row >> 1) {
+    if (n % 2 == 0) continue;
+    x ^= column;
+    y ^= row;
+  }
+  return in_box((x + 0.5) * 0x1p-32, (y + 0.5) * 0x1p-32);
 }
 
 /// Nearly normal, without a logarithm or a cosine, which differ between libraries: twelve uniform draws have variance

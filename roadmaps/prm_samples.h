@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -32,6 +33,12 @@ class PrmLatticeWalk {
   double first_i_ = 0, last_i_ = 0, last_j_ = 0, i_ = 0, j_ = 0;  // whole numbers
 };
 
+/// A sample that is clear, and where it is.
+struct PrmSample {
+  Point point;
+  Location place;
+};
+
 /// The samples of PrmOptions, one after the other. The clear test must outlive it.
 class PrmSamples {
  public:
@@ -40,11 +47,22 @@ class PrmSamples {
   /// How many there are when the options do not say.
   std::size_t default_count() const { return walk_ ? walk_->first_size() : 500; }
   /// A sample that is clear, or nothing: one that is not.
-  std::optional<Point> draw();
+  std::optional<PrmSample> draw() {
+    return draw([](Point) { return true; });
+  }
+  /// Likewise; nothing where it is not wanted, either.
+  template <class Wanted>
+  std::optional<PrmSample> draw(Wanted&& wanted) {
+    const std::optional<Point> p = candidate();
+    return p && wanted(*p) ? placed(*p) : std::nullopt;
+  }
 
  private:
   std::optional<Point> candidate();
+  std::optional<PrmSample> placed(Point p) const;
   Point uniform();
+  Point sobol();
+  Point in_box(double x, double y) const;  // of a share of its sides, 0 .. 1
   double normal();
   Point near(Point p);
   std::optional<Point> gaussian();
@@ -59,6 +77,7 @@ class PrmSamples {
   Box box_;
   double spread_;
   bool near_corner_ = false;
+  std::uint32_t number_ = 0, flips_x_ = 0, flips_y_ = 0;  // of Sobol's sequence
   std::vector<Point> corners_;
   std::optional<PrmLatticeWalk> walk_;
 };

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <utility>
 #include <vector>
 
 #include <taut/roadmaps/prm_growth.h>
+#include <taut/search/detail/prm_end.h>
 #include <taut/search/detail/prm_lazy.h>
 #include <taut/search/detail/room_entries.h>
 #include <taut/search/no_path.h>
@@ -17,7 +19,7 @@ namespace {
 
 using Vertex = Roadmap::Vertex;
 
-constexpr std::size_t kNeighbours = 8, kFirstBatch = 128, kMostSamples = 1'000'000;
+constexpr std::size_t kNeighbours = 8, kFirstBatch = 64, kMostSamples = 1'000'000;
 
 std::vector<Point> goal_points(const FreeSpace& space, const Goal& goal) {
   if (goal.point) return {*goal.point};
@@ -53,14 +55,21 @@ GraphQuery query_of(const PrmClear& clear, Point from, const std::vector<Point>&
 /// One run of prm_path.
 class PrmRun {
  public:
-  PrmRun(const FreeSpace& space, Point from, std::vector<Point> goals, const PrmPlan& plan)
-      : plan_(plan), from_(from), goals_(std::move(goals)), growth_(space, plan.roadmap, plan.lazy) {}
+  PrmRun(const FreeSpace& space, Point from, const std::vector<Point>& goals, const PrmPlan& plan)
+      : plan_(plan),
+        most_(plan.roadmap.samples.value_or(kMostSamples)),
+        growth_(space, plan.roadmap, plan.lazy),
+        start_(growth_.clear(), from, kNeighbours) {
+    for (const Point goal : goals) goals_.emplace_back(growth_.clear(), goal, kNeighbours);
+    for (const Point goal : goals) is_direct_.push_back(is_clear_leg(growth_.clear(), from, goal));
+  }
 
   PrmResult run() {
     result_.search.status = SearchStatus::stopped;
     while (plan_.exactly && may_go_on() && grow()) continue;
     for (bool is_first = true; !solve(); is_first = false)
       if (goals_.empty() || (!is_first && !may_go_on()) || !grow()) break;
+    if (result_.search.status == SearchStatus::found && plan_.refine > 0 && may_go_on()) refine();
     finish();
     return std::move(result_);
   }
@@ -77,24 +86,57 @@ class PrmRun {
 
   /// False when the samples are used up.
   bool grow() {
-    const std::size_t most = plan_.roadmap.samples.value_or(kMostSamples);
     const std::size_t whole = plan_.roadmap.sampler == PrmSampler::lattice ? growth_.default_count() : 0;
-    const std::size_t batch = drawn_ == 0 && whole > 0 ? whole : std::max(kFirstBatch, drawn_ / 4);
-    const std::size_t draws = std::min(batch, most - drawn_);
+    const std::size_t batch = drawn_ == 0 && whole > 0 ? whole : std::max(kFirstBatch, drawn_ / 16);
+    const std::size_t draws = std::min(batch, most_ - drawn_);
     growth_.add(draws);
     drawn_ += draws;
     return draws > 0;
   }
 
+  /// Around each leg a box that reaches half as far beyond it as samples lie apart.
+  void refine() {
+    const Box box = growth_.clear().space().world().box();
+    const double area = (box.max.x - box.min.x) * (box.max.y - box.min.y);
+    const double reach = std::sqrt(area / static_cast<double>(growth_.points().size() + 1)) / 2;
+    std::vector<Box> boxes;
+    const std::vector<Point>& way = result_.search.path.points;
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) boxes.push_back(widened(box_around(way[i], way[i + 1]), reach));
+    const double wanted = plan_.refine * static_cast<double>(drawn_), left = static_cast<double>(most_ - drawn_);
+    const auto draws = static_cast<std::size_t>(std::min(wanted, left));
+    if (draws == 0) return;
+    const PrmGrowth::Size size = growth_.size();
+    const GraphQuery query = query_;
+    Roadmap roadmap = std::move(result_.roadmap);
+    GraphSearchResult found = std::exchange(result_.search, {});
+    growth_.add_in(BoxIndex(std::move(boxes)), draws);
+    drawn_ += draws;
+    if (solve() && result_.search.path.length <= found.path.length) return;
+    // The vertices nearest to an end are others now, from which the way may be longer, or none.
+    growth_.take_back(size);
+    query_ = query;
+    result_.roadmap = std::move(roadmap);
+    result_.search = std::move(found);
+  }
+
   bool solve() {
-    query_ = query_of(growth_.clear(), from_, goals_, [&](Point p) { return growth_.visible_from(p, kNeighbours); });
+    join_ends();
     if (query_.direct.empty() && !may_be_joined()) return false;
     if (!plan_.lazy) {
-      result_.search = graph_search(growth_.roadmap(), query_, plan_.algorithm);
+      result_.roadmap = growth_.roadmap();
+      result_.search = graph_search(result_.roadmap, query_, plan_.algorithm);
     } else if (auto found = detail::PrmLazySearch(growth_, query_).search(plan_.algorithm)) {
       result_.search = std::move(*found);
     }
     return result_.search.status == SearchStatus::found;
+  }
+
+  void join_ends() {
+    query_ = {{start_.point(), start_.joined(growth_.points())}, {}, {}};
+    for (std::size_t i = 0; i < goals_.size(); ++i) {
+      if (is_direct_[i]) query_.direct.push_back(i);
+      query_.goals.push_back({goals_[i].point(), goals_[i].joined(growth_.points())});
+    }
   }
 
   bool may_be_joined() {
@@ -106,7 +148,7 @@ class PrmRun {
   }
 
   void finish() {
-    result_.roadmap = growth_.roadmap();
+    if (plan_.lazy || result_.search.status != SearchStatus::found) result_.roadmap = growth_.roadmap();
     result_.counts = growth_.counts();
     std::vector<bool> reached(result_.roadmap.vertex_count()), from_goal(reached);
     result_.start_part = reach(query_.start.vertices, reached);
@@ -133,10 +175,12 @@ class PrmRun {
   }
 
   const PrmPlan& plan_;
-  Point from_;
-  std::vector<Point> goals_;
+  std::size_t most_;
   Clock::time_point begin_ = Clock::now();
   PrmGrowth growth_;
+  detail::PrmEnd start_;
+  std::vector<detail::PrmEnd> goals_;
+  std::vector<bool> is_direct_;  // of goals_: straight from the start
   GraphQuery query_;
   std::size_t drawn_ = 0;
   PrmResult result_;

@@ -23,8 +23,13 @@ struct PrmPlan {
   PrmOptions roadmap{};
   /// Test an edge only when a candidate for the shortest path uses it.
   bool lazy = false;
-  bool exactly = false;    ///< all samples are drawn before it is asked whether the ends are joined
-  double seconds = 1e300;  ///< looked at after each batch of samples; a batch adds at most a quarter to what there is
+  bool exactly = false;  ///< all samples are drawn before it is asked whether the ends are joined
+  /// >= 0. Once a path is found that many times as many samples are drawn again (within `samples`), those near the path
+  /// alone are kept, and a path is searched once more: where it goes the roadmap is as dense as one of all these
+  /// samples, at a part of the cost. Where that path were longer (its ends being joined to other vertices), none are
+  /// kept.
+  double refine = 0;
+  double seconds = 1e300;  ///< looked at after each batch of samples; a batch adds 64 or a sixteenth of what there is
   GraphAlgorithm algorithm = GraphAlgorithm::astar;
   /// Called after each batch; false ends the search.
   std::function<bool(const PrmProgress&)> progress{};
@@ -59,7 +64,8 @@ struct PrmResult {
 ///  2. Both ends are joined to their 8 nearest visible vertices; straight to each other if they see each other.
 ///  3. A room is reached when the path is in the middle of one of its boxes; boxes whose middle is not free are no
 ///     goals.
-///  4. Lazy or not, the same samples are drawn and the path found has the same length. Lazy: A* in doubles tests an
+///  4. Lazy or not, the same samples are drawn and the path found has the same length (with `refine`, unless it is as
+///     long as another one, around which others would be kept). Lazy: A* in doubles tests an
 ///     edge when it takes it from its queue (Cohen, Phillips, Likhachev 2014); then the exact search runs on what is
 ///     not known to be blocked, and every edge of its answer is tested, until all are free (lazy PRM: Bohlin, Kavraki
 ///     2000). With Rules visible and forest growth can't be lazy: they are Rule::nearest then.

@@ -6,6 +6,12 @@ namespace {
 
 constexpr double kSecondsWhenNothingIsSaid = 60;
 
+/// A lattice goes on row by row, all over; a forest has one way from place to place.
+bool can_be_refined(const PrmPlan& plan) {
+  return !plan.exactly && plan.roadmap.sampler != PrmSampler::lattice &&
+         plan.roadmap.connection.rule != PrmConnection::Rule::forest;
+}
+
 }  // namespace
 
 PrmPlan plan_of(const PrmRequest& request, PrmSampler sampler, std::uint64_t seed, bool is_limited) {
@@ -18,6 +24,7 @@ PrmPlan plan_of(const PrmRequest& request, PrmSampler sampler, std::uint64_t see
   plan.roadmap.clearance = request.clearance.value_or(0);
   plan.roadmap.connection.rule = plan.lazy ? PrmConnection::Rule::nearest : PrmConnection::Rule::visible;
   if (request.connection) plan.roadmap.connection = *request.connection;
+  plan.refine = can_be_refined(plan) ? 1 : 0;
   if (!is_limited && !request.samples) plan.seconds = kSecondsWhenNothingIsSaid;
   return plan;
 }

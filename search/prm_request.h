@@ -19,7 +19,8 @@ struct PrmRequest {
 };
 
 /// The plan of the request, with the sampler and connection that the kind has when nothing else was asked for. Where
-/// neither samples nor time are limited it gives up after a minute.
+/// neither samples nor time are limited it gives up after a minute. Once found, a path is refined (PrmPlan::refine, 1)
+/// but for lattices, forests and `exactly`.
 PrmPlan plan_of(const PrmRequest& request, PrmSampler sampler, std::uint64_t seed, bool is_limited);
 
 }  // namespace taut

@@ -215,7 +215,7 @@ std::span<const RoadmapKind> roadmap_kinds() {
             CellNeighbours::four),
       cells("cells8", "cells with 8 neighbours", "likewise, and across corners", CellNeighbours::eight),
       growing_prm("prm", "probabilistic roadmap", "random samples, drawn until start and goal are joined",
-                  PrmSampler::uniform, true),
+                  PrmSampler::sobol, true),
       growing_prm("prm-lattice", "probabilistic roadmap on a lattice",
                   "likewise, samples on a lattice that becomes finer", PrmSampler::lattice, false),
       fixed_prm(),

@@ -8,6 +8,7 @@
 #include <taut/cli/bug/journey.h>
 #include <taut/cli/messages.h>
 #include <taut/cli/progress.h>
+#include <taut/cli/report_files.h>
 #include <taut/io/results/bug_json.h>
 
 namespace taut::cli {
@@ -22,6 +23,7 @@ struct CompareOptions {
   std::vector<std::string> files;
   QueryOptions query;
   CommonOptions common;
+  ReportOptions report;
   bug::Options bug;
   std::vector<double> ranges{0, bug_range_of("inf")};
 };
@@ -46,8 +48,10 @@ void add_options(CommandLine& app, CompareOptions& options) {
       .type_name("LIST")
       .group("Query");
   add_turn_option(app, options.bug);
+  add_csv_option(app, options.report);
+  add_html_option(app, options.report);
   explain_bugs(app);
-  app.example("taut bug compare data/maze_25x25.txt --range 0,2,inf");
+  app.example("taut bug compare data/maze_25x25.txt --range 0,2,inf --csv bugs.csv");
 }
 
 std::size_t followed(const Journey& journey) {
@@ -75,8 +79,11 @@ class Comparison {
     }
   }
 
+  /// With the reports.
   Answer answer() const {
-    return {.outcome = outcome_, .reason = reason_, .result = {{"journeys", rows_}}, .line = table_};
+    Answer answer{.outcome = outcome_, .reason = reason_, .result = {{"journeys", rows_}}, .line = table_};
+    add_reports(answer, options_.report, "bugs", "robot", lines_);
+    return answer;
   }
 
  private:
@@ -94,6 +101,7 @@ class Comparison {
     row["world"] = world.name;
     row["status"] = taut::name(outcome_of(world));
     row["cpu_seconds"] = cpu;
+    lines_.push_back(line_of(world, journey, how, cpu));
     rows_.push_back(std::move(row));
     run_.so_far({{"journeys", rows_}}, table_);
   }
@@ -101,19 +109,36 @@ class Comparison {
   void add_shortest(const BugWorld& world) {
     table_ += fmt::format("{:<24} {:<8} {:>6} {:>8} {:>14}\n", title_of(world.name), "shortest", "",
                           world.shortest ? "found" : "none", world.shortest ? world.shortest->decimals(6) : "");
+    Json line{{"world", world.name}, {"robot", "shortest"}, {"found", world.shortest.has_value()}};
+    if (world.shortest) line["length"] = world.shortest->value();
+    lines_.push_back(std::move(line));
     run_.so_far({{"journeys", rows_}}, table_);
+  }
+
+  static Json line_of(const BugWorld& world, const Journey& journey, const bug::Options& how, double cpu) {
+    const bool has_range = how.algorithm == Algorithm::tangent;
+    return {{"world", world.name},
+            {"robot", name(how.algorithm)},
+            {"range", has_range ? Json(range_text(how.range)) : Json()},
+            {"found", journey.reached},
+            {"length", journey.path.length.value()},
+            {"ratio", ratio_of(journey, world.shortest)},
+            {"bound", journey.bound.hi},
+            {"followed", followed(journey)},
+            {"cpu_seconds", cpu}};
   }
 
   const CompareOptions& options_;
   Run& run_;
   std::string table_ = fmt::format("{:<24} {:<8} {:>6} {:>8} {:>14} {:>8} {:>14} {:>9} {:>9}\n", "world", "robot",
                                    "range", "goal", "length", "ratio", "bound", "followed", "cpu");
-  Json rows_ = Json::array();
+  Json rows_ = Json::array(), lines_ = Json::array();
   Outcome outcome_ = Outcome::found;
   std::string reason_;
 };
 
 int run(const CompareOptions& options, Run& run) {
+  promise_reports(options.report, run);
   run.sources(options.files);
   Comparison comparison(options, run);
   const TellProgress show = shown_progress(options.common);

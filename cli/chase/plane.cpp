@@ -18,8 +18,7 @@
 #include <taut/io/results/interception_json.h>
 #include <taut/io/worlds/file_kind.h>
 #include <taut/io/worlds/read_timed_way.h>
-#include <taut/robots/pursuit/interception.h>
-#include <taut/search/verify.h>
+#include <taut/robots/pursuit/verify_meeting.h>
 
 namespace taut::cli {
 
@@ -48,11 +47,7 @@ void add_options(CommandLine& app, PlaneOptions& options) {
       .group("Query")
       .required();
   app.add_option_function(
-         "--speed",
-         [&options](const std::string& text) {
-           options.speed = number_of(text, "--speed");
-           if (options.speed <= 0) throw UsageError("--speed: '" + text + "' is not above 0");
-         },
+         "--speed", [&options](const std::string& text) { options.speed = positive_of(text, "--speed"); },
          "How fast the robot is at most, in the world's units (default: 1). The target may be faster")
       .type_name("V")
       .group("Query");
@@ -86,16 +81,9 @@ Interception question_of(const PlaneOptions& options, const std::vector<ReadTime
   return question;
 }
 
-/// The rounded place of the meeting apart, the path has to pass the check that shares nothing with the search.
 void check(const FreeSpace& space, const Interception& question, const MeetingPlace& meeting) {
-  Path path{meeting.path, {}};
-  if (path.points.size() > 1) path.points.pop_back();
-  path.length = Length(path.points);
-  const Verdict verdict = verify(path, space, question.start, {path.points.back(), {}});
-  if (!verdict.valid) throw std::logic_error("the path does not pass its own check: " + verdict.reason);
-  const double reach = question.speed * meeting.time.hi;
-  if (meeting.length > reach * (1 + 1e-12) + 1e-12)
-    throw std::logic_error("the path is longer than the robot can go until then");
+  if (const std::string fault = meeting_fault(space, question, meeting); !fault.empty())
+    throw std::logic_error("the path does not pass its own check: " + fault);
 }
 
 std::string headline(const std::optional<MeetingPlace>& meeting) {

@@ -19,9 +19,8 @@
 #include <taut/geometry/errors.h>
 #include <taut/io/results/barrier_words.h>
 #include <taut/io/worlds/query_lines.h>
-#include <taut/roadmaps/all_radii.h>
-#include <taut/search/arc_search.h>
 #include <taut/search/passage_index.h>
+#include <taut/search/radius_queries.h>
 #include <taut/search/stopwatch.h>
 
 namespace taut::cli {
@@ -29,45 +28,6 @@ namespace taut::cli {
 namespace {
 
 using Status = QueryAnswer::Status;
-
-/// Queries in the graphs of the radii asked about last: people have a few sizes and use them again and again.
-class RadiusQueries {
- public:
-  RadiusQueries(const FreeSpace& space, const TellProgress& tell) : radii_(space, tell) {}
-
-  /// The first query of a radius is answered without a graph: it may stay the only one.
-  bool is_first(double r) {
-    const auto is_kept = [&](const ArcQueries& kept) { return kept.graph().radius() == r; };
-    if (std::any_of(kept_.begin(), kept_.end(), is_kept) || std::find(asked_.begin(), asked_.end(), r) != asked_.end())
-      return false;
-    if (asked_.size() == kAsked) asked_.erase(asked_.begin());
-    asked_.push_back(r);
-    return true;
-  }
-  const AllRadii& all() const { return radii_; }
-
-  ArcQueries& of(double r) {
-    auto at =
-        std::find_if(kept_.begin(), kept_.end(), [&](const ArcQueries& kept) { return kept.graph().radius() == r; });
-    if (at == kept_.end()) {
-      if (kept_.size() == kKept) kept_.erase(kept_.begin());
-      kept_.emplace_back(radii_.at_radius(r));
-      ++made_;
-      at = kept_.end() - 1;
-    }
-    std::rotate(at, at + 1, kept_.end());
-    return kept_.back();
-  }
-  std::size_t made() const { return made_; }
-
- private:
-  static constexpr std::size_t kKept = 16, kAsked = 64;
-
-  AllRadii radii_;
-  std::vector<double> asked_;     // the radius asked about first in front
-  std::vector<ArcQueries> kept_;  // the one used last behind
-  std::size_t made_ = 0;
-};
 
 class DiscBatch {
  public:
@@ -102,7 +62,8 @@ class DiscBatch {
   }
 
   void answer_arcs(const FreeSpace& space, QuerySource& source) {
-    RadiusQueries graphs = run_.stage("index", [&] { return RadiusQueries(space, shown_progress(options_.common)); });
+    RadiusQueries graphs =
+        run_.stage("index", [&] { return RadiusQueries(AllRadii(space, shown_progress(options_.common))); });
     answers_.prepared_in(run_.seconds());
     run_.stage("search", [&] { answer_all(source, [&](const QueryLine& query) { return arcs(graphs, query); }); });
   }
@@ -162,16 +123,14 @@ class DiscBatch {
 
   QueryAnswer arcs(RadiusQueries& graphs, const QueryLine& query) {
     Stopwatch watch;
-    ArcSearchResult result;
-    if (graphs.is_first(query.radius)) {
-      result = arc_search(graphs.all(), query.radius, query.from, query.to);
-    } else {
-      const std::size_t made = graphs.made();
-      ArcQueries& queries = graphs.of(query.radius);
-      if (graphs.made() > made) answers_.prepared_in(watch.seconds());
+    const std::size_t made = graphs.graphs_made();
+    ArcQueries* graph = graphs.graph(query.radius);
+    if (graphs.graphs_made() > made) {
+      answers_.prepared_in(watch.seconds());
       watch = Stopwatch();
-      result = queries.find(query.from, query.to);
     }
+    const ArcSearchResult result =
+        graph ? graph->find(query.from, query.to) : arc_search(graphs.all(), query.radius, query.from, query.to);
     if (result.status == DiscStatus::start_blocked) return blocked("start");
     if (result.status == DiscStatus::goal_blocked) return blocked("goal");
     QueryAnswer answer;

@@ -20,6 +20,7 @@ const std::vector<Choice> kSamplers{
     {"bridge", "between two things in the way: passages"},
     {"medial-axis", "anywhere, then pushed to the middle between walls"},
     {"corners", "every other one near a corner that a path can bend around"},
+    {"sobol", "anywhere, spread evenly (default)"},
 };
 
 const std::vector<Choice> kRules{

@@ -37,11 +37,7 @@ void add_clearance_options(CommandLine& app, std::optional<ClearanceQuery>& quer
 
 void add_keep_option(CommandLine& app, std::optional<double>& keep) {
   app.add_option_function(
-         "--keep",
-         [&keep](const std::string& text) {
-           keep = number_of(text, "--keep");
-           if (!(*keep > 0 && *keep <= World::kLargest)) throw UsageError("--keep: '" + text + "' is not above 0");
-         },
+         "--keep", [&keep](const std::string& text) { keep = positive_of(text, "--keep"); },
          "The shortest path that keeps this far from walls, with arcs; an end nearer to walls is left, and "
          "entered, by the shortest way to where that can be kept")
       .type_name("C")

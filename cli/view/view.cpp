@@ -39,11 +39,7 @@ void add_options(CommandLine& app, ViewOptions& options) {
   app.add_flag("--serve", options.serve,
                "Answer a page on this machine instead: its address is printed, until SIGINT or SIGTERM");
   app.add_option_function(
-         "--for",
-         [&options](const std::string& text) {
-           options.seconds = number_of(text);
-           if (!(*options.seconds > 0)) throw UsageError("'" + text + "' is no time above 0");
-         },
+         "--for", [&options](const std::string& text) { options.seconds = positive_of(text, "--for"); },
          "With --serve: so long, in seconds")
       .type_name("SECONDS");
   const auto point = [](std::optional<Point>& to) { return [&to](const std::string& text) { to = point_of(text); }; };

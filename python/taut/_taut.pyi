@@ -66,17 +66,21 @@ class Answers:
         """(k, 2): the points of path i; none where there is no path."""
 
 class AllRadii:
-    """Paths of discs of any radius, from one index: what is the same for all radii is found once. The graphs of the
-    last 16 radii are kept. Of a point's space."""
+    """Paths of discs of any radius, from one index: what is the same for all radii is found once. A radius
+    asked about twice gets a graph; the last 16 are kept. Of a point's space."""
 
     def __init__(self, space: FreeSpace) -> None: ...
     def path(
         self, radius: float, start: PointLike | None = ..., goal: GoalLike | None = ...
     ) -> ArcPath | None:
-        """As disc_path, the second time for a radius in microseconds."""
+        """As disc_path: the first query of a radius in about a millisecond, without a graph of that radius; from the
+        third one on in microseconds."""
     def lengths(self, queries: ArrayLike) -> NDArray[np.float64]:
         """(n,) of (n, 5) rows sx, sy, gx, gy, radius: the shortest paths' lengths; nan where there is none, or an end
         is no place for the disc."""
+    @property
+    def graphs(self) -> int:
+        """How many graphs of a radius were made: none for the first query of a radius."""
     def to_bytes(self) -> bytes:
         """To be kept; a mark of the world goes along."""
     @staticmethod
@@ -515,6 +519,33 @@ class Length:
     def __ge__(self, _arg0: Length) -> bool: ...
     def __repr__(self) -> str: ...
 
+class Meeting:
+    """Where a robot meets a moving target, as early as can be."""
+
+    @property
+    def time(self) -> float:
+        """They can be at one place then."""
+    @property
+    def time_bounds(self) -> tuple[float, float]:
+        """Two neighbouring doubles around the exact time, or that time twice."""
+    @property
+    def at(self) -> Point: ...
+    @property
+    def leg(self) -> int:
+        """Of the target's way, from that row on."""
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """(n, 2): the robot's path, the shortest."""
+    @property
+    def length(self) -> float: ...
+    @property
+    def waits(self) -> float:
+        """How long the robot stands there before."""
+    def verify(self) -> bool:
+        """Is the path one, and short enough? By code that shares nothing with the search."""
+    def _repr_svg_(self) -> str: ...
+    def __repr__(self) -> str: ...
+
 class MouseRun:
     """A micromouse trial as it went."""
 
@@ -923,7 +954,7 @@ def compare(
 ) -> list[dict[str, Any]]:
     """A table, for pandas.DataFrame: a dict for each run of each planner; random ones run with seeds seed, seed + 1,
     ... `ratio` is to the shortest in the plane, seconds are CPU, `unfit` says why a planner did not run at all. Of
-    the random ones seed; of a PRM also sampler ('uniform', 'lattice', 'gaussian', 'bridge', 'medial-axis',
+    the random ones seed; of a PRM also sampler ('sobol', 'uniform', 'lattice', 'gaussian', 'bridge', 'medial-axis',
     'corners'), connection ('nearest:8', 'visible:8', 'forest:8', 'radius:1.5', 'prm-star'), clearance, samples,
     lazy, exactly."""
 
@@ -950,6 +981,18 @@ def drive(
     """A Drive from start to goal; headings in degrees counter-clockwise from x, any when None. At most weight times as
     long as the shortest on its lattice. None when there is none, proven. Raises InputError when the car cannot
     stand there, Unproven."""
+
+def earliest_meeting(
+    space: FreeSpace,
+    way: ArrayLike,
+    start: PointLike | None = ...,
+    *,
+    speed: float = ...,
+    stays: bool = ...,
+) -> Meeting | None:
+    """The earliest Meeting of a robot, from start at time 0 and with speed at most, and a target on its way: rows time,
+    x, y (n, 3), straight and even in between; after the last one it is gone, or stays. None when there is none, proven.
+    The target may be faster. Raises InputError when the start is not free, or a wall is in the target's way."""
 
 def judge(space: FreeSpace, certificate: str) -> Judgement:
     """Does the certificate, as text, prove what it says of the space? A Judgement, by signs of integers alone. Raises
@@ -998,8 +1041,8 @@ def plan(
     exactly: bool = ...,
 ) -> Path | None:
     """A Path by one of planners(); None when there is none, proven. Of the random ones seed; of a PRM also sampler
-    ('uniform', 'lattice', 'gaussian', 'bridge', 'medial-axis', 'corners'), connection ('nearest:8', 'visible:8',
-    'forest:8', 'radius:1.5', 'prm-star'), clearance, samples, lazy, exactly. Raises InputError when an end is
+    ('sobol', 'uniform', 'lattice', 'gaussian', 'bridge', 'medial-axis', 'corners'), connection ('nearest:8',
+    'visible:8', 'forest:8', 'radius:1.5', 'prm-star'), clearance, samples, lazy, exactly. Raises InputError when an end is
     not free or the world does not suit the planner, Unproven."""
 
 def planners() -> dict[str, str]:

@@ -46,7 +46,8 @@ TEST_F(ReportFiles, AreWrittenByAllThatCompares) {
   for (const std::string& command :
        {"grid compare " + data_file("pocket.csv"),
         "mouse compare " + data_file("mouse_12.cells") + " " + data_file("mouse_16.num"),
-        "chase compare " + data_file("town_60x40.chase"), "drive --all " + data_file("car/lane.txt")}) {
+        "chase compare " + data_file("town_60x40.chase"), "bug compare " + data_file("maze_25x25.txt"),
+        "drive --all " + data_file("car/lane.txt")}) {
     const Outcome run = run_taut(command + " --html " + in_folder("page.html"));
     ASSERT_EQ(run.code, 0) << command << run.err;
     EXPECT_THAT(contents(in_folder("page.html")), HasSubstr("<h2>All rows</h2>")) << command;

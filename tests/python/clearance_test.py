@@ -60,6 +60,15 @@ def test_one_index_knows_the_paths_of_all_radii(space):
     assert lengths[0] == every.path(0.4, (2, 1), (6, 1)).length and np.isnan(lengths[1:]).all()
 
 
+def test_a_radius_gets_its_graph_when_it_is_asked_about_again(space):
+    every = taut.AllRadii(space)
+    first = every.path(0.3, (2, 1), (6, 1))
+    every.lengths([(2, 1, 6, 1, 0.1), (2, 1, 6, 1, 0.2), (2, 1, 6, 1, 0.6)])
+    assert every.graphs == 0
+    assert every.path(0.3, (2, 1), (6, 1)).length == pytest.approx(first.length, rel=1e-12)
+    assert every.graphs == 1 and every.path(0.3) and every.graphs == 1
+
+
 def test_an_index_of_all_radii_can_be_kept(world, space):
     every = taut.AllRadii(space)
     kept = every.to_bytes()

@@ -132,6 +132,53 @@ def test_a_broken_map_names_its_line():
     assert caught.value.file == "town.chase"
 
 
+# ---- a meeting -------------------------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def hall():
+    return taut.FreeSpace(taut.read_world("boundary 0 0 10 10\nstart 1 0\n5 0 5 4\n"))
+
+
+def test_the_earliest_meeting_is_around_the_wall(hall):
+    meeting = taut.earliest_meeting(hall, [(0, 9, 0), (1, 9, 0)], stays=True)
+    assert meeting.time == pytest.approx(2 * np.sqrt(32)) == meeting.length and meeting.verify()
+    low, high = meeting.time_bounds
+    assert low <= high == meeting.time and np.nextafter(low, 99) >= high
+    assert meeting.points.tolist() == [[1, 0], [5, 4], [9, 0]] and meeting.at == (9, 0)
+    assert "<svg" in meeting._repr_svg_() and "Meeting after 11.31" in repr(meeting)
+
+
+def test_a_slow_robot_waits_where_the_target_comes_by(hall):
+    meeting = taut.earliest_meeting(hall, np.array([(10, 4, 4), (12, 9, 4)]), (1, 0), speed=1)
+    assert (meeting.time, meeting.at, meeting.leg, meeting.waits) == (10, (4, 4), 0, 5)
+
+
+def test_a_target_that_is_gone_before_is_met_by_nobody(hall):
+    assert taut.earliest_meeting(hall, [(0, 9, 0), (11, 9, 0)]) is None
+    assert taut.earliest_meeting(hall, [(0, 9, 0), (11, 9, 0)], speed=2).time == pytest.approx(np.sqrt(32))
+
+
+def test_ways_that_cannot_be_walked_are_refused(hall, room):
+    for rows, words in (
+        ([(0, 1, 2), (4, 9, 2)], "from row 0 to row 1"),
+        ([(0, 1, 2), (2, 11, 2)], "from row 0 to row 1"),
+        ([(0, 11, 2)], "row 0 the target is in a wall, or outside"),
+        ([(0, 1, 2), (0, 1, 3)], "times do not ascend"),
+        ([(0, 1, np.nan)], "a time and a point"),
+        (np.empty((0, 3)), "no rows"),
+    ):
+        with pytest.raises(taut.InputError, match=words):
+            taut.earliest_meeting(hall, rows)
+    with pytest.raises(taut.InputError, match="start"):
+        taut.earliest_meeting(hall, [(0, 1, 2)], (11, 1))
+    for speed in 0, -1, np.nan:
+        with pytest.raises(ValueError, match="speed"):
+            taut.earliest_meeting(hall, [(0, 1, 2)], speed=speed)
+    with pytest.raises(ValueError):
+        taut.earliest_meeting(hall, [(0, 1)])
+
+
 # ---- a bug, a drive --------------------------------------------------------------------------------------------------
 
 

@@ -26,8 +26,8 @@ using test::SmallWorld;
 
 using Rule = PrmConnection::Rule;
 
-constexpr PrmSampler kSamplers[] = {PrmSampler::uniform, PrmSampler::lattice, PrmSampler::gaussian,
-                                    PrmSampler::bridge,  PrmSampler::medial,  PrmSampler::corners};
+constexpr PrmSampler kSamplers[] = {PrmSampler::uniform, PrmSampler::lattice, PrmSampler::gaussian, PrmSampler::bridge,
+                                    PrmSampler::medial,  PrmSampler::corners, PrmSampler::sobol};
 
 PrmOptions lattice(double spacing, double clearance = 0) {
   PrmOptions options;
@@ -39,7 +39,7 @@ PrmOptions lattice(double spacing, double clearance = 0) {
 
 PrmOptions any_options() {
   PrmOptions options;
-  options.sampler = kSamplers[any(0, 5)];
+  options.sampler = kSamplers[any(0, 6)];
   options.samples = 40;
   options.seed = static_cast<std::uint64_t>(any(0, 1000));
   options.clearance = any(0, 1) * any(0, 4) / 8.0;
@@ -154,11 +154,16 @@ TEST(Prm, DrawsTheSamePointsOnEveryPlatform) {
   EXPECT_EQ(last(PrmSampler::bridge), (Point{2.154512440608347, 0.8793020757947156}));
   EXPECT_EQ(last(PrmSampler::medial), (Point{7.905708940563879, 2.0942909057723664}));
   EXPECT_EQ(last(PrmSampler::corners), (Point{6.899753348169542, 3.8868820468321}));
+  EXPECT_EQ(last(PrmSampler::sobol), (Point{0.27822803822346032, 8.3211370266508311}));
 }
 
 TEST(Prm, DrawsOtherPointsForAnotherSeed) {
   const FreeSpace space = SmallWorld{.walls = {}, .solids = {}}.space();
   EXPECT_FALSE(prm(space, {.seed = 1}) == prm(space, {.seed = 2}));
+  const PrmOptions spread{.sampler = PrmSampler::sobol, .samples = 8};
+  PrmOptions other = spread;
+  other.seed = 2;
+  EXPECT_FALSE(prm(space, spread) == prm(space, other));
 }
 
 TEST(Prm, KeepsVerticesExactlyAsFarAwayAsTheClearance) {

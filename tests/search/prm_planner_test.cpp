@@ -121,7 +121,7 @@ Ends any_free_ends(const FreeSpace& space) {
 
 PrmPlan any_plan() {
   PrmPlan plan;
-  plan.roadmap.sampler = PrmSampler(any(0, 5));
+  plan.roadmap.sampler = PrmSampler(any(0, 6));
   plan.roadmap.samples = static_cast<std::size_t>(any(0, 600));
   plan.roadmap.seed = static_cast<std::uint64_t>(any(0, 1000));
   plan.roadmap.connection.rule = any(0, 1) ? PrmConnection::Rule::nearest : PrmConnection::Rule::star;
@@ -221,7 +221,7 @@ TEST(PrmPath, StopsWhenItsWatcherSaysSo) {
   };
   const PrmResult result = prm_path(kSlit.space(), {2, 2}, Goal{Point{8, 2}, {}}, plan);
   EXPECT_EQ(result.search.status, SearchStatus::stopped);
-  EXPECT_EQ(drawn, (std::vector<std::size_t>{128, 256, 384}));
+  EXPECT_EQ(drawn, (std::vector<std::size_t>{64, 128, 192}));
 }
 
 TEST(PrmPath, RefinesTheLatticeUntilItFitsThroughASlit) {

@@ -88,6 +88,19 @@ TEST_F(BugCommand, ComparesAllBugsWithTheShortestPath) {
   EXPECT_EQ(run_taut("bug").code, 2);
 }
 
+TEST_F(BugCommand, WritesTheComparisonAsATable) {
+  const std::string room = folder.file("room.txt", kRoom), sealed = folder.file("sealed.txt", kSealed);
+  const std::string file = (folder / "bugs.csv").string();
+  EXPECT_EQ(run_taut("bug compare " + room + " " + sealed + " --range 0,inf --csv " + file).code, 1);
+  const std::string csv = contents(file);
+  EXPECT_THAT(csv, testing::StartsWith("world,robot,range,found,length,ratio,bound,followed,cpu_seconds\n"));
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 2 * 5);
+  EXPECT_THAT(csv, testing::HasSubstr(room + ",bug2,,1,4.0,"));
+  EXPECT_THAT(csv, testing::HasSubstr(room + ",tangent,inf,1,"));
+  EXPECT_THAT(csv, testing::HasSubstr(sealed + ",tangent,0,0,"));
+  EXPECT_THAT(csv, testing::HasSubstr(sealed + ",shortest,,0,,,,,\n"));
+}
+
 TEST_F(BugCommand, KeepsFinishedRowsWhenTheComparisonIsStopped) {
   const std::string room = folder.file("room.txt", kRoom), endless = (folder / "endless").string();
   ASSERT_EQ(mkfifo(endless.c_str(), 0600), 0);

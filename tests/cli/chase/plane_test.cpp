@@ -70,7 +70,9 @@ TEST_F(ChasePlane, RefusesWaysThatCannotBeWalked) {
   EXPECT_THAT(run_taut(plane("0 11 9\n")).err, HasSubstr("way:1: the target is in a wall, or outside"));
   EXPECT_THAT(run_taut(plane("0 1 9\n0 2 9\n")).err, HasSubstr("way:2: time 0 comes after 0"));
   EXPECT_THAT(run_taut(plane("0 1\n")).err, HasSubstr("way:1: a line is `t x y`, not 2 numbers"));
-  EXPECT_EQ(run_taut(plane("0 1 9\n", "--speed 0")).code, 2);
+  const Outcome still = run_taut(plane("0 1 9\n", "--speed 0"));
+  EXPECT_EQ(still.code, 2);
+  EXPECT_THAT(still.err, HasSubstr("--speed: '0' is not above 0"));
   EXPECT_EQ(run_taut(plane("0 1 9\n", "--to 3,3")).code, 2);
 }
 

@@ -50,7 +50,9 @@ TEST_F(SolveKeep, GoesIntoTheFilesOfOtherTrades) {
 
 TEST_F(SolveKeep, HasASearchOfItsOwn) {
   EXPECT_EQ(run_taut("solve - --keep 0.5 --arcs --robot disc:1", kHall).code, 2);
-  EXPECT_EQ(run_taut("solve - --keep 0", kHall).code, 2);
+  const Outcome nothing = run_taut("solve - --keep 0", kHall);
+  EXPECT_EQ(nothing.code, 2);
+  EXPECT_THAT(nothing.err, HasSubstr("--keep: '0' is not above 0"));
 }
 
 }  // namespace
