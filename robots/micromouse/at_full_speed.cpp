@@ -1,8 +1,9 @@
+#include <taut/robots/micromouse/free_speed_run.h>
+
 #include <algorithm>
 #include <iterator>
 
 #include <taut/robots/micromouse/detail/speed_profile.h>
-#include <taut/robots/micromouse/free_speed_run.h>
 
 namespace taut::micromouse {
 
