@@ -1,6 +1,6 @@
 // Scores of all micromouse explorers on generated and on competition mazes: tables, and the time each takes a maze.
 //   micromouse_bench [--sets gen,long,comp] [--explorers flood,score,...] [--mazes N] [--seeds FIRST] [FILE...]
-//   micromouse_bench --tour N ...   prove and score plan N looks as one tour, with three seeds, paired with what they do
+//   micromouse_bench --tour N ...   prove plans N looks as one tour: three seeds, paired with each look for itself
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -135,33 +135,29 @@ void table(const std::string& title, const std::vector<Named>& set, const std::v
   }
 }
 
-/// How much lower, and by its standard error, `tour` makes the score: means over three seeds, paired by maze.
+/// What tours of so many looks make of prove's scores: means over three seeds, the change paired by maze, its error.
 void tour_table(const std::string& title, const std::vector<Named>& set, int tour) {
-  std::printf("%s: %zu mazes, tours of %d looks against single ones\n%-8s %9s %9s %9s %9s %9s %9s\n", title.c_str(),
-              set.size(), tour, "", "run 1", "tour", "score", "tour", "change", "error");
-  for (const detail::ScoutGoal goal : {detail::ScoutGoal::proof, detail::ScoutGoal::score}) {
-    constexpr std::uint64_t kSeeds = 3;
-    double run1[2] = {0, 0}, score[2] = {0, 0}, sum = 0, squares = 0;
-    for (const Named& n : set) {
-      double change = 0;
-      for (std::uint64_t seed = 1; seed <= kSeeds; ++seed)
-        for (const int with : {0, 1}) {
-          detail::ScoutTuning tuning;
-          tuning.tour = with * tour;
-          detail::Scout robot(task_of(n.maze), goal, seed, tuning);
-          const Record record = run_trial(n.maze, robot);
-          run1[with] += record.run1;
-          score[with] += record.score().value_or(0);
-          change += (2 * with - 1) * record.score().value_or(0) / kSeeds;
-        }
-      sum += change, squares += change * change;
-    }
-    const double m = static_cast<double>(std::max<std::size_t>(2, set.size())), trials = m * kSeeds;
-    const double error = std::sqrt(std::max(0.0, squares - sum * sum / m) / (m - 1) / m);
-    std::printf("%-8s %9.2f %9.2f %9.3f %9.3f %+9.3f %9.3f\n", goal == detail::ScoutGoal::proof ? "prove" : "score",
-                run1[0] / trials, run1[1] / trials, score[0] / trials, score[1] / trials, sum / m, error);
-    std::fflush(stdout);
+  constexpr std::uint64_t kSeeds = 3;
+  double run1[2] = {0, 0}, score[2] = {0, 0}, sum = 0, squares = 0;
+  for (const Named& n : set) {
+    double change = 0;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed)
+      for (const int with : {0, 1}) {
+        micromouse::detail::ScoutTuning tuning;
+        tuning.tour = with * tour;
+        micromouse::detail::Scout robot(task_of(n.maze), micromouse::detail::ScoutGoal::proof, seed, tuning);
+        const Record record = run_trial(n.maze, robot);
+        run1[with] += record.run1 / static_cast<double>(kSeeds);
+        score[with] += record.score().value_or(0) / kSeeds;
+        change += (2 * with - 1) * record.score().value_or(0) / kSeeds;
+      }
+    sum += change, squares += change * change;
   }
+  const double m = static_cast<double>(std::max<std::size_t>(2, set.size()));
+  std::printf("%s: %zu mazes, run 1 %.2f, with tours of %d looks %.2f; score %.3f, %.3f: %+.3f +- %.3f\n",
+              title.c_str(), set.size(), run1[0] / m, tour, run1[1] / m, score[0] / m, score[1] / m, sum / m,
+              std::sqrt(std::max(0.0, squares - sum * sum / m) / (m - 1) / m));
+  std::fflush(stdout);
 }
 
 std::vector<std::string> split(const std::string& list) {

@@ -1,6 +1,7 @@
 #include <taut/robots/micromouse/detail/look_tour.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -22,10 +23,10 @@ class TourSearch {
     while (!beam.empty() && beam.front().looks < tuning_.looks) {
       std::vector<Partial> longer;
       for (const Partial& tour : beam) extend(tour, longer);
-      std::ranges::stable_sort(longer, std::greater<>{}, [&](const Partial& t) { return value(t); });
+      std::ranges::stable_sort(longer, std::greater<>{}, &Partial::value);
       if (longer.size() > kept()) longer.resize(kept());
       for (const Partial& t : longer)
-        if (!best || value(t) > best->value) best = Tour{t.way, value(t), t.looks};
+        if (!best || t.value > best->value) best = Tour{t.way, t.value, t.looks};
       beam = std::move(longer);
     }
     return best;
@@ -36,14 +37,13 @@ class TourSearch {
     std::size_t node = 0;
     int looks = 0;
     int steps = 0;
-    double seen = 0;
+    double value = 0;
     std::vector<Action> way;  // to the first look
     WallBoard left;           // weights not yet seen
   };
 
   std::size_t kept() const { return static_cast<std::size_t>(tuning_.beam); }
-  double value(double seen, int steps) const { return seen / (steps + tuning_.patience); }
-  double value(const Partial& t) const { return value(t.seen, t.steps); }
+  double discount(int steps) const { return std::pow(tuning_.discount, steps); }
 
   void extend(const Partial& tour, std::vector<Partial>& into) const {
     const Outlook outlook(map_, tour.left, open_);
@@ -51,8 +51,8 @@ class TourSearch {
     std::vector<std::pair<double, std::size_t>> looks;
     for (const std::size_t node : ways.order)
       if (node != tour.node && outlook.at(node / 4, static_cast<Side>(node % 4)) > 0)
-        looks.emplace_back(value(tour.seen + static_cast<double>(ways.collected[node]), tour.steps + ways.steps[node]),
-                           node);
+        looks.emplace_back(
+            tour.value + static_cast<double>(ways.collected[node]) * discount(tour.steps + ways.steps[node]), node);
     const auto end = looks.begin() + static_cast<std::ptrdiff_t>(std::min(looks.size(), kept()));
     std::partial_sort(looks.begin(), end, looks.end(), std::greater<>{});
     for (auto look = looks.begin(); look != end; ++look) into.push_back(after(tour, ways, look->second));
@@ -61,27 +61,32 @@ class TourSearch {
   Partial after(const Partial& tour, const LookWays& ways, std::size_t look) const {
     Partial next = tour;
     next.node = look;
-    next.steps += ways.steps[look];
     if (++next.looks == 1) next.way = ways.way_to(look);
     std::vector<std::size_t> nodes;
     for (std::size_t node = look; node != tour.node; node = ways.from[node]) nodes.push_back(node);
-    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
+      double seen = 0;
       for (const int by : {-1, 0, 1})
-        see(cell_of(map_.width(), *node / 4), turned(static_cast<Side>(*node % 4), by), next);
+        seen += see(cell_of(map_.width(), *node / 4), turned(static_cast<Side>(*node % 4), by), next.left);
+      next.value += seen * discount(++next.steps);
+    }
     return next;
   }
 
-  void see(Cell c, Side side, Partial& tour) const {
+  /// The weight that shows in one direction, taken out of what is left.
+  double see(Cell c, Side side, WallBoard& weights) const {
     constexpr float kHardly = 1e-3F;
+    double seen = 0;
     for (float chance = 1; chance > kHardly && map_.state(c, side) != WallState::closed; c = ahead(c, side)) {
       if (map_.state(c, side) == WallState::open) continue;
       const CellSide wall = canonical({c, side});
       const std::size_t i = index_of(map_.width(), wall.cell);
-      float& left = (wall.side == Side::north ? tour.left.north : tour.left.east)[i];
-      tour.seen += static_cast<double>(left * chance);
+      float& left = (wall.side == Side::north ? weights.north : weights.east)[i];
+      seen += static_cast<double>(left * chance);
       left *= 1 - chance;
       chance *= (wall.side == Side::north ? open_.north : open_.east)[i];
     }
+    return seen;
   }
 
   const WallMap& map_;

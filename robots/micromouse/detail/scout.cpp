@@ -160,8 +160,9 @@ std::optional<std::vector<Action>> Scout::decide() {
 
 std::optional<Scout::Look> Scout::next_look(const Plans& plans) const {
   const WallBoard open = belief_.open_share();
-  if (!goal_reached() || tuning_.tour == 0) return best_look(Outlook(map(), plans.weights, open), plans);
-  const TourTuning tuning{.looks = tuning_.tour, .patience = tuning_.patience, .side_looks = tuning_.side_looks};
+  const bool single = !goal_reached() || goal_ == ScoutGoal::score || tuning_.tour == 0;
+  if (single) return best_look(Outlook(map(), plans.weights, open), plans);
+  const TourTuning tuning{.looks = tuning_.tour, .side_looks = tuning_.side_looks};
   auto tour = best_tour(map(), pose(), plans.weights, open, tuning);
   return tour ? std::optional(Look{std::move(tour->way), tour->value}) : std::nullopt;
 }

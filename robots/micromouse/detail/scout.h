@@ -17,7 +17,7 @@ struct ScoutTuning {
   double patience = 0.3;    ///< added to the steps to a look before what it shows is divided by them
   double leisure = 3;       ///< steps a cell of width and height after which the goal is sought alone
   double foresight = 2;     ///< what a look brings that is not seen at once: it tells where to look next
-  int tour = 0;             ///< after the goal, looks planned as one tour; 0: each for itself (docs/micromouse.md)
+  int tour = 4;             ///< `prove`, after the goal: looks planned as one tour; 0: each for itself
 };
 
 class Scout final : public MappingRobot {

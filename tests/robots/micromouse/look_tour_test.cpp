@@ -30,11 +30,9 @@ struct Boards {
   void weigh(int x, float weight) { weights.north[kRow * kWidth + x] = weight; }
 };
 
-TourTuning of(int looks) {
-  TourTuning tuning;
-  tuning.looks = looks;
-  return tuning;
-}
+constexpr double kLater = 0.5;
+
+TourTuning of(int looks) { return {.looks = looks, .discount = kLater}; }
 
 TEST(LookTour, CountsAWallOnce) {
   Boards boards;
@@ -43,19 +41,20 @@ TEST(LookTour, CountsAWallOnce) {
   ASSERT_TRUE(tour);
   EXPECT_EQ(tour->looks, 1);
   EXPECT_EQ(tour->way.size(), 1U);
-  EXPECT_NEAR(tour->value, 1 / 1.3, 1e-6);
+  EXPECT_NEAR(tour->value, kLater, 1e-6);
 }
 
-TEST(LookTour, GoesOnWhereASecondLookShowsMoreAStep) {
+TEST(LookTour, GoesOnToFurtherLooks) {
   Boards boards;
   boards.weigh(9, 0.5);
-  boards.weigh(11, 0.5);
+  boards.weigh(11, 0.4F);
+  boards.weigh(12, 0.4F);
   const auto alone = best_tour(corridor(), kMiddle, boards.weights, boards.open, of(1));
-  const auto both = best_tour(corridor(), kMiddle, boards.weights, boards.open, of(2));
-  ASSERT_TRUE(alone && both);
-  EXPECT_NEAR(alone->value, 0.5 / 1.3, 1e-6);
-  EXPECT_NEAR(both->value, 1 / 2.3, 1e-6);
-  EXPECT_EQ(both->looks, 2);
+  const auto all = best_tour(corridor(), kMiddle, boards.weights, boards.open, of(3));
+  ASSERT_TRUE(alone && all);
+  EXPECT_NEAR(alone->value, 0.5 * kLater, 1e-6);
+  EXPECT_NEAR(all->value, (0.5 + 0.4 * kLater + 0.4 * kLater * kLater) * kLater, 1e-6);
+  EXPECT_EQ(all->looks, 3);
 }
 
 TEST(LookTour, CountsWhatShowsOnTheWay) {
@@ -65,7 +64,7 @@ TEST(LookTour, CountsWhatShowsOnTheWay) {
   const auto tour = best_tour(corridor(), kMiddle, boards.weights, boards.open, of(1));
   ASSERT_TRUE(tour);
   EXPECT_EQ(tour->way.size(), 3U);
-  EXPECT_NEAR(tour->value, 1.6 / 3.3, 1e-6);
+  EXPECT_NEAR(tour->value, 0.8 * (0.25 + 0.125), 1e-6);
 }
 
 TEST(LookTour, IsAbsentWhereNothingIsToBeSeen) {
@@ -74,10 +73,8 @@ TEST(LookTour, IsAbsentWhereNothingIsToBeSeen) {
 }
 
 TEST(LookTour, ProvesToo) {
-  ScoutTuning tuning;
-  tuning.tour = 3;
   for (const GridMaze& maze : {generated(12, 3), generated(14, 4)}) {
-    Scout robot(task_of(maze), ScoutGoal::proof, 1, tuning);
+    Scout robot(task_of(maze), ScoutGoal::proof);
     const Record record = run_trial(maze, robot);
     ASSERT_TRUE(record.score());
     const WallMap known = known_after_run1(record);
