@@ -1,7 +1,9 @@
 // Scores of all micromouse explorers on generated and on competition mazes: tables, and the time each takes a maze.
 //   micromouse_bench [--sets gen,long,comp] [--explorers flood,score,...] [--mazes N] [--seeds FIRST] [FILE...]
+//   micromouse_bench --tour N ...   prove plans N looks as one tour: three seeds, paired with each look for itself
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <sstream>
@@ -12,6 +14,7 @@
 #include <taut/geometry/maze_generator.h>
 #include <taut/io/worlds/read_world.h>
 #include <taut/robots/micromouse/contest_maze.h>
+#include <taut/robots/micromouse/detail/scout.h>
 #include <taut/robots/micromouse/explorers.h>
 #include <taut/robots/micromouse/steps.h>
 #include <taut/robots/micromouse/trial.h>
@@ -132,6 +135,31 @@ void table(const std::string& title, const std::vector<Named>& set, const std::v
   }
 }
 
+/// What tours of so many looks make of prove's scores: means over three seeds, the change paired by maze, its error.
+void tour_table(const std::string& title, const std::vector<Named>& set, int tour) {
+  constexpr std::uint64_t kSeeds = 3;
+  double run1[2] = {0, 0}, score[2] = {0, 0}, sum = 0, squares = 0;
+  for (const Named& n : set) {
+    double change = 0;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed)
+      for (const int with : {0, 1}) {
+        micromouse::detail::ScoutTuning tuning;
+        tuning.tour = with * tour;
+        micromouse::detail::Scout robot(task_of(n.maze), micromouse::detail::ScoutGoal::proof, seed, tuning);
+        const Record record = run_trial(n.maze, robot);
+        run1[with] += record.run1 / static_cast<double>(kSeeds);
+        score[with] += record.score().value_or(0) / kSeeds;
+        change += (2 * with - 1) * record.score().value_or(0) / kSeeds;
+      }
+    sum += change, squares += change * change;
+  }
+  const double m = static_cast<double>(std::max<std::size_t>(2, set.size()));
+  std::printf("%s: %zu mazes, run 1 %.2f, with tours of %d looks %.2f; score %.3f, %.3f: %+.3f +- %.3f\n",
+              title.c_str(), set.size(), run1[0] / m, tour, run1[1] / m, score[0] / m, score[1] / m, sum / m,
+              std::sqrt(std::max(0.0, squares - sum * sum / m) / (m - 1) / m));
+  std::fflush(stdout);
+}
+
 std::vector<std::string> split(const std::string& list) {
   std::vector<std::string> parts;
   std::istringstream in(list);
@@ -148,6 +176,7 @@ int main(int argc, char** argv) {
   int mazes = 100;
   std::uint64_t first = 1;
   bool verbose = false;
+  int tour = 0;
   for (int i = 1; i < argc; ++i) {
     const std::string arg = argv[i];
     if (arg == "--verbose") {
@@ -157,6 +186,7 @@ int main(int argc, char** argv) {
       if (arg == "--sets") sets = split(value);
       if (arg == "--mazes") mazes = std::stoi(value);
       if (arg == "--seeds") first = std::stoull(value);
+      if (arg == "--tour") tour = std::stoi(value);
       if (arg == "--explorers") {
         explorers.clear();
         for (const std::string& word : split(value))
@@ -172,10 +202,15 @@ int main(int argc, char** argv) {
     table("files", set, explorers, true);
     return 0;
   }
+  const auto report = [&](const std::string& title, const std::vector<Named>& set) {
+    if (tour > 0)
+      tour_table(title, set, tour);
+    else
+      table(title, set, explorers, verbose);
+  };
   for (const std::string& s : sets) {
-    if (s == "gen") table("generated, 38 % walls", generated_set(mazes, first), explorers, verbose);
-    if (s == "long") table("long routes, 38 % walls", long_set(mazes, first), explorers, verbose);
-    if (s == "comp")
-      table("competition", competition_set(bench::shared_data("micromouse/competition")), explorers, verbose);
+    if (s == "gen") report("generated, 38 % walls", generated_set(mazes, first));
+    if (s == "long") report("long routes, 38 % walls", long_set(mazes, first));
+    if (s == "comp") report("competition", competition_set(bench::shared_data("micromouse/competition")));
   }
 }

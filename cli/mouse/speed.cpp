@@ -10,14 +10,13 @@
 #include <taut/io/pictures/mouse_svg.h>
 #include <taut/io/results/mouse_json.h>
 #include <taut/io/worlds/speed_model_file.h>
-#include <taut/robots/micromouse/speed_bound.h>
 #include <taut/robots/micromouse/speed_facts.h>
+#include <taut/robots/micromouse/speed_runs.h>
 
 namespace taut::cli {
 
 namespace {
 
-using micromouse::Aim;
 using micromouse::Drive;
 using micromouse::SpeedModel;
 using micromouse::SpeedRun;
@@ -53,14 +52,19 @@ std::string row(const char* name, const SpeedRun& run, const SpeedModel& model) 
                      run.cells.size() - 1, turns_of(run), top_speed_of(run, model));
 }
 
-std::string table(const GridMazeInput& read, const SpeedModel& model, const SpeedRun& fastest, const SpeedRun& shortest,
-                  const micromouse::SpeedBound& bound) {
+std::string bound_row(const char* name, double seconds, const std::string& metres, const std::string& of) {
+  return fmt::format("  {:<10}{:>9.3f}{:>9}  {}\n", name, seconds, metres, of);
+}
+
+std::string table(const GridMazeInput& read, const SpeedModel& model, const micromouse::SpeedRuns& runs) {
   std::string out = fmt::format("{}: {} x {}\n  {:<10}{:>9}{:>9}{:>7}{:>7}{:>9}\n", read.name, read.maze.width(),
                                 read.maze.height(), "", "s", "m", "cells", "turns", "top m/s");
-  out += row("fastest", fastest, model) + row("shortest", shortest, model);
-  out += fmt::format("  {:<10}{:>9.3f}{:>9.2f}  no drive takes less: any curve through the gaps, turning free\n",
-                     "bound", bound.seconds, bound.metres);
-  const auto parts = micromouse::partings(fastest.cells, shortest.cells);
+  out +=
+      row("fastest", runs.fastest, model) + row("steady", runs.steady, model) + row("shortest", runs.shortest, model);
+  out += bound_row("bound", runs.bound, "", "no run on such lines takes less, at whatever speeds");
+  out += bound_row("any curve", runs.any_curve.seconds, fmt::format("{:.2f}", runs.any_curve.metres),
+                   "no drive takes less: any curve through the gaps, turning free");
+  const auto parts = micromouse::partings(runs.fastest.cells, runs.shortest.cells);
   if (parts.empty()) return out + "  the fastest is the shortest\n";
   for (const micromouse::Parting& p : parts)
     out += fmt::format("  from {} to {}: {} instead of {}\n", cell_text(p.from), cell_text(p.to),
@@ -84,18 +88,15 @@ int run(const SpeedOptions& options, Run& run) {
   const GridMazeInput read = run.stage("read", [&] { return read_mouse_maze(options.maze.file, options.maze.format); });
   SpeedModel model;
   if (!options.model.empty()) model = read_speed_model(read_bytes(options.model), options.model);
-  const auto fastest = run.stage("search", [&] { return micromouse::speed_run(read.maze, model); });
-  if (!fastest) return no_route(read.name, run);
-  const SpeedRun shortest =
-      run.stage("search", [&] { return *micromouse::speed_run(read.maze, model, Aim::fewest_cells); });
-  const micromouse::SpeedBound bound = run.stage("bound", [&] { return *micromouse::speed_bound(read.maze, model); });
-  if (bound.seconds > fastest->seconds) throw std::logic_error("the fastest run is below its own bound");
-  Answer answer{.outcome = Outcome::found,
-                .result = mouse_speed_json(*fastest, shortest, bound),
-                .line = table(read, model, *fastest, shortest, bound)};
-  if (options.drives) answer.listing = drives_text(*fastest);
+  const auto runs = run.stage("search", [&] { return micromouse::speed_runs(read.maze, model); });
+  if (!runs) return no_route(read.name, run);
+  if (runs->bound > runs->fastest.seconds || runs->any_curve.seconds > runs->fastest.seconds)
+    throw std::logic_error("the fastest run is below its own bound");
+  Answer answer{.outcome = Outcome::found, .result = mouse_speed_json(*runs), .line = table(read, model, *runs)};
+  if (options.drives) answer.listing = drives_text(runs->fastest);
   if (!options.svg.empty())
-    answer.files.push_back({options.svg, mouse_speed_svg(read.maze, *fastest, shortest, title_of(read.name))});
+    answer.files.push_back(
+        {options.svg, mouse_speed_svg(read.maze, runs->fastest, runs->shortest, title_of(read.name))});
   return run.end(std::move(answer));
 }
 

@@ -164,16 +164,17 @@ Json mouse_contest_json(const Contest& contest, std::uint64_t seed) {
           {"explorers", std::move(explorers)}};
 }
 
-Json mouse_speed_json(const micromouse::SpeedRun& fastest, const micromouse::SpeedRun& shortest,
-                      const micromouse::SpeedBound& bound) {
+Json mouse_speed_json(const micromouse::SpeedRuns& runs) {
   Json differences = Json::array();
-  for (const micromouse::Parting& p : micromouse::partings(fastest.cells, shortest.cells))
+  for (const micromouse::Parting& p : micromouse::partings(runs.fastest.cells, runs.shortest.cells))
     differences.push_back(
         {{"from", json_of(p.from)}, {"to", json_of(p.to)}, {"fastest", p.fastest}, {"shortest", p.shortest}});
-  return {{"fastest", json_of(fastest)},
-          {"shortest", json_of(shortest)},
+  return {{"fastest", json_of(runs.fastest)},
+          {"steady", json_of(runs.steady)},
+          {"shortest", json_of(runs.shortest)},
           {"differences", std::move(differences)},
-          {"bound", {{"seconds", bound.seconds}, {"metres", bound.metres}}}};
+          {"bound", {{"seconds", runs.bound}}},
+          {"any_curve", {{"seconds", runs.any_curve.seconds}, {"metres", runs.any_curve.metres}}}};
 }
 
 }  // namespace taut

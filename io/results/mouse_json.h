@@ -10,8 +10,7 @@
 #include <taut/robots/micromouse/certificate.h>
 #include <taut/robots/micromouse/contest.h>
 #include <taut/robots/micromouse/insurance.h>
-#include <taut/robots/micromouse/speed_bound.h>
-#include <taut/robots/micromouse/speed_run.h>
+#include <taut/robots/micromouse/speed_runs.h>
 #include <taut/robots/micromouse/yardsticks.h>
 
 namespace taut {
@@ -40,9 +39,8 @@ Json mouse_trial_json(const MouseTrial& trial);
 /// `failures`, `proven`, `seconds` (CPU), `runs`; with several seeds `seeds`, `seed_means`, `spread`, `maze_spread`.
 Json mouse_contest_json(const micromouse::Contest& contest, std::uint64_t seed);
 
-/// `fastest` and `shortest`: `seconds`, `metres`, `cells`, `turns`, `route`, `drives`; `differences`; `bound`
-/// {`seconds`, `metres`}.
-Json mouse_speed_json(const micromouse::SpeedRun& fastest, const micromouse::SpeedRun& shortest,
-                      const micromouse::SpeedBound& bound);
+/// `fastest`, `steady` and `shortest`: `seconds`, `metres`, `cells`, `turns`, `route`, `drives`; `differences`; `bound`
+/// {`seconds`}, `any_curve` {`seconds`, `metres`}.
+Json mouse_speed_json(const micromouse::SpeedRuns& runs);
 
 }  // namespace taut

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <taut/geometry/free_space.h>
+#include <taut/robots/micromouse/detail/turn_shapes.h>
 #include <taut/robots/micromouse/rules.h>
 #include <taut/search/polyanya.h>
 
@@ -34,19 +35,10 @@ Envelope envelope_of(const SpeedModel& model) {
 
 Point middle_of(Cell c) { return {c.x + 0.5, c.y + 0.5}; }
 
-/// The border's openings count as closed, as for speed_run().
-GridMaze closed(GridMaze maze) {
-  for (int x = 0; x < maze.width(); ++x)
-    maze.set_wall({x, 0}, Side::south, true), maze.set_wall({x, maze.height() - 1}, Side::north, true);
-  for (int y = 0; y < maze.height(); ++y)
-    maze.set_wall({0, y}, Side::west, true), maze.set_wall({maze.width() - 1, y}, Side::east, true);
-  return maze;
-}
-
 }  // namespace
 
 std::optional<SpeedBound> speed_bound(const GridMaze& maze, const SpeedModel& model) {
-  const auto walled = std::make_shared<const GridMaze>(closed(maze));
+  const auto walled = std::make_shared<const GridMaze>(detail::with_closed_border(maze));
   const Task task = task_of(*walled);
   std::vector<Point> goals;
   for (const Cell c : task.goal) goals.push_back(middle_of(c));

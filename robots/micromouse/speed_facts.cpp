@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include <taut/robots/micromouse/detail/speed_profile.h>
+
 namespace taut::micromouse {
 
 std::size_t turns_of(const SpeedRun& run) {
@@ -13,10 +15,12 @@ std::size_t turns_of(const SpeedRun& run) {
 double top_speed_of(const SpeedRun& run, const SpeedModel& model) {
   double top = 0;
   for (const Drive& d : run.drives) {
-    top = std::max({top, d.speed_in, d.speed_out});
-    if (d.kind != Drive::Kind::straight) continue;
-    const Ramp& ramp = (d.heading & 1) != 0 ? model.diagonal : model.straight;
-    top = std::max(top, peak_speed(ramp, d.speed_in, d.speed_out, d.metres));
+    const auto pieces = detail::pieces_of(model, d);
+    if (pieces.empty()) continue;
+    std::vector<double> speeds(pieces.size() + 1);
+    detail::fill_fastest(pieces, d.speed_in, d.speed_out, speeds);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+      top = std::max(top, detail::peak_over(pieces[i], speeds[i], speeds[i + 1]));
   }
   return top;
 }

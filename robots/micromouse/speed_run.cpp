@@ -81,12 +81,7 @@ class Search {
     return kind_of(s) == kStanding && is_middle_of_cell(spot_of(s)) && task_.in_goal(cell_at(spot_of(s)));
   }
 
-  bool open(Spot s) const {
-    if (s.x <= 0 || s.y <= 0 || s.x >= 2 * maze_.width() || s.y >= 2 * maze_.height()) return false;
-    if (is_middle_of_cell(s)) return true;
-    if ((s.x & 1) == 0) return !maze_.wall({s.x / 2, (s.y - 1) / 2}, Side::west);
-    return !maze_.wall({(s.x - 1) / 2, s.y / 2}, Side::south);
-  }
+  bool open(Spot s) const { return detail::is_open(maze_, s); }
   static int crossing(Spot s) { return is_middle_of_cell(s) ? 0 : 1; }
 
   /// Walls crossed after the begin; -1: one of them stands.
@@ -237,15 +232,6 @@ class Search {
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
 };
 
-Task task_inside(const GridMaze& maze) {
-  GridMaze closed = maze;
-  for (int x = 0; x < maze.width(); ++x)
-    closed.set_wall({x, 0}, Side::south, true), closed.set_wall({x, maze.height() - 1}, Side::north, true);
-  for (int y = 0; y < maze.height(); ++y)
-    closed.set_wall({0, y}, Side::west, true), closed.set_wall({maze.width() - 1, y}, Side::east, true);
-  return task_of(closed);
-}
-
 }  // namespace
 
 std::string_view name(const Drive& drive) {
@@ -255,7 +241,7 @@ std::string_view name(const Drive& drive) {
 }
 
 std::optional<SpeedRun> speed_run(const GridMaze& maze, const SpeedModel& model, Aim aim) {
-  const Task task = task_inside(maze);
+  const Task task = task_of(detail::with_closed_border(maze));
   return Search(maze, task, model, aim).run();
 }
 

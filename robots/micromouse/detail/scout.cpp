@@ -5,6 +5,8 @@
 
 #include <taut/robots/micromouse/detail/boards.h>
 #include <taut/robots/micromouse/detail/flood_step.h>
+#include <taut/robots/micromouse/detail/look_tour.h>
+#include <taut/robots/micromouse/detail/look_ways.h>
 #include <taut/robots/micromouse/steps.h>
 
 namespace taut::micromouse::detail {
@@ -149,69 +151,40 @@ std::optional<std::vector<Action>> Scout::decide() {
   if (goal_reached() && lo == hi) return std::nullopt;
   belief_.update(map());
   const Plans plans = sample_plans(hi);
-  const auto look = best_look(Outlook(map(), plans.weights, belief_.open_share()), plans);
+  const auto look = next_look(plans);
   if (goal_reached() && goal_ == ScoutGoal::score &&
       (!look || look->value * plans.gain * tuning_.foresight * kExplorationShare <= 1))
     return std::nullopt;
   return look ? look->way : std::vector<Action>{};
 }
 
+std::optional<Scout::Look> Scout::next_look(const Plans& plans) const {
+  const WallBoard open = belief_.open_share();
+  const bool single = !goal_reached() || goal_ == ScoutGoal::score || tuning_.tour == 0;
+  if (single) return best_look(Outlook(map(), plans.weights, open), plans);
+  const TourTuning tuning{.looks = tuning_.tour, .side_looks = tuning_.side_looks};
+  auto tour = best_tour(map(), pose(), plans.weights, open, tuning);
+  return tour ? std::optional(Look{std::move(tour->way), tour->value}) : std::nullopt;
+}
+
 std::optional<Scout::Look> Scout::best_look(const Outlook& outlook, const Plans& plans) const {
-  const std::size_t cells = static_cast<std::size_t>(task().width) * static_cast<std::size_t>(task().height);
-  std::vector<int> steps(cells * 4, -1);
-  std::vector<float> collected(cells * 4, 0);
-  std::vector<Action> by(cells * 4);
-  std::vector<std::size_t> from(cells * 4), queue;
-  const auto id = [&](Cell c, Side h) { return index_of(task().width, c) * 4 + static_cast<std::size_t>(h); };
-  const std::size_t root = id(pose().cell, pose().heading);
-  steps[root] = 0;
-  queue.push_back(root);
+  const std::size_t root = node_of(map(), pose());
+  const LookWays ways = look_ways(map(), root, outlook, tuning_.side_looks);
   std::size_t best = root;
   double best_value = -std::numeric_limits<double>::infinity();
-  const auto consider = [&](std::size_t node) {
+  for (const std::size_t node : ways.order) {
+    if (node == root) continue;
     const std::size_t cell = node / 4;
     const bool shows = outlook.at(cell, static_cast<Side>(node % 4)) > 0;
-    if (!shows && (goal_reached() || !task().in_goal(cell_of(task().width, cell)))) return;
-    const double seen = static_cast<double>(collected[node]);
-    const double value = goal_reached()
-                             ? seen / (steps[node] + tuning_.patience)
-                             : tuning_.reach_look * seen - steps[node] - static_cast<double>(plans.to_goal[cell]);
+    if (!shows && (goal_reached() || !task().in_goal(cell_of(task().width, cell)))) continue;
+    const double seen = static_cast<double>(ways.collected[node]);
+    const int steps = ways.steps[node];
+    const double value = goal_reached() ? seen / (steps + tuning_.patience)
+                                        : tuning_.reach_look * seen - steps - static_cast<double>(plans.to_goal[cell]);
     if (value > best_value) best = node, best_value = value;
-  };
-  const Passages& certain = map().certain();
-  for (std::size_t head = 0; head < queue.size(); ++head) {
-    const std::size_t node = queue[head];
-    const Cell c = cell_of(task().width, node / 4);
-    if (node != root) consider(node);
-    const auto arrive = [&](Cell to, Side h, Action a) {
-      const std::size_t next = id(to, h);
-      if (steps[next] >= 0 && steps[next] <= steps[node]) return;
-      const float sum = static_cast<float>(tuning_.side_looks) * collected[node] + outlook.at(next / 4, h);
-      if (steps[next] < 0)
-        steps[next] = steps[node] + 1, queue.push_back(next);
-      else if (sum <= collected[next])
-        return;
-      collected[next] = sum;
-      from[next] = node;
-      by[next] = a;
-    };
-    for (const int rotation : {0, -90, 90}) {
-      const Side h = turned(static_cast<Side>(node % 4), rotation / 90);
-      if (rotation != 0) arrive(c, h, {rotation, 0});
-      for (const int sign : {1, -1}) {
-        const Side side = sign > 0 ? h : opposite(h);
-        Cell to = c;
-        for (int i = 1; i <= kLongestMove && certain.open(to, side); ++i) {
-          to = ahead(to, side);
-          arrive(to, h, {rotation, sign * i});
-        }
-      }
-    }
   }
   if (best == root) return std::nullopt;
-  Look look{{}, best_value};
-  for (std::size_t node = best; node != root; node = from[node]) look.way.push_back(by[node]);
-  return look;
+  return Look{ways.way_to(best), best_value};
 }
 
 }  // namespace taut::micromouse::detail

@@ -17,6 +17,7 @@ struct ScoutTuning {
   double patience = 0.3;    ///< added to the steps to a look before what it shows is divided by them
   double leisure = 3;       ///< steps a cell of width and height after which the goal is sought alone
   double foresight = 2;     ///< what a look brings that is not seen at once: it tells where to look next
+  int tour = 4;             ///< `prove`, after the goal: looks planned as one tour; 0: each for itself
 };
 
 class Scout final : public MappingRobot {
@@ -41,6 +42,7 @@ class Scout final : public MappingRobot {
   std::vector<float> steps_to_goal() const;
   /// The goal has to be reached at all: after some time it is all that is sought, as a flood fill does.
   bool hurried() const;
+  std::optional<Look> next_look(const Plans& plans) const;
   std::optional<Look> best_look(const Outlook& outlook, const Plans& plans) const;
 
   ScoutGoal goal_;

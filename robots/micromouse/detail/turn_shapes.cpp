@@ -61,4 +61,19 @@ bool fits(const TurnShape& shape, Spot at) {
   return is_diagonal(shape.heading) ? is_middle_of_cell(end) : true;
 }
 
+bool is_open(const GridMaze& maze, Spot at) {
+  if (at.x <= 0 || at.y <= 0 || at.x >= 2 * maze.width() || at.y >= 2 * maze.height()) return false;
+  if (is_middle_of_cell(at)) return true;
+  if ((at.x & 1) == 0) return !maze.wall({at.x / 2, (at.y - 1) / 2}, Side::west);
+  return !maze.wall({(at.x - 1) / 2, at.y / 2}, Side::south);
+}
+
+GridMaze with_closed_border(GridMaze maze) {
+  for (int x = 0; x < maze.width(); ++x)
+    maze.set_wall({x, 0}, Side::south, true), maze.set_wall({x, maze.height() - 1}, Side::north, true);
+  for (int y = 0; y < maze.height(); ++y)
+    maze.set_wall({0, y}, Side::west, true), maze.set_wall({maze.width() - 1, y}, Side::east, true);
+  return maze;
+}
+
 }  // namespace taut::micromouse::detail

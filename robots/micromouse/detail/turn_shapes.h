@@ -35,4 +35,10 @@ std::vector<std::vector<TurnShape>> turn_shapes();
 /// Does the turn begin at such a place? A diagonal one has to cross the wall ahead, not to bounce off it.
 bool fits(const TurnShape& shape, Spot at);
 
+/// Is it inside, and no wall there?
+bool is_open(const GridMaze& maze, Spot at);
+
+/// The border's openings count as closed.
+GridMaze with_closed_border(GridMaze maze);
+
 }  // namespace taut::micromouse::detail
