@@ -47,8 +47,12 @@ class RolloutPolicy {
   /// What the optimist does, whose plans are kept in the same way.
   RoadblockPolicy::Choice hope(const Pose& from, RoadblockSet open, RoadblockSet closed);
 
-  /// The open roadblocks of up to `count` random worlds that have a way by the places, from the course's start.
-  std::vector<RoadblockSet> worlds(std::size_t count);
+  /// What the pessimist does: unknown roadblocks count as closed while the estimate knows a way so, else as open.
+  RoadblockPolicy::Choice fear(const Pose& from, RoadblockSet open, RoadblockSet closed);
+
+  /// The open roadblocks of those of the random worlds number `begin` to `end` (exclusive) that have a way by the
+  /// places, from the course's start. No decision is made by these.
+  std::vector<RoadblockSet> worlds(std::size_t begin, std::size_t end);
 
   /// Of doors by which the goal might be reached sooner than without any that is unknown; all that can be reached where
   /// there is no such way. By estimates, from the course's start.

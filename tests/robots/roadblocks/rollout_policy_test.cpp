@@ -111,7 +111,7 @@ TEST(DrivePolicy, HopesWhereRealDrivesSayThatEstimatesMislead) {
   RolloutPolicy estimates(planner, Aim::expected);
   DrivePolicy policy(planner, Aim::expected);
   std::size_t steps = 0, hoped = 0;
-  for (const RoadblockSet open : estimates.worlds(8)) {
+  for (const RoadblockSet open : estimates.worlds(0, 12)) {
     steps += drive(course, open, *make_driver(policy, planner), WallReading::squares).controls.size();
     hoped += drive(course, open, *make_driver(DriverKind::optimist, planner), WallReading::squares).controls.size();
   }
