@@ -69,7 +69,7 @@ struct RolloutPolicy::Impl {
   }
 
   Choice hope(const Pose& from, RoadblockSet open, RoadblockSet closed) {
-    return kept_whole(planned(from, closed), open, closed);
+    return kept_whole(hopeful(from, closed), open, closed);
   }
 
   Choice fear(const Pose& from, RoadblockSet open, RoadblockSet closed) {
@@ -93,17 +93,17 @@ struct RolloutPolicy::Impl {
   Choice decided(const Pose& from, RoadblockSet open, RoadblockSet closed) {
     const Belief belief = belief_of(open, closed);
     const std::vector<double> legs = legs_at(from, open, closed, belief);
-    const DrivePlan* hopeful = planned(from, closed);
-    const DoorSet hoped = hopeful ? first_crossed(from, *hopeful, open) : 0;
-    if (!hopeful || hoped == 0) return {hopeful, hopeful ? static_cast<double>(hopeful->controls.size()) : 0, false, 0};
+    const DrivePlan* hope = hopeful(from, closed);
+    const DoorSet hoped = hope ? first_crossed(from, *hope, open) : 0;
+    if (!hope || hoped == 0) return {hope, hope ? static_cast<double>(hope->controls.size()) : 0, false, 0};
     const Option option = best_option(legs, belief, hoped, worlds_for(legs, open, closed));
-    const DrivePlan* plan = option.is_optimists ? hopeful : nullptr;
+    const DrivePlan* plan = option.is_optimists ? hope : nullptr;
     if (!plan && option.value < DoorGraph::kFar) {
       const RoadblockSet passed = blocks_of(passed_by(legs, belief, option));
       for (const RoadblockSet shut : {closed | (at_doors & ~passed), closed | (at_doors & ~(passed | open))})
         if (!plan) plan = planned(from, shut);
     }
-    if (!plan) plan = planned(from, closed);
+    if (!plan) plan = hopeful(from, closed);
     return {plan, plan ? option.value : 0, false, 0};
   }
 
@@ -134,6 +134,15 @@ struct RolloutPolicy::Impl {
   const DrivePlan* planned(const Pose& from, RoadblockSet shut) {
     shut_by_choice = shut;
     return planner.plan(from, shut);
+  }
+
+  /// Around whole doors where one of their roadblocks is closed, so that it is the same plan whichever is; but not from
+  /// between them.
+  const DrivePlan* hopeful(const Pose& from, RoadblockSet closed) {
+    const RoadblockSet shut = closed | blocks_of(belief_of(0, closed).closed);
+    if (shut != closed && planner.estimate(from, shut))
+      if (const DrivePlan* plan = planned(from, shut)) return plan;
+    return planned(from, closed);
   }
 
   Belief belief_of(RoadblockSet open, RoadblockSet closed) const {
