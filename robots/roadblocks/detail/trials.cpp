@@ -8,6 +8,8 @@
 #include <optional>
 #include <utility>
 
+#include <taut/robots/roadblocks/drivers.h>
+
 namespace taut::roadblocks::detail {
 
 namespace {
@@ -66,13 +68,15 @@ bool is_better_in_the_worst(std::span<const double> bold, std::span<const double
 /// Real drives of all whole policies, in more and more worlds.
 class Trials {
  public:
-  Trials(LatticePlanner& planner, RolloutPolicy& policy) : planner_(planner), policy_(policy) {}
+  Trials(LatticePlanner& planner, RolloutPolicy& policy)
+      : planner_(planner), policy_(policy), is_sure_(has_sure_way(planner)) {}
 
   /// Worlds in which any does not reach the goal count for none.
   void drive_until(std::size_t draws) {
     for (const RoadblockSet open : policy_.worlds(drawn_, draws)) {
-      const std::array<double, 3> steps{of(open, &RolloutPolicy::hope), of(open, &RolloutPolicy::fear),
-                                        of(open, &RolloutPolicy::choose)};
+      const double hoped = steps_of(*make_driver(DriverKind::optimist, planner_), open);
+      const std::array<double, 3> steps{hoped, is_sure_ ? by(&RolloutPolicy::fear, open) : hoped,
+                                        by(&RolloutPolicy::choose, open)};
       if (std::ranges::find(steps, 0.0) != steps.end()) continue;
       for (std::size_t k = 0; k < steps.size(); ++k) steps_[k].push_back(steps[k]);
     }
@@ -82,17 +86,28 @@ class Trials {
   const Steps& operator[](Whole whole) const { return steps_[static_cast<std::size_t>(whole)]; }
 
  private:
-  double of(RoadblockSet open, Choice (RolloutPolicy::*decide)(const Pose&, RoadblockSet, RoadblockSet)) {
+  /// The pessimist is an optimist who knows a sure way.
+  static bool has_sure_way(LatticePlanner& planner) {
+    const Course& course = planner.course();
+    return planner.estimate({course.start.x, course.start.y, 0}, ObservedMap(course).all()).has_value();
+  }
+
+  double by(Choice (RolloutPolicy::*decide)(const Pose&, RoadblockSet, RoadblockSet), RoadblockSet open) {
     const Choose choose = [&](const Pose& from, RoadblockSet seen_open, RoadblockSet closed) {
       return (policy_.*decide)(from, seen_open, closed);
     };
     TrialDriver driver(choose);
+    return steps_of(driver, open);
+  }
+
+  double steps_of(Driver& driver, RoadblockSet open) const {
     const Drive run = drive(planner_.course(), open, driver, planner_.reading());
     return run.outcome == Outcome::reached ? static_cast<double>(run.controls.size()) : 0;
   }
 
   LatticePlanner& planner_;
   RolloutPolicy& policy_;
+  bool is_sure_;  ///< is there a way around all roadblocks?
   std::size_t drawn_ = 0;
   std::array<Steps, 3> steps_;
 };

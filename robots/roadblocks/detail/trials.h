@@ -25,7 +25,8 @@ using Steps = std::vector<double>;
 bool is_better(Aim aim, std::span<const double> bold, std::span<const double> base, std::size_t count);
 
 /// The one to follow, judged in kDraws random worlds, of which those with a way count.
-///  1. The better of optimist (hope) and pessimist (fear): the fewest steps, for `Aim::worst` in the worst world.
+///  1. The better of optimist (hope) and pessimist (fear): the fewest steps, for `Aim::worst` in the worst world. The
+///     optimist where no way leads around all roadblocks.
 ///  2. Choices by rollouts where they are better than that (is_better, `count` being the worlds with a way). Where
 ///     these are less than kFew, or a standard error more or less would change the answer, it is given by kMore times
 ///     as many worlds, and `count` stays.

@@ -32,8 +32,8 @@ TEST(Trials, AskWhatAsManyDrivesAsHaveAWayWillShow) {
 }
 
 TEST(Trials, TakeForTheWorstWhatIsLongerInNoQuarter) {
-  Steps base = around(500, 100, 40), bold = around(500, 50, 40);
-  EXPECT_TRUE(is_better(Aim::worst, bold, base, 40)) << "550 and 600 in every quarter";
+  Steps base = around(500, 100, 40), bold = around(500, 30, 40);
+  EXPECT_TRUE(is_better(Aim::worst, bold, base, 40)) << "530 and 600 in every quarter";
   EXPECT_FALSE(is_better(Aim::worst, base, bold, 40));
   EXPECT_FALSE(is_better(Aim::worst, base, base, 40));
   for (std::size_t k = 0; k < 10; ++k) base[k] = 400;
