@@ -4,10 +4,12 @@
 roadblocks.py TAUT [--maps N] [--samples N] [--seed N] [--roadblocks LIST] [--lane N] [--csv FILE]
 
 Maps take the numbers of roadblocks in turn, and seeds from --seed on. A line a map, reading and planner: samples
-reached, mean and worst steps, mean steps over the better of optimist and pessimist, CPU seconds and peak memory of the
-whole process; at the end the same over all maps. Every sample that the clairvoyant reaches has to be reached by all,
-without a collision; the mean of `policy --policy expected` has to stay within 2 % of the better of optimist and
-pessimist, 100 samples within 15 s of CPU, and all within 300 MB: what fails is named, and then the exit code is 1.
+reached, mean and worst steps, mean steps over the better of optimist and pessimist with the standard error of that
+(the same samples, pair by pair), CPU seconds and peak memory of the whole process; at the end the same over all maps.
+Every sample that the clairvoyant reaches has to be reached by all, without a collision; the mean of `policy --policy
+expected` has to stay within 2 % of the better of optimist and pessimist, the worst of `--policy worst` within 2 % of
+the better's worst, 100 samples within 15 s of CPU, and all within 300 MB: what fails is named, and then the exit code
+is 1.
 """
 import argparse
 import csv
@@ -60,19 +62,43 @@ def mean_of(run):
     return statistics.mean(reached) if reached else 0.0
 
 
+def worst_of(run):
+    return max((n for n, o in zip(run["steps"], run["outcomes"]) if o == "reached"), default=0)
+
+
+def base_of(runs, of):
+    """The better of optimist and pessimist, None where neither was driven."""
+    return min((runs[p] for p in ("optimist", "pessimist") if p in runs), key=of, default=None)
+
+
+def over(run, base):
+    """Of the mean, in per cent, and its standard error."""
+    pairs = [(a, b) for a, b, o, p in zip(run["steps"], base["steps"], run["outcomes"], base["outcomes"])
+             if o == p == "reached"]
+    if not pairs:
+        return 0.0, 0.0
+    mean = statistics.mean(b for _, b in pairs)
+    differences = [a - b for a, b in pairs]
+    error = statistics.stdev(differences) / len(pairs) ** 0.5 if len(pairs) > 1 else 0.0
+    return 100 * statistics.mean(differences) / mean, 100 * error / mean
+
+
 def faults_of(runs, samples):
     """What breaks a promise, in words."""
     faults = []
     measure = runs.get("clairvoyant", next(iter(runs.values())))
-    better = min((mean_of(runs[p]) for p in ("optimist", "pessimist") if p in runs), default=0)
+    base, least = base_of(runs, mean_of), base_of(runs, worst_of)
     for planner, run in runs.items():
         if "collision" in run["outcomes"]:
             faults.append(f"{planner}: a collision")
         lost = sum(a == "reached" and b != "reached" for a, b in zip(measure["outcomes"], run["outcomes"]))
         if lost:
             faults.append(f"{planner}: {lost} samples lost")
-        if planner == "policy, expected" and better and mean_of(run) > MOST_OVER * better:
-            faults.append(f"{planner}: {100 * (mean_of(run) / better - 1):.1f} % over the better of the two")
+        if planner == "policy, expected" and base and mean_of(run) > MOST_OVER * mean_of(base):
+            more, error = over(run, base)
+            faults.append(f"{planner}: {more:.1f} % over the better of the two, standard error {error:.1f} %")
+        if planner == "policy, worst" and least and worst_of(run) > MOST_OVER * worst_of(least):
+            faults.append(f"{planner}: its worst {100 * (worst_of(run) / worst_of(least) - 1):.1f} % over the better's")
         if run["seconds"] > MOST_SECONDS_A_HUNDRED * samples / 100:
             faults.append(f"{planner}: {run['seconds']:.1f} s CPU")
         if run["bytes"] > MOST_BYTES:
@@ -81,15 +107,14 @@ def faults_of(runs, samples):
 
 
 def row_of(runs, planner):
-    run = runs[planner]
-    reached = run["outcomes"].count("reached")
-    better = min((mean_of(runs[p]) for p in ("optimist", "pessimist") if p in runs), default=0)
-    worst = max((n for n, o in zip(run["steps"], run["outcomes"]) if o == "reached"), default=0)
+    run, base = runs[planner], base_of(runs, mean_of)
+    more, error = over(run, base) if base else (0.0, 0.0)
     return {
-        "reached": reached,
+        "reached": run["outcomes"].count("reached"),
         "mean": round(mean_of(run), 1),
-        "worst": worst,
-        "over": round(100 * (mean_of(run) / better - 1), 2) if better else 0.0,
+        "worst": worst_of(run),
+        "over": round(more, 2),
+        "error": round(error, 2),
         "seconds": round(run["seconds"], 2),
         "megabytes": round(run["bytes"] / 1e6),
     }
@@ -111,8 +136,9 @@ def main():
     numbers = [int(n) for n in options.roadblocks.split(",")]
     planners = options.planners.split(";")
     rows, faults = [], []
-    form = "{:>10} {:>5} {:<8} {:<17} {:>7} {:>8} {:>7} {:>7} {:>7} {:>6}"
-    print(form.format("roadblocks", "seed", "walls", "planner", "reached", "mean", "worst", "over %", "CPU s", "MB"))
+    form = "{:>10} {:>5} {:<8} {:<17} {:>7} {:>8} {:>7} {:>7} {:>7} {:>7} {:>6}"
+    print(form.format("roadblocks", "seed", "walls", "planner", "reached", "mean", "worst", "over %", "error %",
+                      "CPU s", "MB"))
     with tempfile.TemporaryDirectory() as scratch:
         for k in range(options.maps):
             number, seed = numbers[k % len(numbers)], options.seed + k
@@ -129,8 +155,7 @@ def main():
                     row = {"roadblocks": number, "seed": seed, "walls": walls, "planner": planner}
                     row |= row_of(runs, planner)
                     rows.append(row)
-                    print(form.format(*(row[c] for c in ("roadblocks", "seed", "walls", "planner", "reached", "mean",
-                                                         "worst", "over", "seconds", "megabytes"))), flush=True)
+                    print(form.format(*row.values()), flush=True)
     print("\nover all maps: mean of the means, worst, CPU s, most MB")
     for walls in options.walls.split(","):
         for planner in planners:

@@ -26,8 +26,28 @@ using Choice = RoadblockPolicy::Choice;
 
 constexpr double kDoubt = 0.97;         // of a value, which is an estimate
 constexpr std::size_t kMostDraws = 20;  // a world that is asked for
-constexpr std::uint64_t kSeed = 1;
+constexpr std::uint64_t kSeed = 1, kTrialSeed = 2;
 constexpr std::size_t kPlannersMemory = 60'000'000;  // plans go around few sets of doors
+
+/// Open roadblocks, drawn one after the other.
+class DrawnWorlds {
+ public:
+  explicit DrawnWorlds(std::uint64_t seed) : random_(seed) {}
+
+  RoadblockSet number(std::size_t k, const Course& course) {
+    while (drawn_.size() <= k) {
+      RoadblockSet open = 0;
+      for (std::size_t b = 0; b < course.roadblocks.size(); ++b)
+        if (random_.unit() < course.roadblocks[b].open_probability) open |= RoadblockSet{1} << b;
+      drawn_.push_back(open);
+    }
+    return drawn_[k];
+  }
+
+ private:
+  Draws random_;
+  std::vector<RoadblockSet> drawn_;
+};
 
 }  // namespace
 
@@ -49,7 +69,16 @@ struct RolloutPolicy::Impl {
   }
 
   Choice hope(const Pose& from, RoadblockSet open, RoadblockSet closed) {
-    const DrivePlan* plan = planned(from, closed);
+    return kept_whole(hopeful(from, closed), open, closed);
+  }
+
+  Choice fear(const Pose& from, RoadblockSet open, RoadblockSet closed) {
+    const RoadblockSet shut = ObservedMap(course).all() & ~open;
+    const DrivePlan* plan = planner.estimate(from, shut) ? planned(from, shut) : nullptr;
+    return plan ? kept_whole(plan, open, closed) : hope(from, open, closed);
+  }
+
+  Choice kept_whole(const DrivePlan* plan, RoadblockSet open, RoadblockSet closed) {
     if (plan) adopt(*plan, open, closed);
     return {plan, plan ? static_cast<double>(plan->controls.size()) : 0, false, ObservedMap(course).all()};
   }
@@ -64,17 +93,17 @@ struct RolloutPolicy::Impl {
   Choice decided(const Pose& from, RoadblockSet open, RoadblockSet closed) {
     const Belief belief = belief_of(open, closed);
     const std::vector<double> legs = legs_at(from, open, closed, belief);
-    const DrivePlan* hopeful = planned(from, closed);
-    const DoorSet hoped = hopeful ? first_crossed(from, *hopeful, open) : 0;
-    if (!hopeful || hoped == 0) return {hopeful, hopeful ? static_cast<double>(hopeful->controls.size()) : 0, false, 0};
+    const DrivePlan* hope = hopeful(from, closed);
+    const DoorSet hoped = hope ? first_crossed(from, *hope, open) : 0;
+    if (!hope || hoped == 0) return {hope, hope ? static_cast<double>(hope->controls.size()) : 0, false, 0};
     const Option option = best_option(legs, belief, hoped, worlds_for(legs, open, closed));
-    const DrivePlan* plan = option.is_optimists ? hopeful : nullptr;
+    const DrivePlan* plan = option.is_optimists ? hope : nullptr;
     if (!plan && option.value < DoorGraph::kFar) {
       const RoadblockSet passed = blocks_of(passed_by(legs, belief, option));
       for (const RoadblockSet shut : {closed | (at_doors & ~passed), closed | (at_doors & ~(passed | open))})
         if (!plan) plan = planned(from, shut);
     }
-    if (!plan) plan = planned(from, closed);
+    if (!plan) plan = hopeful(from, closed);
     return {plan, plan ? option.value : 0, false, 0};
   }
 
@@ -105,6 +134,15 @@ struct RolloutPolicy::Impl {
   const DrivePlan* planned(const Pose& from, RoadblockSet shut) {
     shut_by_choice = shut;
     return planner.plan(from, shut);
+  }
+
+  /// Around whole doors where one of their roadblocks is closed, so that it is the same plan whichever is; but not from
+  /// between them.
+  const DrivePlan* hopeful(const Pose& from, RoadblockSet closed) {
+    const RoadblockSet shut = closed | blocks_of(belief_of(0, closed).closed);
+    if (shut != closed && planner.estimate(from, shut))
+      if (const DrivePlan* plan = planned(from, shut)) return plan;
+    return planned(from, closed);
   }
 
   Belief belief_of(RoadblockSet open, RoadblockSet closed) const {
@@ -165,22 +203,23 @@ struct RolloutPolicy::Impl {
   std::vector<World> worlds_for(const std::vector<double>& legs, RoadblockSet open, RoadblockSet closed) {
     std::vector<World> worlds;
     for (std::size_t k = 0; k < kMostDraws * kWorlds && worlds.size() < kWorlds; ++k) {
-      const RoadblockSet blocks = (drawn(k) | open) & ~closed;
-      const DoorSet doors = belief_of(blocks, 0).open;
-      if (graph.first(legs, graph.ways(doors, graph.all() & ~doors, 0), ~doors).second < DoorGraph::kFar)
-        worlds.push_back({blocks, doors});
+      const RoadblockSet blocks = (draws.number(k, course) | open) & ~closed;
+      if (has_way(legs, blocks)) worlds.push_back({blocks, belief_of(blocks, 0).open});
     }
     return worlds;
   }
 
-  RoadblockSet drawn(std::size_t k) {
-    while (draws.size() <= k) {
-      RoadblockSet open = 0;
-      for (std::size_t b = 0; b < course.roadblocks.size(); ++b)
-        if (random.unit() < course.roadblocks[b].open_probability) open |= RoadblockSet{1} << b;
-      draws.push_back(open);
-    }
-    return draws[k];
+  bool has_way(const std::vector<double>& legs, RoadblockSet blocks) {
+    const DoorSet doors = belief_of(blocks, 0).open;
+    return graph.first(legs, graph.ways(doors, graph.all() & ~doors, 0), ~doors).second < DoorGraph::kFar;
+  }
+
+  std::vector<RoadblockSet> worlds(std::size_t begin, std::size_t end) {
+    const std::vector<double> legs = graph.legs_from({course.start.x, course.start.y, 0}, 0);
+    std::vector<RoadblockSet> open;
+    for (std::size_t k = begin; k < end; ++k)
+      if (const RoadblockSet blocks = trials.number(k, course); has_way(legs, blocks)) open.push_back(blocks);
+    return open;
   }
 
   /// The doors of the way that an option hopes for.
@@ -206,8 +245,7 @@ struct RolloutPolicy::Impl {
   detail::DoorValues values;
   RoadblockSet at_doors = 0;
   RoadblockSet shut_by_choice = 0;  ///< of the last plan
-  Draws random{kSeed};
-  std::vector<RoadblockSet> draws;
+  DrawnWorlds draws{kSeed}, trials{kTrialSeed};
   std::map<std::tuple<double, double, double, RoadblockSet, RoadblockSet>, Choice> kept;
 };
 
@@ -235,12 +273,12 @@ Choice RolloutPolicy::hope(const Pose& from, RoadblockSet open, RoadblockSet clo
   return impl_->hope(from, open, closed);
 }
 
-std::vector<RoadblockSet> RolloutPolicy::worlds(std::size_t count) {
-  const Pose start{impl_->course.start.x, impl_->course.start.y, 0};
-  std::vector<RoadblockSet> open;
-  for (const World& world : impl_->worlds_for(impl_->graph.legs_from(start, 0), 0, 0))
-    if (open.size() < count) open.push_back(world.blocks);
-  return open;
+Choice RolloutPolicy::fear(const Pose& from, RoadblockSet open, RoadblockSet closed) {
+  return impl_->fear(from, open, closed);
+}
+
+std::vector<RoadblockSet> RolloutPolicy::worlds(std::size_t begin, std::size_t end) {
+  return impl_->worlds(begin, end);
 }
 
 RoadblockSet RolloutPolicy::relevant() { return impl_->relevant(); }

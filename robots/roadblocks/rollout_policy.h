@@ -22,7 +22,7 @@ namespace taut::roadblocks {
 ///     several roadblocks that is closed also costs the way to the one that is, and out again.
 ///  3. One plan of the planner's a decision: the optimist's where it is what was chosen, else one around all doors that
 ///     the choice does not pass; its rest is kept as long as that stays so. Where no plan is found that way, and where
-///     the places know no way, the optimist's.
+///     the places know no way, the optimist's. Where one roadblock of a door is closed, plans go around all of it.
 ///  4. Every sight of a roadblock makes a new decision. Those met before, in other drives too, are looked up.
 ///  5. Worlds are drawn from a fixed seed by the roadblocks' probabilities: same questions, same answers. Choice::value
 ///     is an estimate, and Choice::exact false.
@@ -44,11 +44,15 @@ class RolloutPolicy {
 
   RoadblockPolicy::Choice choose(const Pose& from, RoadblockSet open, RoadblockSet closed);
 
-  /// What the optimist does, whose plans are kept in the same way.
+  /// What the optimist does, whose plans are kept in the same way, and serve whichever roadblock of a door is closed.
   RoadblockPolicy::Choice hope(const Pose& from, RoadblockSet open, RoadblockSet closed);
 
-  /// The open roadblocks of up to `count` random worlds that have a way by the places, from the course's start.
-  std::vector<RoadblockSet> worlds(std::size_t count);
+  /// What the pessimist does: unknown roadblocks count as closed while the estimate knows a way so, else as open.
+  RoadblockPolicy::Choice fear(const Pose& from, RoadblockSet open, RoadblockSet closed);
+
+  /// The open roadblocks of those of the random worlds number `begin` to `end` (exclusive) that have a way by the
+  /// places, from the course's start. No decision is made by these.
+  std::vector<RoadblockSet> worlds(std::size_t begin, std::size_t end);
 
   /// Of doors by which the goal might be reached sooner than without any that is unknown; all that can be reached where
   /// there is no such way. By estimates, from the course's start.

@@ -104,6 +104,19 @@ TEST(RolloutPolicy, GivesTheSameAnswersToTheSameQuestions) {
   EXPECT_EQ(elsewhere.plan->controls, choice.plan->controls);
 }
 
+TEST(RolloutPolicy, PlansOnceWhicheverRoadblockOfALaneIsClosed) {
+  const Course course = two_lanes("0.5");
+  LatticePlanner planner(course, kPoints);
+  RolloutPolicy policy(planner, Aim::expected);
+  const DrivePlan* plan = policy.hope(start_of(course), 0, 0b001).plan;
+  const std::size_t searches = planner.plans();
+  EXPECT_EQ(policy.hope(start_of(course), 0b001, 0b010).plan, plan);
+  EXPECT_EQ(policy.hope(start_of(course), 0b011, 0b100).plan, plan);
+  EXPECT_EQ(planner.plans(), searches);
+  const Pose inside{26, 5.5, 0};  // the lane
+  EXPECT_NE(policy.hope(inside, 0b001, 0b010).plan, nullptr);
+}
+
 // There a drive by estimates alone needs a tenth more steps than the optimist.
 TEST(DrivePolicy, HopesWhereRealDrivesSayThatEstimatesMislead) {
   const Course course = generate_roadblock_map({50, 50, 12, 0, 7004, 3}).course;
@@ -111,7 +124,7 @@ TEST(DrivePolicy, HopesWhereRealDrivesSayThatEstimatesMislead) {
   RolloutPolicy estimates(planner, Aim::expected);
   DrivePolicy policy(planner, Aim::expected);
   std::size_t steps = 0, hoped = 0;
-  for (const RoadblockSet open : estimates.worlds(8)) {
+  for (const RoadblockSet open : estimates.worlds(0, 12)) {
     steps += drive(course, open, *make_driver(policy, planner), WallReading::squares).controls.size();
     hoped += drive(course, open, *make_driver(DriverKind::optimist, planner), WallReading::squares).controls.size();
   }
