@@ -52,6 +52,15 @@ World::World(const std::string& text, Int scale) {
   }
 }
 
+bool is_hidden(const Box& box, Place u, const std::vector<Edge>& edges, const Edge* last) {
+  for (auto e = edges.rbegin(); e != edges.rend(); ++e) {
+    const bool extends =
+        last ? (e->a == last->b || side(u, last->b, e->a) < 0) && side(u, last->b, e->b) > 0 : box.is_left(u, e->a - u);
+    if (extends && box.is_left(e->b, e->a - e->b)) return box.is_left(u, u - e->b) || is_hidden(box, u, edges, &*e);
+  }
+  return false;
+}
+
 bool World::joins(Place p, Place q) const {
   return std::ranges::any_of(leaving(p), [q](const Edge& e) { return e.holds(q); });
 }
@@ -69,7 +78,7 @@ std::vector<Edge> World::leaving(Place p) const {
 
 const Edge* World::leg(const Corner& from, const Corner& to, int closed_at_u, int closed_at_v) const {
   std::vector<std::array<Wide, 4>> contacts;  // from, to, and whether it closes the left, the right
-  const Place u = from.at, v = to.at, d = v - u;
+  const Place u = from.at, v = to.at, d = v - u, back = u - v, low = least(u, v), high = most(u, v);
   const Wide length = dot(d, d);
   if (from.is_end() && is_solid(u, d, 1) && is_solid(u, d, -1)) return &closed;
   const auto add = [&](Wide begin, Wide end, bool left, bool right) {
@@ -78,8 +87,8 @@ const Edge* World::leg(const Corner& from, const Corner& to, int closed_at_u, in
       contacts.push_back({begin, end, Wide{left}, Wide{right}});
   };
   const auto is_away = [&](const Box& b) {
-    const Place p = most(least(u, v), b.min), q = least(most(u, v), b.max);
-    return p.x > q.x || p.y > q.y || b.is_left(u, d) || b.is_left(u, u - v);
+    return b.min.x > high.x || b.min.y > high.y || b.max.x < low.x || b.max.y < low.y || b.is_left(u, d) ||
+           b.is_left(u, back);
   };
   const Edge* const crossing = edges.find(u, is_away, [&](const Edge& e) {
     const int a = side(u, v, e.a), b = side(u, v, e.b), at_u = side(e.a, e.b, u), at_v = side(e.a, e.b, v);
