@@ -14,7 +14,7 @@ namespace {
 /// `(0.5, 1)`, in the world's own unit.
 std::string text(const World& w, Place p) { return fmt::format("({:.12g}, {:.12g})", w.unit * p.x, w.unit * p.y); }
 
-constexpr Int kMost = Int{1} << 61, kUnreached = 2 * kMost;  // of potentials; two differ by 2^63 - 1 at most
+constexpr Int kMost = Int{1} << 61, kFar = 2 * kMost;  // of potentials; what is unreached has kFar
 
 Wide root(Wide square) {  // rounded down
   Wide root = static_cast<Wide>(std::sqrt(static_cast<Real>(square)));
@@ -49,8 +49,7 @@ std::vector<Corner> ends(const World& world, const Box& room, Place start, Int n
   std::vector<Corner> found;
   const auto add = [&](Place p, Place q) {  // or what lies between them
     if (room.holds(p) && room.holds(q))     // nothing leads away from there
-      found.push_back(
-          {p == q ? p : throw BadInput("an edge meets the room between units"), {}, {}, kUnreached, number});
+      found.push_back({p == q ? p : throw BadInput("an edge meets the room between units"), {}, {}, kFar, number});
   };
   std::vector<Edge> all = world.edges.items;
   all.insert(all.end(), {{start, start}, {room.min, room.max}});
@@ -86,10 +85,9 @@ std::string refutation(const World& world, const Box& room, const Tree<Corner>& 
     const auto is_open = [&](const Corner& to) {
       const Place d = to.at - u;
       if (d == Place{} || !from.is_tangent(d) || !to.is_tangent(d)) return false;
-      const Edge* const stop = world.leg(from, to, 0, to.is_end() ? barred(world, room, u, to.at) : 0);
-      if (stop && stop != &world.closed)
-        blockers.push_back(side(stop->a, stop->b, u) > 0 ? *stop : Edge{stop->b, stop->a});
-      return !stop;
+      const Edge* const e = world.leg(from, to, 0, to.is_end() ? barred(world, room, u, to.at) : 0);
+      if (e && e != &world.closed) blockers.push_back(side(e->a, e->b, u) > 0 ? *e : Edge{e->b, e->a});
+      return !e;
     };
     if (const Corner* const to = from.is_listed ? nodes.find(u, is_settled, is_open) : nullptr)
       return "nothing stops the leg " + text(world, u) + "-" + text(world, to->at) + ", shorter than potentials say";
@@ -181,11 +179,11 @@ Judgement judged(const std::string& lines, const nlohmann::json& json) {
   if (dot(size, size) >> (118 - 2 * bits) != 0) throw BadInput("fraction_bits are out of range");
   const auto length = [bits](Place d) { return static_cast<Int>(root(dot(d, d) << (2 * bits))); };
   const Int horizon = number(json.at("horizon"), -kMost, kMost);
-  const Int reach = none ? kUnreached : number(json.at("reach"), -kMost, horizon - 1);
+  const Int reach = none ? kFar : number(json.at("reach"), -kMost, horizon - 1);
   std::map<Place, Corner> nodes = world.corners;
   nodes[start] = {start};
   for (auto& [p, node] : nodes)  // between those that are not listed the differences are legs' anyway
-    node.high = none ? kUnreached : horizon - length(room.away(p)), node.low = node.high - !none;
+    node.high = none ? kFar : horizon - length(room.away(p)), node.low = node.high - !none;
   for (const auto& row : json.at("potentials"))
     if (const auto at = nodes.find({row.at(0), row.at(1)}); at != nodes.end())
       at->second.low = at->second.high = number(row.at(2), -kMost, kMost), at->second.is_listed = true;
