@@ -56,6 +56,10 @@ std::optional<std::int64_t> LatticeIntegers::integer(double v) const {
     const double n = detail::integer_over(v, lattice_.exponent);
     if (std::abs(n) < most) return static_cast<std::int64_t>(n) * scale_;
   }
+  if (lattice_.base == 2 && lattice_.exponent <= 6 && std::abs(v) < 0x1p29) {  // so short a number is the double
+    const double n = std::ldexp(v, lattice_.exponent);
+    if (n == std::floor(n) && std::abs(n) < most) return static_cast<std::int64_t>(n) * scale_;
+  }
   const Rational n = in_units(v, lattice_) * taut::integer(scale_);
   if (denominator(n) != 1 || abs(n) >= kLargest) return std::nullopt;
   return to_int64(numerator(n));

@@ -14,7 +14,7 @@ namespace {
 /// `(0.5, 1)`, in the world's own unit.
 std::string text(const World& w, Place p) { return fmt::format("({:.12g}, {:.12g})", w.unit * p.x, w.unit * p.y); }
 
-constexpr Int kMost = Int{1} << 61;  // of potentials; what is unreached has INT64_MAX
+constexpr Int kMost = Int{1} << 61, kFar = 2 * kMost;  // of potentials; what is unreached has kFar
 
 Wide root(Wide square) {  // rounded down
   Wide root = static_cast<Wide>(std::sqrt(static_cast<Real>(square)));
@@ -49,7 +49,7 @@ std::vector<Corner> ends(const World& world, const Box& room, Place start, Int n
   std::vector<Corner> found;
   const auto add = [&](Place p, Place q) {  // or what lies between them
     if (room.holds(p) && room.holds(q))     // nothing leads away from there
-      found.push_back({p == q ? p : throw BadInput("an edge meets the room between units"), {}, {}, INT64_MAX, number});
+      found.push_back({p == q ? p : throw BadInput("an edge meets the room between units"), {}, {}, kFar, number});
   };
   std::vector<Edge> all = world.edges.items;
   all.insert(all.end(), {{start, start}, {room.min, room.max}});
@@ -74,22 +74,20 @@ std::string refutation(const World& world, const Box& room, const Tree<Corner>& 
     const Place u = from.at;
     std::vector<Edge> blockers;  // u lies to their left
     // Potentials in the box differ by less than it is away; or no leg into it is tangent at the node; or it lies wholly
-    // behind an edge that was in the way of another leg.
+    // behind edges that were in the way of other legs.
     const auto is_settled = [&](const Box& box) {
-      const Wide differ = std::max(Wide{from.high} - box.low, Wide{box.high} - from.low);
+      const Int differ = std::max(from.high - box.low, box.high - from.low);
       const Place d = box.away(u), l = from.left, r = from.right, o{};
-      if (differ <= 0 || (differ <= 2 * kMost && differ * differ <= dot(d, d) << (2 * bits))) return true;
+      if (differ <= 0 || Wide{differ} * differ <= dot(d, d) << (2 * bits)) return true;
       if ((box.is_left(u, r) && box.is_left(u, o - l)) || (box.is_left(u, l) && box.is_left(u, o - r))) return true;
-      return std::any_of(blockers.rbegin(), blockers.rend(), [&](const Edge& e) {
-        return box.is_left(e.b, e.a - e.b) && box.is_left(u, e.a - u) && box.is_left(u, u - e.b);
-      });
+      return is_hidden(box, u, blockers);
     };
     const auto is_open = [&](const Corner& to) {
       const Place d = to.at - u;
       if (d == Place{} || !from.is_tangent(d) || !to.is_tangent(d)) return false;
-      const Edge* const stop = world.leg(from, to, 0, to.is_end() ? barred(world, room, u, to.at) : 0);
-      if (stop) blockers.push_back(side(stop->a, stop->b, u) > 0 ? *stop : Edge{stop->b, stop->a});
-      return !stop;
+      const Edge* const e = world.leg(from, to, 0, to.is_end() ? barred(world, room, u, to.at) : 0);
+      if (e && e != &world.closed) blockers.push_back(side(e->a, e->b, u) > 0 ? *e : Edge{e->b, e->a});
+      return !e;
     };
     if (const Corner* const to = from.is_listed ? nodes.find(u, is_settled, is_open) : nullptr)
       return "nothing stops the leg " + text(world, u) + "-" + text(world, to->at) + ", shorter than potentials say";
@@ -181,11 +179,11 @@ Judgement judged(const std::string& lines, const nlohmann::json& json) {
   if (dot(size, size) >> (118 - 2 * bits) != 0) throw BadInput("fraction_bits are out of range");
   const auto length = [bits](Place d) { return static_cast<Int>(root(dot(d, d) << (2 * bits))); };
   const Int horizon = number(json.at("horizon"), -kMost, kMost);
-  const Int reach = none ? INT64_MAX : number(json.at("reach"), -kMost, horizon - 1);
+  const Int reach = none ? kFar : number(json.at("reach"), -kMost, horizon - 1);
   std::map<Place, Corner> nodes = world.corners;
   nodes[start] = {start};
   for (auto& [p, node] : nodes)  // between those that are not listed the differences are legs' anyway
-    node.high = none ? INT64_MAX : horizon - length(room.away(p)), node.low = node.high - !none;
+    node.high = none ? kFar : horizon - length(room.away(p)), node.low = node.high - !none;
   for (const auto& row : json.at("potentials"))
     if (const auto at = nodes.find({row.at(0), row.at(1)}); at != nodes.end())
       at->second.low = at->second.high = number(row.at(2), -kMost, kMost), at->second.is_listed = true;

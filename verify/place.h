@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace taut::proof {
@@ -33,10 +34,10 @@ struct Box {
   Place min, max;
   Int low = 0, high = 0;  ///< of numbers of places in it
   /// How far p is outside, along each axis.
-  Place away(Place p) const {
-    return {std::max<Int>({min.x - p.x, p.x - max.x, 0}), std::max<Int>({min.y - p.y, p.y - max.y, 0})};
-  }
-  bool holds(Place p) const { return away(p) == Place{}; }
+  Place away(Place p) const { return most({}, most(min - p, p - max)); }
+  /// How far its middle is, along both axes together, twice.
+  Int middle(Place p) const { return std::abs(min.x - p.x + max.x - p.x) + std::abs(min.y - p.y + max.y - p.y); }
+  bool holds(Place p) const { return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y; }
   /// Does all of it lie to the left of the line from p along d?
   bool is_left(Place p, Place d) const {
     return cross(d, Place{d.y > 0 ? max.x : min.x, d.x > 0 ? min.y : max.y} - p) > 0;

@@ -52,6 +52,15 @@ World::World(const std::string& text, Int scale) {
   }
 }
 
+bool is_hidden(const Box& box, Place u, const std::vector<Edge>& edges, const Edge* last) {
+  for (auto e = edges.rbegin(); e != edges.rend(); ++e) {
+    const bool extends =
+        last ? (e->a == last->b || side(u, last->b, e->a) < 0) && side(u, last->b, e->b) > 0 : box.is_left(u, e->a - u);
+    if (extends && box.is_left(e->b, e->a - e->b)) return box.is_left(u, u - e->b) || is_hidden(box, u, edges, &*e);
+  }
+  return false;
+}
+
 bool World::joins(Place p, Place q) const {
   return std::ranges::any_of(leaving(p), [q](const Edge& e) { return e.holds(q); });
 }
@@ -68,9 +77,12 @@ std::vector<Edge> World::leaving(Place p) const {
 }
 
 const Edge* World::leg(const Corner& from, const Corner& to, int closed_at_u, int closed_at_v) const {
-  std::vector<std::array<Wide, 4>> contacts;  // from, to, and whether it closes the left, the right
-  const Place u = from.at, v = to.at, d = v - u;
+  const Place u = from.at, v = to.at, d = v - u, back = u - v, low = least(u, v), high = most(u, v);
   const Wide length = dot(d, d);
+  // From, to, and whether it closes the left, the right.
+  std::vector<std::array<Wide, 4>> contacts{{0, 0, closed_at_u & 1, closed_at_u & 2},
+                                            {length, length, closed_at_v & 1, closed_at_v & 2}};
+  contacts.reserve(8);
   if (from.is_end() && is_solid(u, d, 1) && is_solid(u, d, -1)) return &closed;
   const auto add = [&](Wide begin, Wide end, bool left, bool right) {
     const bool aside = begin == end && ((begin == 0 && from.is_end()) || (end == length && to.is_end()));
@@ -78,11 +90,13 @@ const Edge* World::leg(const Corner& from, const Corner& to, int closed_at_u, in
       contacts.push_back({begin, end, Wide{left}, Wide{right}});
   };
   const auto is_away = [&](const Box& b) {
-    const Place p = most(least(u, v), b.min), q = least(most(u, v), b.max);
-    return p.x > q.x || p.y > q.y || b.is_left(u, d) || b.is_left(u, u - v);
+    return b.min.x > high.x || b.min.y > high.y || b.max.x < low.x || b.max.y < low.y || b.is_left(u, d) ||
+           b.is_left(u, back);
   };
   const Edge* const crossing = edges.find(u, is_away, [&](const Edge& e) {
-    const int a = side(u, v, e.a), b = side(u, v, e.b), at_u = side(e.a, e.b, u), at_v = side(e.a, e.b, v);
+    const int a = side(u, v, e.a), b = side(u, v, e.b);
+    if (a * b > 0) return false;
+    const int at_u = side(e.a, e.b, u), at_v = side(e.a, e.b, v);
     const Wide at_a = dot(d, e.a - u), at_b = dot(d, e.b - u);
     if (a == 0 && b == 0) {
       const Wide begin = std::max<Wide>(std::min(at_a, at_b), 0), end = std::min(std::max(at_a, at_b), length);
@@ -90,14 +104,12 @@ const Edge* World::leg(const Corner& from, const Corner& to, int closed_at_u, in
       add(begin, end, solid && at_a < at_b, solid && at_a > at_b);
     } else if (a * b == 0) {
       add(a == 0 ? at_a : at_b, a == 0 ? at_a : at_b, a + b > 0, a + b < 0);
-    } else if (a * b < 0 && at_u * at_v == 0) {
+    } else if (at_u * at_v == 0) {
       add(at_u == 0 ? 0 : length, at_u == 0 ? 0 : length, true, true);
     }
     return a * b < 0 && at_u * at_v < 0;
   });
   if (crossing) return crossing;
-  contacts.push_back({0, 0, closed_at_u & 1, closed_at_u & 2});
-  contacts.push_back({length, length, closed_at_v & 1, closed_at_v & 2});
   std::sort(contacts.begin(), contacts.end());
   Wide reach = -1, left = 0, right = 0;  // of the component
   for (const auto& [begin, end, closes_left, closes_right] : contacts) {

@@ -17,6 +17,11 @@ struct Edge {
   Box box() const { return {least(a, b), most(a, b)}; }
 };
 
+/// Is all of the box, as seen from u, behind edges of a chain? They have u on their left and the box on their right.
+/// From beyond the box's right to beyond its left each begins at the end of the one before, or further right: no leg
+/// from u into the box is open. Greedily from `last` on, so O(edges^2).
+bool is_hidden(const Box& box, Place u, const std::vector<Edge>& edges, const Edge* last = nullptr);
+
 /// All that stands at `at` lies within less than half a turn, counter-clockwise from `right` to `left`, so a shortest
 /// path can bend around it. An end of the path, where it need not, has no such directions.
 struct Corner {

@@ -78,6 +78,32 @@ RC_GTEST_PROP(Lemma, ALegIsOpenWhereNoComponentOfContactsClosesBothSides, ()) {
   RC_ASSERT(is_open == found->space.sees(found->start, found->goal));
 }
 
+RC_GTEST_PROP(Lemma, NoLegIsOpenIntoABoxThatAChainOfEdgesHides, ()) {
+  const auto found = any_case();
+  if (!found) return;
+  const Place u = place_of(found->start), v = place_of(found->goal);
+  std::vector<proof::Edge> edges;
+  for (const proof::Edge& e : found->judged.edges.items)
+    if (const int at_u = proof::side(e.a, e.b, u); at_u != 0)
+      edges.push_back(at_u > 0 ? e : proof::Edge{e.b, e.a, false});
+  const proof::Box box{proof::least(v, v), proof::most(v, v)};
+  if (proof::is_hidden(box, u, edges)) RC_ASSERT(found->judged.leg(Corner{u}, Corner{v}) != nullptr);
+}
+
+TEST(Lemma, EdgesHideABoxTogetherWhereTheyMeetOrOverlapAsSeenFromThePlace) {
+  using proof::Edge;
+  const Edge right{{4, -4}, {4, 0}}, left{{4, 0}, {5, 4}}, apart{{4, 1}, {5, 4}}, behind{{6, -1}, {6, 9}};
+  const proof::Box box{{9, -2}, {10, 2}}, before{{3, -2}, {4, 2}};
+  EXPECT_TRUE(proof::is_hidden(box, {0, 0}, {right, left}));
+  EXPECT_TRUE(proof::is_hidden(box, {0, 0}, {left, right}));
+  EXPECT_TRUE(proof::is_hidden(box, {0, 0}, {right, behind})) << "one farther away than the other";
+  EXPECT_FALSE(proof::is_hidden(box, {0, 0}, {right})) << "half of it is seen";
+  EXPECT_FALSE(proof::is_hidden(box, {0, 0}, {left}));
+  EXPECT_FALSE(proof::is_hidden(box, {0, 0}, {right, apart})) << "through the gap";
+  EXPECT_FALSE(proof::is_hidden(before, {0, 0}, {right, left})) << "before them";
+  EXPECT_FALSE(proof::is_hidden({{6, -2}, {10, 2}}, {0, 0}, {right, behind})) << "in front of the farther one";
+}
+
 RC_GTEST_PROP(Lemma, APathThatTurnsAtACornerKeepsToTheSideThatItTurnsTo, ()) {
   for_each_bend([](const Case& c, Place before, Place at, Place after) {
     const int turn = proof::side(before, at, after) > 0 ? 1 : 2;  // the side that is closed
