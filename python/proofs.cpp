@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cmath>
 
 #include <taut/geometry/plain_world.h>
 #include <taut/geometry/walled_world.h>
