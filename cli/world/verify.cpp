@@ -49,7 +49,10 @@ proof::Judgement judged(const std::string& world, const std::string& certificate
   try {
     return proof::judge(world, certificate);
   } catch (const proof::BadInput& error) {
-    throw InputError(name, 0, error.what());
+    std::string words = error.what();  // some are of the library that reads JSON
+    if (const std::size_t begin = words.find("[json.exception."); begin != std::string::npos)
+      words.erase(begin, words.find("] ", begin) + 2 - begin);
+    throw InputError(name, 0, words);
   }
 }
 
