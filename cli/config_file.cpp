@@ -63,7 +63,7 @@ bool is_said(const std::vector<std::string>& words, const CLI::Option& option) {
   });
 }
 
-// ---- does all this exist? ---------------------------------------------------------------------------------------------
+// ---- does all this exist? -----------------------------------------------------------------------
 
 using Names = std::set<std::string, std::less<>>;  // of options, without dashes
 
@@ -116,7 +116,7 @@ void require_known(const std::vector<Setting>& settings, const std::map<std::str
   }
 }
 
-// ---- as words -----------------------------------------------------------------------------------------------------------
+// ---- as words -----------------------------------------------------------------------------------
 
 class Added {
  public:

@@ -208,9 +208,7 @@ Judgement judged(const std::string& lines, const nlohmann::json& json) {
 Judgement judge(const std::string& world, const std::string& certificate) try {
   return judged(world, nlohmann::json::parse(certificate));
 } catch (const nlohmann::json::exception& error) {
-  std::string words = error.what();
-  if (words.starts_with("[json.exception.")) words.erase(0, words.find("] ") + 2);
-  throw BadInput("the certificate cannot be read: " + words);
+  throw BadInput(std::string("the certificate cannot be read: ") + error.what());
 }
 
 }  // namespace taut::proof

@@ -119,6 +119,13 @@ Json result_of(const ArcJudgement& said) {
   return result;
 }
 
+/// Without the mark of the library that reads JSON.
+std::string plain_words(std::string words) {
+  if (const std::size_t begin = words.find("[json.exception."); begin != std::string::npos)
+    words.erase(begin, words.find("] ", begin) + 2 - begin);
+  return words;
+}
+
 Said judged(Worlds& worlds, const std::string& certificate, const std::string& name, Run& run) {
   try {
     if (const auto claim = arc_claim(certificate, name)) {
@@ -132,7 +139,7 @@ Said judged(Worlds& worlds, const std::string& certificate, const std::string& n
     const proof::Judgement said = run.stage("verify", [&] { return proof::judge(*world, certificate); });
     return {said.proven, said.words, result_of(said), world};
   } catch (const proof::BadInput& error) {
-    throw InputError(name, 0, error.what());
+    throw InputError(name, 0, plain_words(error.what()));
   }
 }
 

@@ -122,7 +122,7 @@ TEST(Judge, SaysWhatItCannotRead) {
       return error.what();
     }
   };
-  EXPECT_THAT(refusal(kRoom, "{"), HasSubstr("the certificate cannot be read: parse error at line 1, column 2"));
+  EXPECT_THAT(refusal(kRoom, "{"), HasSubstr("the certificate cannot be read"));
   EXPECT_THAT(refusal(kRoom, "{}"), HasSubstr("the certificate cannot be read"));
   EXPECT_THAT(refusal(kRoom, certificate("", "[]", "[]", "longest")), HasSubstr("another format"));
   EXPECT_THAT(refusal(kRoom, certificate(kRoom, "[[5, 100]]", "[]")), HasSubstr("out of range"));

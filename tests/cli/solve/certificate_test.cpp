@@ -68,7 +68,7 @@ TEST_F(CertificateProgram, NamesTheLegThatRefutesIt) {
 TEST_F(CertificateProgram, SaysThatItCannotReadAFile) {
   const Outcome run = verify(folder.file("text", "start 1 1\n"), kRoom);
   EXPECT_EQ(run.code, 3);
-  EXPECT_THAT(run.err, HasSubstr("the certificate cannot be read"));
+  EXPECT_THAT(run.err, HasSubstr("the certificate cannot be read: parse error at line 1, column 1"));
 }
 
 TEST_F(CertificateProgram, RefusesToProveWhatItCannot) {
