@@ -16,20 +16,17 @@ SpeedLines::SpeedLines(const GridMaze& maze, const Task& task, const SpeedModel&
 bool SpeedLines::is_end(const SpeedNode& n) const { return may_pivot(n) && task_.in_goal(cell_at(n.at)); }
 
 std::size_t SpeedLines::nodes() const {
-  const auto columns = static_cast<std::size_t>(2 * maze_.width() + 1);
-  return columns * static_cast<std::size_t>(2 * maze_.height() + 1) * 8 * classes_.size();
+  return columns() * (2 * static_cast<std::size_t>(maze_.height()) + 1) * 8 * classes_.size();
 }
 
 std::size_t SpeedLines::index(const SpeedNode& n) const {
-  const auto columns = static_cast<std::size_t>(2 * maze_.width() + 1);
-  const std::size_t spot = static_cast<std::size_t>(n.at.y) * columns + static_cast<std::size_t>(n.at.x);
+  const std::size_t spot = static_cast<std::size_t>(n.at.y) * columns() + static_cast<std::size_t>(n.at.x);
   return (spot * 8 + n.heading) * classes_.size() + n.speed;
 }
 
 SpeedNode SpeedLines::node(std::size_t index) const {
-  const auto columns = static_cast<std::size_t>(2 * maze_.width() + 1);
   const std::size_t pose = index / classes_.size(), spot = pose / 8;
-  return {{static_cast<int>(spot % columns), static_cast<int>(spot / columns)},
+  return {{static_cast<int>(spot % columns()), static_cast<int>(spot / columns())},
           static_cast<Eighth>(pose % 8),
           index % classes_.size()};
 }

@@ -83,6 +83,7 @@ class SpeedLines {
   }
 
  private:
+  std::size_t columns() const { return 2 * static_cast<std::size_t>(maze_.width()) + 1; }
   static Spot end_of(const TurnShape& shape, Spot at) { return {at.x + shape.way.back().x, at.y + shape.way.back().y}; }
   bool passes(const TurnShape& shape, Spot at) const;
   std::span<const Piece> joined(const Piece& straight, const std::vector<Piece>& turn) const;
