@@ -40,7 +40,7 @@ int barred(const World& world, const Box& room, Place u, Place v) {
     const bool y = (v.y > room.min.y || d.y > 0) && (v.y < room.max.y || d.y < 0);
     left |= !(x && y) && is_between(in, d, back), right |= !(x && y) && is_between(back, d, in);
   }
-  return room.min.x == room.max.x || room.min.y == room.max.y ? 0 : left + 2 * right;
+  return room.min == room.max ? 0 : left + 2 * right;
 }
 
 // Where a shortest path can end: the room's corners, feet of perpendiculars from its last bend, and where edges meet
@@ -176,7 +176,8 @@ Judgement judged(const std::string& lines, const nlohmann::json& json) {
   }
   const Place start = path[0], size = world.edges.box().max - world.edges.box().min;
   const int bits = static_cast<int>(number(json.at("fraction_bits"), 0, 59));
-  if (dot(size, size) >> (118 - 2 * bits) != 0) throw BadInput("fraction_bits are out of range");
+  if ((room.min.x == room.max.x) != (room.min.y == room.max.y) || dot(size, size) >> (118 - 2 * bits) != 0)
+    throw BadInput("fraction_bits are out of range, or the goal has no area");
   const auto length = [bits](Place d) { return static_cast<Int>(root(dot(d, d) << (2 * bits))); };
   const Int horizon = number(json.at("horizon"), -kMost, kMost);
   const Int reach = none ? kFar : number(json.at("reach"), -kMost, horizon - 1);

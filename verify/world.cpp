@@ -82,7 +82,6 @@ const Edge* World::leg(const Corner& from, const Corner& to, int closed_at_u, in
   // From, to, and whether it closes the left, the right.
   std::vector<std::array<Wide, 4>> contacts{{0, 0, closed_at_u & 1, closed_at_u & 2},
                                             {length, length, closed_at_v & 1, closed_at_v & 2}};
-  contacts.reserve(8);
   if (from.is_end() && is_solid(u, d, 1) && is_solid(u, d, -1)) return &closed;
   const auto add = [&](Wide begin, Wide end, bool left, bool right) {
     const bool aside = begin == end && ((begin == 0 && from.is_end()) || (end == length && to.is_end()));

@@ -146,7 +146,7 @@ class Goal:
         turn = cross(back, inside) if near != v and side(v, near, u) == 0 else 0  # along the border it comes outside
         aside = [d for d, _ in self.world.leaving(v) if not all(
             (v[i] > self.min[i] or d[i] > 0) and (v[i] < self.max[i] or d[i] < 0) for i in (0, 1))]
-        if self.min[0] == self.max[0] or self.min[1] == self.max[1]:
+        if self.min == self.max:
             return False, False
         return (turn < 0 or any(between(inside, d, back) for d in aside),
                 turn > 0 or any(between(back, d, inside) for d in aside))
@@ -271,7 +271,8 @@ def judge(text, claim):
     listed = {(x, y): n for x, y, n in claim["potentials"]}
     if wrong or start not in listed or (goal.away(start) == (0, 0) and reach > listed[start]):
         return None, wrong or "the start is not listed, or in the goal"
-    if not none and reach >= horizon:
+    is_line = (goal.min[0] == goal.max[0]) != (goal.min[1] == goal.max[1])
+    if is_line or (not none and reach >= horizon):
         raise ValueError("out of range")
     nodes = [(p, None, infinite, reach, False, True) for p in goal.ends(start)]  # nothing leads away from there
     for p, corner in {**world.corners, start: None}.items():

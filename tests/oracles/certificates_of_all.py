@@ -60,7 +60,8 @@ class Cases:
                 return
             unit = next(float(line.split()[1].split("/")[0]) / float((line + "/1").split("/")[1])
                         for line in text.splitlines() if line.startswith("unit "))
-            rows = [line.split()[1:] for line in text.splitlines() if line.startswith(("wall ", "area ", "solid "))]
+            rows = [line.split()[1:] for line in text.splitlines() if line.startswith("area ")]
+            rows = rows or [line.split()[1:] for line in text.splitlines() if line.startswith(("wall ", "solid "))]
             xs = [int(v) for row in rows for v in row[::2]]
             ys = [int(v) for row in rows for v in row[1::2]]
             rng = random.Random(name.name)

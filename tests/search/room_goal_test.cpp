@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <taut/roadmaps/visibility_graph.h>
+#include <taut/search/detail/room_entries.h>
 #include <taut/search/polyanya.h>
 #include <taut/search/shortest_path.h>
 #include <taut/search/verify.h>
@@ -41,6 +42,18 @@ TEST(RoomGoal, IsWhereAStartOnItsRimIsThatAnObstacleHidesTheMiddleFrom) {
   const auto path = shortest_path(space, {4, 4}, goal);
   ASSERT_TRUE(path);
   EXPECT_EQ(path->length.value(), 0);
+}
+
+// It is an entry, of which it is known from where the room can be entered.
+TEST(RoomGoal, HasNoFootOfACornerThatLiesOnItsRim) {
+  std::optional<Point> of_corner = Point{}, beside;
+  for (const detail::RoomSide& side : detail::room_sides({{{7, 4}, {8, 6}}}))
+    if (side.side.a == Point{7, 4} && side.side.b == Point{7, 6}) {
+      of_corner = side.foot({7, 5});
+      beside = side.foot({5, 5});
+    }
+  EXPECT_EQ(of_corner, std::nullopt);
+  EXPECT_EQ(beside, (Point{7, 5}));
 }
 
 TEST(RoomGoal, IsNotEnteredThroughAWallOnItsRim) {

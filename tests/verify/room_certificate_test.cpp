@@ -80,7 +80,7 @@ TEST(RoomCertificate, ThatSaysMoreThanTheFootIsAwayIsRefused) {
 TEST(RoomCertificate, WhosePathEndsOutsideTheRoomIsRefused) {
   const FreeSpace space = with_walls({{{5, 0}, {5, 5}}});
   json claim = certificate(space, {2, 5});
-  claim["goal"][0][0] = claim["goal"][0][0].get<std::int64_t>() + 1;
+  for (json& corner : claim["goal"]) corner[0] = corner[0].get<std::int64_t>() + 1;
   EXPECT_THAT(judged(space, claim).words, HasSubstr("not in the goal"));
 }
 
@@ -90,6 +90,13 @@ TEST(RoomCertificate, WhosePathEndsAtAWallWithTheRoomBehindItIsRefused) {
   const auto scale = claim["scale"].get<std::int64_t>();
   claim["path"] = json::array({{5 * scale, 5 * scale}, {7 * scale, 5 * scale}});
   EXPECT_EQ(judged(space, claim).words, "the path does not get from (5, 5) to (7, 5)");
+}
+
+TEST(RoomCertificate, OfAGoalThatIsALineCannotBeRead) {
+  const FreeSpace space = with_walls({});
+  json claim = certificate(space, {2, 5});
+  claim["goal"][1][0] = claim["goal"][0][0];
+  EXPECT_THROW(judged(space, claim), proof::BadInput);
 }
 
 TEST(RoomCertificate, IsOfRoomsThatAreRectangles) {
