@@ -35,6 +35,7 @@ TEST_F(Spelling, OfASubcommandIsGuessed) {
 
 TEST_F(Spelling, OfAnOptionIsGuessedAlsoWhereMoreIsMissing) {
   EXPECT_THAT(complaint("solve m.txt --samlpes 3"), Eq("there is no option --samlpes; did you mean '--samples'?"));
+  EXPECT_THAT(complaint("solve m.txt --sampels 3"), Eq("there is no option --sampels; did you mean '--samples'?"));
   EXPECT_THAT(complaint("solve --robots=disc:1"), Eq("there is no option --robots; did you mean '--robot'?"));
   EXPECT_THAT(complaint("solve m.txt -z"), Eq("there is no option -z"));
 }
