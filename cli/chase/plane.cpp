@@ -63,8 +63,8 @@ void add_options(CommandLine& app, PlaneOptions& options) {
 }
 
 std::vector<Point> places_of(const std::vector<ReadTimedPoint>& way) {
-  std::vector<Point> places;
-  for (const ReadTimedPoint& p : way) places.push_back(p.point.at);
+  std::vector<Point> places(way.size());
+  std::ranges::transform(way, places.begin(), [](const ReadTimedPoint& p) { return p.point.at; });
   return places;
 }
 
