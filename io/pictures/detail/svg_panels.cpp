@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kGap = 20;              // between panels
 constexpr double kHead = 26, kRow = 20;  // a panel's title, a row of its facts
-constexpr double kRim = 6;               // what may stick out of a map
+constexpr double kRim = kGap / 2;        // what may stick out of a map: half of an end on its limit
 
 std::string text(const char* kind, double x, double y, const std::string& words) {
   return fmt::format("<text class=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n", kind, svg_number(x), svg_number(y),
