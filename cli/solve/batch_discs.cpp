@@ -129,7 +129,7 @@ class DiscBatch {
       answers_.prepared_in(watch.seconds());
       watch = Stopwatch();
     }
-    const ArcSearchResult result =
+    ArcSearchResult result =
         graph ? graph->find(query.from, query.to) : arc_search(graphs.all(), query.radius, query.from, query.to);
     if (result.status == DiscStatus::start_blocked) return blocked("start");
     if (result.status == DiscStatus::goal_blocked) return blocked("goal");
