@@ -14,6 +14,7 @@ import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from certificate import Judge, Refused  # noqa: E402
+from certificate_cases import CASES  # noqa: E402
 from certificate_of_room import RoomJudge  # noqa: E402
 
 FILES = ["maze_5x7.txt", "maze_25x25.txt", "islands.wkt"]
@@ -144,6 +145,10 @@ def main():
     rng = random.Random(1)
     with tempfile.TemporaryDirectory() as folder:
         case = Case(taut, folder)
+        for expected, name, text, claim in CASES:
+            code, words = judged(text, claim)
+            if code != expected:
+                case.faults.append(f"{name}: {code}, not {expected}: {words}")
         for name in FILES:
             case.world(os.path.join(data, name), rng, 1, discs=name == FILES[0])
         for _ in range(int(sys.argv[3]) if len(sys.argv) > 3 else 30):
