@@ -94,7 +94,7 @@ class Judge:
         require(claim["world"] == fingerprint(text), "the certificate is of another world")
         self.path = [tuple(p) for p in claim["path"]]
         self.goal = [tuple(map(extreme, zip(*claim["goal"]))) for extreme in (min, max)]
-        require([s == t for s, t in zip(*self.goal)] in self.goals, "the goal is another one", ValueError)
+        require([s == t for s, t in zip(*self.goal)] in self.goals, "the goal has no area, or is a room", ValueError)
         self.ends = self.goal[:1]  # where in the goal a shortest path may end
         lines = [line.split() for line in text.splitlines()]
         self.unit = Fraction(dict(words[:2] for words in lines)["unit"]) / claim["scale"]
