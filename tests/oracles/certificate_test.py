@@ -13,7 +13,9 @@ import sys
 import tempfile
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-import certificate  # noqa: E402
+from certificate import Judge, Refused  # noqa: E402
+from certificate_cases import CASES  # noqa: E402
+from certificate_of_room import RoomJudge  # noqa: E402
 
 FILES = ["maze_5x7.txt", "maze_25x25.txt", "islands.wkt"]
 
@@ -71,6 +73,17 @@ def tampered_chain(claim, rng):
     return claim
 
 
+def judged(text, claim):
+    """The exit code of the judge in Python, and what it says."""
+    judge = Judge if claim["goal"][0] == claim["goal"][-1] else RoomJudge
+    try:
+        return 0, judge(text, json.dumps(claim)).verdict()
+    except Refused as refused:
+        return 1, refused
+    except (ValueError, TypeError, LookupError, ArithmeticError) as error:
+        return 3, error
+
+
 class Case:
     def __init__(self, taut, folder):
         self.taut, self.folder = taut, folder
@@ -106,10 +119,7 @@ class Case:
     def compare(self, world, text, claim):
         """Does our program judge as this file does?"""
         answer = self.run("verify", world, self.file("claim", json.dumps(claim)))
-        try:
-            ours = 0 if certificate.judge(text, claim)[0] else 1
-        except (ValueError, KeyError, TypeError, IndexError):
-            ours = 3
+        ours, _ = judged(text, claim)
         self.proven += ours == 0
         self.refused += ours == 1
         if ours != answer.returncode and 3 not in (ours, answer.returncode):
@@ -122,8 +132,9 @@ class Case:
             if claim is None:
                 continue
             text = self.integers(world)
-            if certificate.judge(text, claim)[0] is None:
-                self.faults.append(f"not proven: {world} {more}: {certificate.judge(text, claim)}")
+            code, words = judged(text, claim)
+            if code != 0:
+                self.faults.append(f"not proven: {world} {more}: {words}")
             self.compare(world, text, claim)
             for _ in range(changes):
                 self.compare(world, text, tampered(claim, rng))
@@ -134,6 +145,10 @@ def main():
     rng = random.Random(1)
     with tempfile.TemporaryDirectory() as folder:
         case = Case(taut, folder)
+        for expected, name, text, claim in CASES:
+            code, words = judged(text, claim)
+            if code != expected:
+                case.faults.append(f"{name}: {code}, not {expected}: {words}")
         for name in FILES:
             case.world(os.path.join(data, name), rng, 1, discs=name == FILES[0])
         for _ in range(int(sys.argv[3]) if len(sys.argv) > 3 else 30):

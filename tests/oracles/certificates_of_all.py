@@ -19,7 +19,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-JUDGE = Path(__file__).with_name("certificate.py")
+JUDGE = Path(__file__).with_name("certificate_of_room.py")  # judges points, too
 NO_WORLDS = (".queries", ".scen")
 TRIES = 200  # of random ends, most of which may lie in walls
 
