@@ -13,6 +13,7 @@
 #include <taut/io/worlds/read_world.h>
 
 #include "support/program_test.h"
+#include "support/sanitized.h"
 
 namespace taut::test {
 namespace {
@@ -229,6 +230,7 @@ TEST_F(Proven, ComparisonsNeverEndWellWithAPathThatFailsItsCheck) {
 
 // What the operating system refuses is a limit, not a defect.
 TEST_F(Proven, ThreadsThatCannotBeHadAreALimit) {
+  if (kSanitized) GTEST_SKIP() << "memory cannot be limited";
   const std::string map = folder.file("map", run_taut("chase generate --size 150x120 --duration 300 --seed 3").out);
   int stopped = 0;
   for (int kilobytes = 30000; kilobytes <= 60000; kilobytes += 1000) {
@@ -243,6 +245,7 @@ TEST_F(Proven, ThreadsThatCannotBeHadAreALimit) {
 }
 
 TEST_F(Proven, MemoryIsLimitedBelowALimitThatIsThereAlready) {
+  if (kSanitized) GTEST_SKIP() << "memory cannot be limited";
   const Outcome run = run_script("ulimit -v 400000; exec \"$taut\" solve - --max-memory 2G", kSealedRoom);
   EXPECT_EQ(run.code, 1) << run.err;
 }

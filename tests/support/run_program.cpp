@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "support/paths.h"
+#include "support/sanitized.h"
 
 namespace taut::test {
 
@@ -70,7 +71,7 @@ Outcome run_script(const std::string& script, std::string_view input, double int
     _exit(127);
   }
   if (interrupt_after > 0) {
-    std::this_thread::sleep_for(std::chrono::duration<double>(interrupt_after));
+    std::this_thread::sleep_for(std::chrono::duration<double>(kSanitized ? 10 * interrupt_after : interrupt_after));
     kill(child, SIGINT);
   }
   const int code = wait_for(child);
