@@ -218,8 +218,8 @@ json tampered(json claim) {
     case 3: bound["potentials"].erase(std::size_t(any(0, int(bound["potentials"].size()) - 1))); break;
     case 4: {
       const auto i = std::size_t(any(0, int(bound["path"].size()) - 1));
-      const auto by = any(-100, 100) * unit,
-                 finer = keeps["scale"].get<std::int64_t>() / bound["scale"].get<std::int64_t>();
+      const auto scale = bound["scale"].get<std::int64_t>(), finer = keeps["scale"].get<std::int64_t>() / scale;
+      const auto by = any(-100, 100) * (finer < std::int64_t{1} << 30 ? unit : scale);  // in range of both
       moved(bound["path"][i][0], by), moved(keeps["path"][i][0], by * finer);
       break;
     }
